@@ -10,19 +10,12 @@
 function(stereo_add_family)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;SOURCES;MODELS;LINK" "")
   set(folder "${PROJECT_SOURCE_DIR}/${arg_SOURCES}")
-  set(table "${folder}/${arg_NAME}/configurations.hpp")
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${table}")
-  file(STRINGS "${table}" rows REGEX "^STEREO_ROW\\(")
+  stereo_read_rows("${folder}/${arg_NAME}/configurations.hpp")
   set(entries "")
-  foreach(row IN LISTS rows)
-    string(REGEX MATCH "^STEREO_ROW\\(([a-z0-9_]+), ([a-z]+)," matched "${row}")
-    if(NOT matched)
-      message(FATAL_ERROR "${table}: a row begins STEREO_ROW(name, use, base, but one begins ${row}")
-    endif()
-    set(name "${CMAKE_MATCH_1}")
+  foreach(name use IN ZIP_LISTS names uses)
     string(APPEND entries "      configuration_entry<Core<configurations::${name}>>("
-           "\"${name}\", \"${CMAKE_MATCH_2}\", \"${arg_NAME}\", \"${arg_SOURCES}\"),\n")
-    stereo_add_core(NAME ${name} FAMILY ${arg_NAME} USE ${CMAKE_MATCH_2} FOLDER "${folder}")
+           "\"${name}\", \"${use}\", \"${arg_NAME}\", \"${arg_SOURCES}\"),\n")
+    stereo_add_core(NAME ${name} FAMILY ${arg_NAME} USE ${use} FOLDER "${folder}")
     add_dependencies(cores core_${name})
   endforeach()
   file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_configurations.cpp" @ONLY CONTENT
@@ -47,6 +40,52 @@ ${entries}   }, std::make_shared<AlgorithmOf<Matching>>(Matching()), &random_row
   target_include_directories(stereo_configurations PRIVATE "${folder}")
   target_link_libraries(stereo_configurations PUBLIC ${arg_LINK})
   set_property(GLOBAL APPEND PROPERTY STEREO_FAMILIES make_${arg_NAME})
+endfunction()
+
+# stereo_read_rows(<table>): sets `names` and `uses` to those of the rows of a table of configurations.
+function(stereo_read_rows table)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${table}")
+  file(STRINGS "${table}" rows REGEX "^STEREO_ROW\\(")
+  set(names "")
+  set(uses "")
+  foreach(row IN LISTS rows)
+    string(REGEX MATCH "^STEREO_ROW\\(([a-z0-9_]+), ([a-z]+)," matched "${row}")
+    if(NOT matched)
+      message(FATAL_ERROR "${table}: a row begins STEREO_ROW(name, use, base, but one begins ${row}")
+    endif()
+    list(APPEND names ${CMAKE_MATCH_1})
+    list(APPEND uses ${CMAKE_MATCH_2})
+  endforeach()
+  set(names "${names}" PARENT_SCOPE)
+  set(uses "${uses}" PARENT_SCOPE)
+endfunction()
+
+# stereo_add_stage(NAME <stage> SOURCES <folder> HEADER <header>)
+#
+# Makes the named configurations of a stage in front of a matching core known to all programs, from <stage>/configurations.hpp
+# in the folder. <header>, seen from hls_tb/, has stage_entry.
+function(stereo_add_stage)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;SOURCES;HEADER" "")
+  stereo_read_rows("${PROJECT_SOURCE_DIR}/${arg_SOURCES}/${arg_NAME}/configurations.hpp")
+  set(entries "")
+  foreach(name use IN ZIP_LISTS names uses)
+    string(APPEND entries "      stage_entry<${arg_NAME}::configurations::${name}>("
+           "\"${name}\", \"${use}\", \"${arg_NAME}\", \"${arg_SOURCES}\"),\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_stages.cpp" @ONLY CONTENT
+"// Made by CMake from ${arg_SOURCES}/${arg_NAME}/configurations.hpp.
+#include \"${arg_HEADER}\"
+#include \"${arg_NAME}/configurations.hpp\"
+
+namespace stereo {
+std::vector<Stage> make_${arg_NAME}_stages();
+std::vector<Stage> make_${arg_NAME}_stages() {
+   return {
+${entries}   };
+}
+}  // namespace stereo
+")
+  target_sources(stereo_configurations PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_stages.cpp")
 endfunction()
 
 # stereo_add_core(NAME <configuration> FAMILY <family> USE <use> FOLDER <folder>): the module of one configuration.

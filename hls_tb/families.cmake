@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
+# The stages in front of a matching core.
+stereo_add_stage(NAME rectification SOURCES hls HEADER engines/rectification/stages.hpp)
+
 # The algorithm families, one row each.
 stereo_add_family(NAME block_matching SOURCES hls MODELS definition/block_matching/models.hpp LINK stereo_models)
 stereo_add_family(NAME semi_global SOURCES hls MODELS definition/semi_global/models.hpp LINK stereo_models)

@@ -70,7 +70,7 @@ stereo_add_unit_tests(
 stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_stream_test.cpp
                       cores/block_matching/core_test.cpp)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/named_cores_test.cpp
-                      engines/clocked/stimulus_test.cpp)
+                      engines/clocked/stimulus_test.cpp engines/rectification/stage_stimulus_test.cpp)
 add_dependencies(cores_named_cores_test cores)
 add_dependencies(engines_clocked_stimulus_test cores)
 

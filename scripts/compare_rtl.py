@@ -13,14 +13,20 @@ from flow.synthesis.structure import structure_digest
 
 
 def cores_of(commit: str) -> dict[str, str]:
-    """{configuration: path of its core in that commit}"""
+    """{configuration: path of its VHDL in that commit}"""
     git = find_tool("git")
     try:
         listed = run([git, "ls-tree", "-r", "--name-only", commit, "generated_rtl"], cwd=ROOT)
     except FlowError:
         raise FlowError(f"{commit} is no commit of this repository") from None
     files = [Path(line) for line in listed.splitlines()]
-    return {path.parent.name: path.as_posix() for path in files if path.match("stereo_core*.vhd")}
+    made = (path for path in files if path.suffix == ".vhd" and path != shell_of(path))
+    return {path.parent.name: path.as_posix() for path in made}
+
+
+def shell_of(path: Path) -> Path:
+    """The AXI shell beside a file of generated_rtl/."""
+    return path.with_name(f"{rtl.ip_entity(path.parent.name)}.vhd")
 
 
 def verdict(before: str, after: str) -> str:
@@ -39,14 +45,14 @@ def main() -> int:
     )
     options = parser.parse_args()
     earlier = cores_of(options.against)
-    names = options.config or sorted(set(earlier) & set(rtl.known_configurations()))
+    names = options.config or sorted(set(earlier) & set(rtl.known_designs()))
     for name in names:
         if name not in earlier:
             raise FlowError(f"{options.against} has no VHDL of '{name}'")
     changed = []
     for name in names:
         before = run([find_tool("git"), "show", f"{options.against}:{earlier[name]}"], cwd=ROOT)
-        said = verdict(before, (rtl.folder(name) / f"{rtl.core_entity(name)}.vhd").read_text())
+        said = verdict(before, (rtl.folder(name) / f"{rtl.entity(name)}.vhd").read_text())
         print(f"{name}: {said}", flush=True)
         changed += [name] if said == "another netlist" else []
     print(f"{len(names) - len(changed)} of {len(names)} cores have the netlist of {options.against}")

@@ -39,7 +39,10 @@ def jobs(options: Namespace) -> list[job.Job]:
             raise FlowError("--shell takes the committed VHDL, not that of --rtl")
         names = options.config
     else:
-        names = chosen(options.config, rtl.known_configurations(), "configuration")
+        names = chosen(options.config, rtl.known_designs(), "configuration")
+        stages = [name for name in names if options.shell and name not in rtl.known_configurations()]
+        if stages:
+            raise FlowError(f"--shell is for matching cores; {stages[0]} is a stage and has no shell")
     made = []
     for name in names:
         vhdl = options.rtl or rtl.folder(name)

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the VHDL of configurations from the C++ core with Bambu, into generated_rtl/FAMILY/NAME/."""
+"""Makes the VHDL of configurations, of matching cores and of stages, from the C++ with Bambu, into
+generated_rtl/FAMILY/NAME/."""
 
 import sys
 from collections.abc import Iterable
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base.configurations import PLANNED, Configuration, configuration, configurations
+from flow.base import rtl
+from flow.base.configurations import PLANNED, Configuration, configuration, designs
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import find_bambu
@@ -45,7 +47,7 @@ def main() -> int:
         "--out", type=a_path, help="another folder than generated_rtl, one subfolder for each configuration"
     )
     options = parser.parse_args()
-    table = configurations()
+    table = designs()
     names = options.config or sorted(name for name, row in table.items() if row["use"] != PLANNED)
     for name in names:
         configuration(name, table)
@@ -55,7 +57,7 @@ def main() -> int:
     find_bambu()
     for name in names:
         report = generate(name, out=options.out / name if options.out else None)["tool_report"]
-        if options.out is None:
+        if options.out is None and rtl.kind_of(table[name]["family"]) is rtl.CORE:
             template.write(name)
         print(
             f"{name}: {report['states']} states ({report['loop_states']} in the loop), "

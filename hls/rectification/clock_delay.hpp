@@ -19,9 +19,9 @@ struct ClockDelay {
       visit("held", held);
    }
 
-   HLS_INLINE Value oldest() const { return held[Clocks - 1]; }
+   HLS_INLINE const Value& oldest() const { return held[Clocks - 1]; }
 
-   HLS_INLINE void clock(Value newest) {
+   HLS_INLINE void clock(const Value& newest) {
       HLS_UNROLL
       for (int i = Clocks - 1; i > 0; --i) held[i] = held[i - 1];
       held[0] = newest;

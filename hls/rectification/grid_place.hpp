@@ -15,7 +15,7 @@ using LagCounter = RasterCounter<C.width_px, C.height_px, C.lag_rows(), true>;
 /// The row of the frame that leaves; only while there is one.
 template <const Config& C>
 HLS_INLINE uint16_t leaving_row(const LagCounter<C>& place) {
-   return uint16_t(place.group - C.lag_rows());
+   return at_most<C.height_px - 1>(unsigned(place.group - C.lag_rows()));
 }
 template <const Config& C>
 HLS_INLINE bool row_leaves(const LagCounter<C>& place) {

@@ -11,6 +11,15 @@ struct PixelPair {
    uint8_t left, right;
    bool start_of_frame, valid;
 
+   /// Member by member: the tool would copy the record as one word of 32 bits, and registers of words have no names.
+   HLS_INLINE PixelPair& operator=(const PixelPair& other) {
+      left = other.left;
+      right = other.right;
+      start_of_frame = other.start_of_frame;
+      valid = other.valid;
+      return *this;
+   }
+
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("left", left);

@@ -10,6 +10,13 @@ struct QuadPlace {
    uint16_t column;
    uint16_t row;
 
+   /// Member by member, see PixelPair.
+   HLS_INLINE QuadPlace& operator=(const QuadPlace& other) {
+      column = other.column;
+      row = other.row;
+      return *this;
+   }
+
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("column", column);

@@ -37,7 +37,7 @@ struct Memories {
 extern "C" void rectification_core(volatile uint8_t* left_pixel, volatile uint8_t* right_pixel,
                                    volatile bool* start_of_frame, volatile bool* valid, volatile bool* node_valid,
                                    volatile bool* node_right, volatile uint16_t* node_column,
-                                   volatile uint16_t* node_row, volatile int16_t* node_x, volatile int16_t* node_y,
+                                   volatile uint16_t* node_row, volatile uint16_t* node_x, volatile uint16_t* node_y,
                                    volatile uint8_t* rectified_left, volatile uint8_t* rectified_right,
                                    volatile bool* rectified_start_of_frame, volatile bool* rectified_valid) {
    Memories memories;
@@ -56,8 +56,8 @@ extern "C" void rectification_core(volatile uint8_t* left_pixel, volatile uint8_
       node.right = *node_right;
       node.column = *node_column;
       node.row = *node_row;
-      node.x = *node_x;
-      node.y = *node_y;
+      node.x = int16_t(*node_x);
+      node.y = int16_t(*node_y);
       const stereo::StereoInput out = core.output();
       *rectified_left = out.left[0];
       *rectified_right = out.right[0];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Verilator twin of tb_stereo_core.vhd: drives the model with a stimulus file, writes down every output with its
-// clock, judges nothing.
+// clock, judges nothing. bench_ports.hpp, made by scripts/flow/cosim/bench.py, knows the ports of the design.
 //   bench STIMULUS OBSERVED [WAVE FIRST_CLOCK LAST_CLOCK]
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 
-#include "Vdesign.h"
+#include "bench_ports.hpp"
 #include "verilated.h"
 #if VM_TRACE
 #include "verilated_fst_c.h"
@@ -15,6 +15,13 @@
 namespace {
 
 constexpr long kProgressClocks = 1000;
+
+/// The next line of the stimulus.
+bool read_fields(std::FILE* stimulus, unsigned (&fields)[kFields]) {
+   for (unsigned& field : fields)
+      if (std::fscanf(stimulus, "%x", &field) != 1) return false;
+   return true;
+}
 
 /// Dumps the model's signals while the clock count is in the window.
 class Wave {
@@ -53,12 +60,6 @@ class Wave {
 #endif
 };
 
-/// Ports are as wide as the pixels of one clock.
-template <class Port>
-void drive(Port& port, unsigned value) {
-   port = static_cast<Port>(value);
-}
-
 void clock_edge(Vdesign& model, Wave& wave, long clock) {
    model.clock = 0;
    model.eval();
@@ -92,18 +93,12 @@ int main(int argc, char** argv) {
    char line[256];
    if (!std::fgets(line, sizeof line, stimulus)) return 2;  // format line, checked before the simulation starts
    long clock = 0;
-   unsigned flags, left, right;
-   while (std::fscanf(stimulus, "%x %x %x", &flags, &left, &right) == 3) {
-      model.valid = flags & 1;
-      model.start_of_frame = flags >> 1 & 1;
-      model.reset = flags >> 2 & 1;
-      drive(model.left_pixel, left);
-      drive(model.right_pixel, right);
+   unsigned fields[kFields];
+   while (read_fields(stimulus, fields)) {
+      drive_inputs(model, fields);
       model.clock = 0;
       model.eval();
-      if (model.disparity_valid)
-         std::fprintf(observed, "%ld %llx %u\n", clock, static_cast<unsigned long long>(model.disparity),
-                      model.disparity_start_of_frame | model.disparity_end_of_line << 1 | model.pixel_valid << 2);
+      if (is_valid(model)) std::fprintf(observed, "%ld %llx %llu\n", clock, word(model), shown_flags(model));
       clock_edge(model, wave, clock);
       if (++clock % kProgressClocks == 0) std::printf("progress %ld\n", clock), std::fflush(stdout);
    }

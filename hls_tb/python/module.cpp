@@ -145,7 +145,7 @@ py::dict trace(const std::string& name, int clocks) {
    Columns columns;
    {
       const py::gil_scoped_release others_may_run;
-      trace_core(core, make_trace_stimulus(core, clocks), columns);
+      trace_core(core, make_trace_stimulus(core.name, core.shape, clocks), columns);
    }
    py::dict result;
    for (std::size_t i = 0; i < columns.all.size(); ++i) {

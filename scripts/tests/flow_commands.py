@@ -10,7 +10,7 @@ import subprocess
 from pathlib import Path
 
 from flow.base import rtl
-from flow.base.configurations import configuration
+from flow.base.configurations import configuration, designs
 from flow.base.tools import ROOT, find_stereo_hls
 from flow.synthesis import manifest
 
@@ -46,7 +46,7 @@ def scene(folder, config, seed=7):
 def random_pair(folder, config, levels, seed=1, brightest=255):
     """(left, right) of unrelated noise with so many grey levels from 0 to the brightest: few levels give ties
     everywhere, far apart also extremes, close together sums that differ by little."""
-    size = configuration(config)
+    size = configuration(config, designs())
     generator = random.Random(f"{levels} {seed}")
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("left", "right"):
@@ -71,7 +71,7 @@ def altered_rtl(folder, config, pattern, replacement):
     """A copy of the committed VHDL with the first place that matches changed, and a manifest that fits the change."""
     target = Path(folder) / config
     shutil.copytree(rtl.folder(config), target)
-    design = target / f"{rtl.core_entity(config)}.vhd"
+    design = target / f"{rtl.entity(config)}.vhd"
     text, count = re.subn(pattern, replacement, design.read_text(), count=1, flags=re.MULTILINE)
     assert count == 1, f"the VHDL of {config} has no '{pattern}'"
     design.write_text(text)

@@ -7,12 +7,12 @@ import os
 import pytest
 
 from flow.base import rtl, tools
-from flow.base.configurations import PLANNED, configuration, configurations
+from flow.base.configurations import PLANNED, configuration, designs
 from flow.base.errors import FlowError
 from flow.synthesis import generate, manifest
 from flow_commands import call
 
-TABLE = configurations()
+TABLE = designs()
 CONFIGURATIONS = sorted(name for name, row in TABLE.items() if row["use"] != PLANNED)
 
 
@@ -26,16 +26,16 @@ def test_generated_vhdl_is_up_to_date(name):
 def test_generated_vhdl_is_what_the_manifest_says(name):
     folder = rtl.folder(name)
     assert folder.parent.name == TABLE[name]["family"]
-    assert manifest.core_files(name) == [rtl.MEMORY_CELL, folder / f"{rtl.core_entity(name)}.vhd"], "compile order"
+    assert manifest.core_files(name) == [rtl.MEMORY_CELL, folder / f"{rtl.entity(name)}.vhd"], "compile order"
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_generated_vhdl_says_where_it_came_from(name):
-    head = (rtl.folder(name) / f"{rtl.core_entity(name)}.vhd").read_text()[:800]
+    head = (rtl.folder(name) / f"{rtl.entity(name)}.vhd").read_text()[:800]
     for words in (
         "SPDX-License-Identifier: Apache-2.0",
         f"configuration {name}",
-        "hls/top/stereo_top.cpp",
+        rtl.kind_of(TABLE[name]["family"]).top,
         "PandA Bambu",
         "synthesize.py",
     ):

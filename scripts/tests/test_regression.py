@@ -167,7 +167,7 @@ def test_the_inputs_that_count(ghdl, tmp_path, monkeypatch):
 
 
 def test_names_and_patterns():
-    made = rtl.known_configurations()
+    made = rtl.known_designs()
     assert regression.select(["tiny_p2", "tiny", "tiny_p2"]) == ["tiny_p2", "tiny"]
     assert regression.select(["all"]) == made
     assert regression.select(["tiny_p?"]) == ["tiny_p2", "tiny_p4"]

@@ -5,13 +5,13 @@ import pytest
 
 from conftest import need
 from flow.base import rtl
-from flow.base.configurations import configurations
+from flow.base.configurations import designs
 from flow.synthesis import manifest
 from flow_commands import call, cosim, random_pair, report
 
 # The large ones take minutes each; they are made by the same steps.
 USES = ("tiny", "option", "example")
-CONFIGURATIONS = [*(name for name, row in sorted(configurations().items()) if row["use"] in USES), "ambrosch2007"]
+CONFIGURATIONS = [*(name for name, row in sorted(designs().items()) if row["use"] in USES), "ambrosch2007"]
 
 
 @pytest.fixture(scope="module")
@@ -32,7 +32,7 @@ def test_regenerating_gives_the_committed_files(regenerated, name):
     if manifest.read(committed)["tool"] != manifest.read(new)["tool"]:
         pytest.skip(f"SKIP: {manifest.read(committed)['tool']} is not installed, {manifest.read(new)['tool']} is")
     made = sorted(new.iterdir())
-    assert [path.name for path in made] == ["manifest.json", f"{rtl.core_entity(name)}.vhd"]
+    assert [path.name for path in made] == ["manifest.json", f"{rtl.entity(name)}.vhd"]
     for path in made:
         assert path.read_bytes() == (committed / path.name).read_bytes(), f"{path.name} differs"
 

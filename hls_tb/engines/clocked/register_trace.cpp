@@ -69,16 +69,19 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& s
    }
 }
 
-void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream& out) {
-   out << "stereo-hls trace 1 config=" << stimulus.config << " clocks=" << stimulus.clocks.size() << '\n';
-   TextTrace text(out);
-   trace_core(module, stimulus, text);
+std::unique_ptr<TraceSink> text_trace(const std::string& config, std::size_t clocks, std::ostream& out) {
+   out << "stereo-hls trace 1 config=" << config << " clocks=" << clocks << '\n';
+   return std::make_unique<TextTrace>(out);
 }
 
-Stimulus make_trace_stimulus(const CoreModule& module, int clocks) {
+void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream& out) {
+   trace_core(module, stimulus, *text_trace(stimulus.config, stimulus.clocks.size(), out));
+}
+
+Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, int clocks) {
    constexpr int kStallPercent = 20;
    constexpr uint64_t kSeed = 1;
-   const Image& image = module.shape.image;
+   const Image& image = shape.image;
    StimulusWriter writer(image.pixels_per_clock, kStallPercent, kSeed);
    writer.bubbles(4);
    const auto records_of_a_frame = [&writer](int count) {
@@ -88,10 +91,10 @@ Stimulus make_trace_stimulus(const CoreModule& module, int clocks) {
    records_of_a_frame(image.width_px / 2);
    while (writer.clocks.size() < std::size_t(clocks)) {
       records_of_a_frame(image.width_px * image.row_groups());
-      writer.gap(module.shape.schedule);
+      writer.gap(shape.schedule);
    }
    writer.clocks.resize(std::size_t(clocks));
-   return {module.name, image.pixels_per_clock, std::move(writer.clocks)};
+   return {config, image.pixels_per_clock, std::move(writer.clocks)};
 }
 
 }  // namespace stereo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <ostream>
 #include <span>
 #include <string>
@@ -24,14 +25,17 @@ class TraceSink {
    virtual void clock(std::span<const Value> values) = 0;
 };
 
+/// Writes text: "stereo-hls trace 1 config=NAME clocks=N", a line with the names, then N lines of hexadecimal values,
+/// -1f for -31.
+std::unique_ptr<TraceSink> text_trace(const std::string& config, std::size_t clocks, std::ostream& out);
+
 void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& sink);
 
-/// As text: "stereo-hls trace 1 config=NAME clocks=N", a line with the names, then N lines of hexadecimal values, -1f
-/// for -31.
+/// As text.
 void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream& out);
 
 /// Random pixels with bubbles: a frame that is broken off, then frames as close as they may be, so that what only
 /// happens between frames shows as well where the frames are short enough.
-Stimulus make_trace_stimulus(const CoreModule& module, int clocks);
+Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, int clocks);
 
 }  // namespace stereo

@@ -3,6 +3,7 @@
 
 #include "engines/configurations.hpp"
 #include "engines/families.hpp"
+#include "engines/rectification/stages.hpp"
 #include "program/commands/options_json.hpp"
 
 namespace stereo::app {
@@ -21,7 +22,9 @@ nlohmann::json json_of(const OptionLimits& option) {
    return json;
 }
 
-nlohmann::json as_json(const Configuration& entry) {
+/// Entry: Configuration or Stage.
+template <class Entry>
+nlohmann::json common_json(const Entry& entry) {
    const CoreShape& shape = entry.shape;
    nlohmann::json json = options_json(entry.options), changed = nlohmann::json::array();
    for (const OptionValue& option : entry.changed)
@@ -36,8 +39,6 @@ nlohmann::json as_json(const Configuration& entry) {
                 {"source_folder", entry.source_folder},
                 {"description", entry.description()},
                 {"options", changed},
-                {"disparities", entry.algorithm->map_geometry(shape.image.width_px).disparities},
-                {"disparity_bits", shape.disparity_bits},
                 {"output_width_px", shape.output_width_px},
                 {"output_height_px", shape.image.height_px},
                 {"latency_clocks", shape.schedule.latency_clocks},
@@ -47,11 +48,32 @@ nlohmann::json as_json(const Configuration& entry) {
    return json;
 }
 
+nlohmann::json as_json(const Configuration& entry) {
+   nlohmann::json json = common_json(entry);
+   json["disparities"] = entry.algorithm->map_geometry(entry.shape.image.width_px).disparities;
+   json["disparity_bits"] = entry.shape.disparity_bits;
+   return json;
+}
+
+nlohmann::json as_json(const Stage& entry) {
+   nlohmann::json json = common_json(entry);
+   json["table_columns"] = entry.config.table_columns();
+   json["table_rows"] = entry.config.table_rows();
+   json["lag_rows"] = entry.config.lag_rows();
+   return json;
+}
+
 }  // namespace
 
 nlohmann::json configurations_json() {
    nlohmann::json all;
    for (const Configuration& entry : configurations()) all[entry.name] = as_json(entry);
+   return all;
+}
+
+nlohmann::json stages_json() {
+   nlohmann::json all;
+   for (const Stage& entry : stages()) all[entry.name] = as_json(entry);
    return all;
 }
 

@@ -7,6 +7,8 @@ namespace stereo::app {
 
 /// {name: what is known of the configuration}, as `stereo_hls configurations --json` prints it.
 nlohmann::json configurations_json();
+/// The same of the stages: what they have in common with matching cores, and their own.
+nlohmann::json stages_json();
 
 /// {family: {option: default, limits or words, meaning}}.
 nlohmann::json families_json();

@@ -6,6 +6,7 @@
 
 #include "engines/clocked/core_modules.hpp"
 #include "engines/clocked/register_trace.hpp"
+#include "engines/rectification/stage_stimulus.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/io/output_folder.hpp"
 
@@ -18,9 +19,13 @@ struct TraceArguments {
 };
 
 void trace(const TraceArguments& arguments) {
-   const CoreModule& core = core_module(require_configuration(arguments.config).name);
    std::ostringstream text;
-   trace_core(core, make_trace_stimulus(core, arguments.clocks), text);
+   if (const Stage* const stage = find_stage(arguments.config)) {
+      trace_stage(*stage, arguments.clocks, text);
+   } else {
+      const CoreModule& core = core_module(require_configuration(arguments.config).name);
+      trace_core(core, make_trace_stimulus(core.name, core.shape, arguments.clocks), text);
+   }
    OutputFolder out(arguments.out);
    out.add("trace.txt", text.str());
    out.commit();

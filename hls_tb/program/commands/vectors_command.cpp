@@ -6,6 +6,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "cosim/stage_files.hpp"
 #include "cosim/vector_files.hpp"
 #include "engines/clocked/core_modules.hpp"
 #include "engines/clocked/run_core.hpp"
@@ -30,10 +31,10 @@ RowRange parse_rows(const std::string& text) {
    throw InputError("--rows " + text + ": must be A:B, the first row and the one after the last, such as 10:20");
 }
 
-template <class Content, class Writer>
-std::string text_of(const Content& content, Writer write) {
+template <class Writer, class... Content>
+std::string text_of(Writer write, const Content&... content) {
    std::ostringstream out;
-   write(out, content);
+   write(out, content...);
    return out.str();
 }
 
@@ -45,23 +46,41 @@ struct VectorsArguments {
    int broken = 0;  ///< events of a broken stream instead of frames
 };
 
-void vectors(const VectorsArguments& arguments) {
-   const CoreModule& core = core_module(require_configuration(arguments.config).name);
-   const Image& image = core.shape.image;
+Stimulus stream(const VectorsArguments& arguments, const std::string& config, const CoreShape& shape) {
+   const Image& image = shape.image;
    StimulusOptions options = arguments.options;
    if (!arguments.rows.empty()) options.rows = parse_rows(arguments.rows);
    const ImagePair pair =
        fit_pair(load_pair(arguments.left, arguments.right), image.width_px, image.height_px, arguments.fit);
-   const Stimulus stimulus = arguments.broken > 0 ? make_broken_stimulus(core.name, core.shape, pair, arguments.broken,
-                                                                         options.stall_percent, options.seed)
-                                                  : make_stimulus(core.name, core.shape, pair, options);
-   const Expected expected{core.name, image.pixels_per_clock, core.shape.disparity_bits,
-                           core.shape.schedule.latency_clocks, run_core(core, stimulus)};
+   if (arguments.broken == 0) return make_stimulus(config, shape, pair, options);
+   return make_broken_stimulus(config, shape, pair, arguments.broken, options.stall_percent, options.seed);
+}
+
+void write(const VectorsArguments& arguments, std::size_t clocks, std::size_t outputs, std::string stimulus,
+           std::string expected) {
    OutputFolder out(arguments.out);
-   out.add("stimulus.txt", text_of(stimulus, write_stimulus));
-   out.add("expected.txt", text_of(expected, write_expected));
-   std::cout << stimulus.clocks.size() << " clocks, " << expected.outputs.size() << " outputs\n";
+   out.add("stimulus.txt", std::move(stimulus));
+   out.add("expected.txt", std::move(expected));
+   std::cout << clocks << " clocks, " << outputs << " outputs\n";
    out.commit();
+}
+
+void vectors_of_stage(const VectorsArguments& arguments, const Stage& stage) {
+   const std::vector<StageClock> clocks =
+       make_stage_stimulus(stage, stream(arguments, stage.name, stage.shape), arguments.options.seed);
+   const std::vector<StageOutput> outputs = run_stage(stage, clocks);
+   write(arguments, clocks.size(), outputs.size(), text_of(write_stage_stimulus, stage, clocks),
+         text_of(write_stage_expected, stage, outputs));
+}
+
+void vectors(const VectorsArguments& arguments) {
+   if (const Stage* const stage = find_stage(arguments.config)) return vectors_of_stage(arguments, *stage);
+   const CoreModule& core = core_module(require_configuration(arguments.config).name);
+   const Stimulus stimulus = stream(arguments, core.name, core.shape);
+   const Expected expected{core.name, core.shape.image.pixels_per_clock, core.shape.disparity_bits,
+                           core.shape.schedule.latency_clocks, run_core(core, stimulus)};
+   write(arguments, stimulus.clocks.size(), expected.outputs.size(), text_of(write_stimulus, stimulus),
+         text_of(write_expected, expected));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The table of named configurations, as the C++ has it (hls/FAMILY/configurations.hpp)."""
+"""The tables of named configurations, as the C++ has them (hls/FAMILY/configurations.hpp): those of matching cores, and
+those of stages in front of them."""
 
 import json
 from typing import Any, TypedDict, cast
@@ -55,13 +56,23 @@ def option(parameters: Parameters, name: str) -> Any:
     return cast(dict[str, Any], parameters).get(name)
 
 
-def configurations() -> dict[str, Configuration]:
+def _listed(*options: str) -> dict[str, Configuration]:
     program = find_stereo_hls()
     try:
-        table: dict[str, Configuration] = json.loads(run([program, "configurations", "--json"]))
+        table: dict[str, Configuration] = json.loads(run([program, "configurations", "--json", *options]))
     except ValueError:
         raise FlowError(f"{program} does not list configurations as stereo_hls does", EXIT_TOOL_FAILED) from None
     return table
+
+
+def configurations() -> dict[str, Configuration]:
+    """Of matching cores."""
+    return _listed()
+
+
+def designs() -> dict[str, Configuration]:
+    """Of matching cores and of stages, which have no disparities: all that VHDL is made of."""
+    return configurations() | _listed("--stages")
 
 
 def configuration(name: str, table: dict[str, Configuration] | None = None) -> Configuration:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the VHDL of each configuration stands, generated_rtl/FAMILY/NAME/, and what its entities are called."""
+"""Where the VHDL of each configuration stands, generated_rtl/FAMILY/NAME/, what its entities are called, and the ports
+of each kind of design: a matching core of any family, or a stage in front of it."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -33,6 +34,22 @@ PORTS = (
     Port("disparity_start_of_frame", "out", None),
     Port("disparity_end_of_line", "out", None),
 )
+STAGE_PORTS = (
+    Port("left_pixel", "in", 8, "as the cameras send them"),
+    Port("right_pixel", "in", 8),
+    Port("start_of_frame", "in", None, "with column 0 of the first row"),
+    Port("valid", "in", None, "0: bubble"),
+    Port("node_valid", "in", None, "a node of a table: docs/rectification.md"),
+    Port("node_right", "in", None, "of the right camera's table"),
+    Port("node_column", "in", 16, "of the node, below table_columns"),
+    Port("node_row", "in", 16, "below table_rows"),
+    Port("node_x", "in", 16, "offset to the right in two's complement"),
+    Port("node_y", "in", 16, "offset down"),
+    Port("rectified_left", "out", 8),
+    Port("rectified_right", "out", 8),
+    Port("rectified_start_of_frame", "out", None),
+    Port("rectified_valid", "out", None),
+)
 # What a user of the VHDL states of a core; the core refuses what it is not.
 GENERICS = (
     "width_px",
@@ -47,8 +64,71 @@ GENERICS = (
 )
 
 
+class Kind(NamedTuple):
+    """A kind of design that goes through the flow."""
+
+    top: str  # the C++ file that the synthesis tool takes, from the project's root
+    function: str  # in that file
+    prefix: str  # of its entity's name
+    title: str  # for the first line of its VHDL
+    ports: tuple[Port, ...]
+    generics: tuple[str, ...]  # what a user of the VHDL states of it
+    valid: str  # the output that says whether the words of the others count
+    word: tuple[str, ...]  # the outputs that are compared as one number, the highest first
+
+    def entity(self, config: str) -> str:
+        return self.prefix + config
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """Outputs that are more than a flag."""
+        return tuple(port.name for port in self.ports if port.direction == "out" and port.lane_bits is not None)
+
+
+CORE = Kind(
+    "hls/top/stereo_top.cpp",
+    "stereo_core",
+    "stereo_core_",
+    "Stereo core",
+    PORTS,
+    GENERICS,
+    "disparity_valid",
+    ("disparity",),
+)
+# By the folder that stands where a matching core has its family.
+STAGES = {
+    "rectification": Kind(
+        "hls/top/rectification_top.cpp",
+        "rectification_core",
+        "stereo_",
+        "Stage in front of a stereo core",
+        STAGE_PORTS,
+        (
+            "width_px",
+            "height_px",
+            "pixels_per_clock",
+            "table_columns",
+            "table_rows",
+            "latency_clocks",
+            "flush_groups",
+        ),
+        "rectified_valid",
+        ("rectified_right", "rectified_left"),
+    )
+}
+
+
+def kind_of(family: str) -> Kind:
+    return STAGES.get(family, CORE)
+
+
 def core_entity(config: str) -> str:
-    return f"stereo_core_{config}"
+    return CORE.entity(config)
+
+
+def entity(config: str) -> str:
+    """Of a core or a stage whose VHDL was made."""
+    return kind_of(folder(config).parent.name).entity(config)
 
 
 def ip_entity(config: str) -> str:
@@ -60,12 +140,22 @@ def port_type(port: Port, pixels: int, disparity_bits: int) -> str:
     """In VHDL."""
     if port.lane_bits is None:
         return "std_logic"
-    return f"std_logic_vector({(port.lane_bits or disparity_bits) * pixels - 1} downto 0)"
+    return f"std_logic_vector({port_bits(port, pixels, disparity_bits) - 1} downto 0)"
+
+
+def port_bits(port: Port, pixels: int, disparity_bits: int) -> int:
+    """How wide it is."""
+    return 1 if port.lane_bits is None else (port.lane_bits or disparity_bits) * pixels
+
+
+def known_designs() -> list[str]:
+    """The folders with a manifest: of matching cores and of stages."""
+    return sorted(path.parent.name for path in GENERATED_RTL.glob("*/*/manifest.json"))
 
 
 def known_configurations() -> list[str]:
-    """The folders with a manifest."""
-    return sorted(path.parent.name for path in GENERATED_RTL.glob("*/*/manifest.json"))
+    """Those of matching cores."""
+    return [name for name in known_designs() if folder(name).parent.name not in STAGES]
 
 
 def folder(config: str) -> Path:

@@ -17,18 +17,19 @@ class Mismatch:
     expected: Expected | None
     got: Observed | None
     disparity_bits: int = 8  # of one row in the port word
+    word: str = "disparity"  # what the word is
 
     def __str__(self) -> str:
         got, e = self.got, self.expected
         if e is None:
             assert got is not None
-            return f"clock {got.clock}: surplus output, disparity {got.disparity} flags {got.flags}"
+            return f"clock {got.clock}: surplus output, {self.word} {got.disparity} flags {got.flags}"
         row = self.wrong_row()
         where = f"clock {e.clock}, frame {e.frame}, x {e.x}, y {e.y + row}"
-        wanted = f"expected disparity {self._row(e.disparity, row)} flags {e.flags}"
+        wanted = f"expected {self.word} {self._row(e.disparity, row)} flags {e.flags}"
         if got is None:
             return f"{where}: {wanted}, got nothing"
-        seen = f"got disparity {self._row(got.disparity, row)} flags {got.flags} at clock {got.clock}"
+        seen = f"got {self.word} {self._row(got.disparity, row)} flags {got.flags} at clock {got.clock}"
         return f"{where}: {wanted}, {seen}"
 
     @property
@@ -64,15 +65,17 @@ class Verdict:
         return self.expected > 0 and self.compared == self.expected and self.mismatches == 0
 
 
-def compare(expected: list[Expected], observed: list[Observed], disparity_bits: int = 8) -> Verdict:
+def compare(
+    expected: list[Expected], observed: list[Observed], disparity_bits: int = 8, word: str = "disparity"
+) -> Verdict:
     """Every output in order: disparity, flags and the very clock must agree."""
     wrong = [
-        Mismatch(e, o, disparity_bits)
+        Mismatch(e, o, disparity_bits, word)
         for e, o in zip(expected, observed)
         if (e.clock, e.disparity, e.flags) != (o.clock, o.disparity, o.flags)
     ]
-    wrong += [Mismatch(e, None, disparity_bits) for e in expected[len(observed) :]]
-    wrong += [Mismatch(None, o, disparity_bits) for o in observed[len(expected) :]]
+    wrong += [Mismatch(e, None, disparity_bits, word) for e in expected[len(observed) :]]
+    wrong += [Mismatch(None, o, disparity_bits, word) for o in observed[len(expected) :]]
     return Verdict(len(expected), min(len(expected), len(observed)), len(wrong), wrong[0] if wrong else None)
 
 
@@ -109,7 +112,10 @@ def measure(stimulus: Stimulus, observed: list[Observed], configuration: Paramet
     if whole_frames > 1:
         clocks = starts[1] - starts[0]
     elif whole_frames == 1 and first_input is not None:
-        clocks = numbers[outputs_per_frame - 1][0] - first_input + 1
+        # A stage shows a pair for each one that comes in, those before the frame too.
+        first = next((number for number, (_, flags) in enumerate(numbers) if flags & 1), 0)
+        if first + outputs_per_frame <= len(numbers):
+            clocks = numbers[first + outputs_per_frame - 1][0] - first_input + 1
     gaps = [later - clock for (clock, flags), (later, _) in pairwise(numbers) if not flags & 2]
     interval: Interval | None = None
     if gaps:

@@ -10,7 +10,7 @@ from pathlib import Path
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from ..base import builds, files, rtl
-from ..base.configurations import Parameters, configuration
+from ..base.configurations import Parameters, configuration, designs
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.facts import facts
 from ..base.tools import ROOT, Word, find_stereo_hls, run
@@ -22,6 +22,7 @@ from .simulators import SIMULATORS, Clocks, Ghdl, Simulator
 
 AUTOMATIC_WAVE_CLOCKS = 100_000  # later mismatches would take GHDL minutes
 SIMULATIONS = ROOT / "build" / "cosim" / "simulators"
+STAGE_DISPARITIES = 16  # of the scene that a stage gets
 
 
 @dataclasses.dataclass(frozen=True)
@@ -80,14 +81,14 @@ def middle_rows(parameters: Parameters, least: int) -> str | None:
     return f"{first}:{first + rows}"
 
 
-def make_vectors(job: Job, directory: Path) -> tuple[Path, Path]:
+def make_vectors(job: Job, directory: Path, parameters: Parameters) -> tuple[Path, Path]:
     """(stimulus, expectation)"""
     stimulus, expected = directory / "stimulus.txt", directory / "expected.txt"
     if job.stimulus is not None and job.expected is not None:
         for path, copy in ((job.stimulus, stimulus), (job.expected, expected)):
             _copy(path, copy)
         return stimulus, expected
-    left, right = _pair(job, directory)
+    left, right = _pair(job, directory, parameters)
     command: list[Word] = [find_stereo_hls(), "vectors", "--config", job.config, "--left", left]
     command += ["--right", right, "--stall-percent", job.stall_percent]
     command += ["--broken", job.broken] if job.broken else ["--frames", job.frames]
@@ -106,11 +107,16 @@ def _copy(path: Path, copy: Path) -> None:
         raise FlowError(f"cannot read vector file {path}: {error.strerror}") from None
 
 
-def _pair(job: Job, directory: Path) -> tuple[Path, Path]:
+def _pair(job: Job, directory: Path, parameters: Parameters) -> tuple[Path, Path]:
     if job.left is not None and job.right is not None:
         return job.left, job.right
     scene = directory / "scene"
-    command: list[Word] = [find_stereo_hls(), "scene", "--config", job.config, "--seed", job.seed, "--out", scene]
+    command: list[Word] = [find_stereo_hls(), "scene", "--seed", job.seed, "--out", scene]
+    if _kind(parameters) is rtl.CORE:
+        command += ["--config", job.config]
+    else:
+        command += ["--width", parameters["width_px"], "--height", parameters["height_px"]]
+        command += ["--disparities", min(STAGE_DISPARITIES, parameters["width_px"] // 2)]
     run(command, passes_errors=True)
     return scene / "left.png", scene / "right.png"
 
@@ -119,7 +125,7 @@ def run_job(job: Job) -> Report:
     """Runs one co-simulation, writes report.json and junit.xml, prints the summary. Returns the report. An error is
     written, too."""
     if job.out is None and not re.fullmatch(r"\w+", job.config):
-        configuration(job.config)  # no name of a folder
+        configuration(job.config, designs())  # no name of a folder
     out = _folder(job)
     with builds.Exclusive(out):
         for stale in ("report.json", "junit.xml", *mismatch.FILES):
@@ -132,13 +138,14 @@ def run_job(job: Job) -> Report:
 
 
 def _run(job: Job, out: Path) -> Report:
-    parameters = configuration(job.config)
+    parameters = configuration(job.config, designs())
+    kind = _kind(parameters)
     if job.rows is not None and re.fullmatch("[1-9][0-9]*", job.rows):
         job = dataclasses.replace(job, rows=middle_rows(parameters, int(job.rows)))
     _check_wave(job)
-    design, edited = _vhdl_files(job)
-    stimulus_path, expected_path = make_vectors(job, out)
-    stimulus = vectors.read_stimulus(stimulus_path)
+    design, edited = _vhdl_files(job, kind)
+    stimulus_path, expected_path = make_vectors(job, out, parameters)
+    stimulus = vectors.read_stimulus(stimulus_path, kind)
     expected, _ = vectors.read_expected(expected_path)
     for path in (stimulus_path, expected_path):
         vectors.check_fits(path, job.config, parameters)
@@ -154,7 +161,7 @@ def _run(job: Job, out: Path) -> Report:
     if clocks != len(stimulus):
         raise FlowError(f"the simulation ran {clocks} of {len(stimulus)} clocks", EXIT_TOOL_FAILED)
 
-    verdict = checker.compare(expected, observed, parameters["disparity_bits"])
+    verdict = checker.compare(expected, observed, vectors.row_bits(parameters), " and ".join(reversed(kind.word)))
     is_irregular = bool(job.broken or job.stimulus)
     timing = checker.count_frames(observed) if is_irregular else checker.measure(stimulus, observed, parameters)
     result = make_report(job, verdict, timing, clocks, seconds, build_seconds)
@@ -225,9 +232,15 @@ def _check_wave(job: Job) -> None:
         raise FlowError(f"cannot create the folder of --wave {job.wave}: {error.strerror}") from None
 
 
-def _vhdl_files(job: Job) -> tuple[list[Path], list[str]]:
+def _kind(parameters: Parameters) -> rtl.Kind:
+    return rtl.kind_of(parameters["family"])
+
+
+def _vhdl_files(job: Job, kind: rtl.Kind) -> tuple[list[Path], list[str]]:
     """(in compile order, those that are not what their manifest says)"""
     if job.simulator == "original":
+        if kind is not rtl.CORE:
+            raise FlowError(f"--simulator original is for matching cores; {job.config} is a stage")
         return original_files(job.config), []
     folder = job.rtl.resolve() if job.rtl else rtl.folder(job.config)
     entry = manifest.read(folder)
@@ -251,8 +264,10 @@ def _folder(job: Job) -> Path:
 
 def _simulator(job: Job, design: list[Path], parameters: Parameters) -> Simulator:
     folder = SIMULATIONS / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
-    lanes, bits = parameters["pixels_per_clock"], parameters["disparity_bits"]
-    return SIMULATORS[job.simulator](job.config, design, folder, lanes, bits, trace=job.wave is not None)
+    lanes, bits = parameters["pixels_per_clock"], vectors.row_bits(parameters)
+    return SIMULATORS[job.simulator](
+        job.config, design, folder, lanes, bits, trace=job.wave is not None, kind=_kind(parameters)
+    )
 
 
 def _simulate(job: Job, simulator: Simulator, stimulus: Path, observed: Path, clocks: int) -> float:
@@ -292,7 +307,8 @@ def _explain(job: Job, parameters: Parameters, simulator: Simulator, first: chec
         source = simulator
         if not isinstance(simulator, Ghdl):
             folder = SIMULATIONS / f"{job.config}-ghdl"
-            source = Ghdl(job.config, simulator.vhdl_files, folder, simulator.pixels, simulator.disparity_bits)
+            lanes, bits = simulator.pixels, simulator.disparity_bits
+            source = Ghdl(job.config, simulator.vhdl_files, folder, lanes, bits, kind=simulator.kind)
             source.build()
         _rerun(job, source, path, window)
 

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..base import files
+from ..base import files, rtl
 from ..base.configurations import Parameters
 from ..base.errors import FlowError
 from ..rendering import page, pictures
@@ -115,6 +115,11 @@ def explain(
     except FlowError as error:
         (folder / DUMP).unlink(missing_ok=True)
         lines.append(f"  no waveform of the mismatch: {error}")
+    if rtl.kind_of(parameters["family"]) is not rtl.CORE:  # a page shows maps
+        if (folder / DUMP).is_file():
+            files.write(folder / SAVE, waveform.save_file(folder / DUMP, first.clock))
+            lines.append(f"  waveform around the mismatch: {_gtkwave(folder)}")
+        return lines
     try:
         write_page(folder, parameters)
     except FlowError as error:

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from ..base import builds, facts, files, json_files, rtl
-from ..base.configurations import configurations
+from ..base.configurations import designs
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_stereo_hls
 from . import report
@@ -35,7 +35,7 @@ def is_pattern(word: str) -> bool:
 
 def select(words: Iterable[str]) -> list[str]:
     """The configurations that names and patterns mean, each once. Patterns are of those whose VHDL was made."""
-    table, made = configurations(), rtl.known_configurations()
+    table, made = designs(), rtl.known_designs()
     chosen: list[str] = []
     for word in words:
         found = fnmatch.filter(made, "*" if word == ALL else word) if is_pattern(word) else [word]

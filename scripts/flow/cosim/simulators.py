@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..base import builds, ghdl, rtl
 from ..base.tools import ROOT, Word, find_ghdl, find_verilator, run, run_with_progress, tool_version
-from . import vcd, waveform
+from . import bench, vcd, waveform
 
 BENCH = ROOT / "hls_tb" / "cosim"
 VERILATOR_OPTIONS = ["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "--output-split", "20000", "-Wno-fatal"]
@@ -31,8 +31,11 @@ class Simulator:
         pixels: int = 1,
         disparity_bits: int = 8,
         trace: bool = False,
+        kind: rtl.Kind = rtl.CORE,
     ) -> None:
         self.config = config
+        self.kind = kind
+        self.ports = bench.Ports(kind, pixels, disparity_bits)
         self.pixels = pixels  # pairs a clock
         self.disparity_bits = disparity_bits  # of one pixel
         self.vhdl_files = list(vhdl_files)
@@ -53,8 +56,8 @@ class Simulator:
 
     def build(self) -> bool:
         """Whether it had to be built; not, where the same was built before."""
-        makers = [*self._bench_files(), Path(__file__), Path(ghdl.__file__)]
-        options = (self.config, self.trace, self.tools())
+        makers = [*self._bench_files(), *bench.makers(), Path(__file__), Path(ghdl.__file__)]
+        options = (self.config, self.kind.prefix, self.pixels, self.disparity_bits, self.trace, self.tools())
         self._built = builds.build_once(self.root, self.vhdl_files, makers, options, self._build)
         return self._built.is_new
 
@@ -94,22 +97,20 @@ class Ghdl(Simulator):
     wave_suffixes = (".ghw", ".fst", ".vcd")
 
     def _bench_files(self) -> list[Path]:
-        return [BENCH / "tb_stereo_core.vhd"]
+        return [bench.VHDL]
 
     @staticmethod
     def tools() -> dict[str, str]:
         return {"ghdl": ghdl.full_version()}
 
     def _build(self, work: Path, vhdl_files: list[Path]) -> None:
-        self._elaborate(work, [*vhdl_files, *self._named(work, self._bench_files())])
+        self._elaborate(work, [*vhdl_files, self._bench(work)])
 
-    def _named(self, work: Path, templates: Iterable[Path]) -> list[Path]:
-        """The benches for this configuration's core."""
-        copies = []
-        for path in templates:
-            copies.append(work / path.name)
-            copies[-1].write_text(path.read_text().replace(rtl.core_entity("NAME"), rtl.core_entity(self.config)))
-        return copies
+    def _bench(self, work: Path) -> Path:
+        """The one for this configuration's design."""
+        copy = work / bench.VHDL.name
+        copy.write_text(self.ports.vhdl(self.config))
+        return copy
 
     def _elaborate(self, work: Path, files: Iterable[Path]) -> None:
         ghdl.analyse(files, work)
@@ -118,8 +119,6 @@ class Ghdl(Simulator):
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         generics = ghdl.options_of(
             {
-                "pixels": self.pixels,
-                "disparity_bits": self.disparity_bits,
                 "stimulus_file": str(stimulus),
                 "observed_file": str(observed),
             }
@@ -166,12 +165,12 @@ def _cut(pipe: Path, path: Path, first_ns: int, last_ns: int) -> None:
 
 class Original(Ghdl):
     """Bambu's own VHDL with its component library in GHDL, to prove the lowering. Needs a run of synthesize.py on this
-    machine; `vhdl_files` are the tool's files, memory images included."""
+    machine; `vhdl_files` are the tool's files, memory images included. Of matching cores only."""
 
     name = "original"
 
     def _bench_files(self) -> list[Path]:
-        return [BENCH / "bambu_read_port.vhd", BENCH / "bambu_original.vhd", *super()._bench_files()]
+        return [BENCH / "bambu_read_port.vhd", bench.ORIGINAL, *super()._bench_files()]
 
     def _build(self, work: Path, vhdl_files: list[Path]) -> None:
         library = work / "library"
@@ -180,7 +179,7 @@ class Original(Ghdl):
         for path in vhdl_files:
             if path.suffix == ".mem":
                 shutil.copy(path, work)
-            elif path.name == "stereo_core.vhd":
+            elif path.name == f"{rtl.CORE.function}.vhd":
                 sources.insert(0, path)
             else:
                 # Each component file brings the same package; one copy, in the design itself, is enough.
@@ -188,13 +187,15 @@ class Original(Ghdl):
                 copy.write_text(path.read_text().rpartition("end package body;")[2])
                 sources.append(copy)
         template = (BENCH / "bambu_read_port.vhd").read_text()
-        for port in ("left_pixel", "right_pixel", "start_of_frame", "valid"):
+        for port in [port.name for port in rtl.PORTS if port.direction == "in"]:
             copy = library / f"{port}.vhd"
             copy.write_text(template.replace("PORT", port))
             sources.append(copy)
         log = work / "library.log"
         run([find_ghdl(), "-a", ghdl.STANDARD, "--work=bambu", *sources], cwd=work, log=log)
-        self._elaborate(work, self._named(work, self._bench_files()[1:]))
+        original = work / "bambu_original.vhd"
+        original.write_text(bench.ORIGINAL.read_text().replace(rtl.core_entity("NAME"), rtl.core_entity(self.config)))
+        self._elaborate(work, [original, self._bench(work)])
 
 
 class Verilator(Simulator):
@@ -204,7 +205,7 @@ class Verilator(Simulator):
     wave_suffixes = (".fst",)
 
     def _bench_files(self) -> list[Path]:
-        return [BENCH / "verilator_bench.cpp"]
+        return [bench.CPP]
 
     @staticmethod
     def tools() -> dict[str, str]:
@@ -212,7 +213,9 @@ class Verilator(Simulator):
 
     def _build(self, work: Path, vhdl_files: list[Path]) -> None:
         options = ["--trace-fst"] if self.trace else []
-        verilate(work, vhdl_files, rtl.core_entity(self.config), self._bench_files(), options)
+        (work / bench.CPP_PORTS).write_text(self.ports.cpp())
+        options += ["-CFLAGS", f"-I{work}"]
+        verilate(work, vhdl_files, self.kind.entity(self.config), self._bench_files(), options)
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         dump: list[Word] = [] if wave is None else [wave, *wave_clocks]

@@ -13,8 +13,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from ..base.configurations import Parameters
+from ..base import rtl
+from ..base.configurations import Parameters, option
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from .bench import Ports
 
 FORMATS = {"stimulus": 2, "expected": 2}
 NUMBER = r"\d{1,18}"  # decimal; longer ones count nothing that exists
@@ -65,10 +67,17 @@ def _read_header(path: Path, lines: list[str], kind: str, count_key: str) -> tup
     return header, 2 * int(header["pixels"])
 
 
+def row_bits(parameters: Parameters) -> int:
+    """Of what a row shows in the word of an output, disparity_bits= in the files."""
+    kind = rtl.kind_of(parameters["family"])
+    ports = [port for port in kind.ports if port.name in kind.word]
+    return sum(port.lane_bits or option(parameters, "disparity_bits") for port in ports)
+
+
 def check_fits(path: Path, config: str, parameters: Parameters) -> None:
     """Refuses a vector file, read before, whose first line says that it is for another core."""
     header = dict(item.split("=", 1) for item in read_lines(path)[0].split()[3:])
-    known = {"config": config, "pixels": parameters["pixels_per_clock"], "disparity_bits": parameters["disparity_bits"]}
+    known = {"config": config, "pixels": parameters["pixels_per_clock"], "disparity_bits": row_bits(parameters)}
     for key, value in known.items():
         if header.get(key, str(value)) != str(value):
             raise FlowError(f"{path}, line 1: {key}={header[key]}, but the core is {config} with {key}={value}")
@@ -78,14 +87,20 @@ def check_fits(path: Path, config: str, parameters: Parameters) -> None:
 Stimulus = list[tuple[bool, bool]]
 
 
-def read_stimulus(path: Path) -> Stimulus:
+def read_stimulus(path: Path, kind: rtl.Kind = rtl.CORE) -> Stimulus:
     lines = read_lines(path)
     _, digits = _read_header(path, lines, "stimulus", "clocks")
-    pattern = re.compile(rf"[0-7] [0-9a-f]{{{digits}}} [0-9a-f]{{{digits}}}")
+    ports = Ports(kind, digits // 2, 0)
+    pattern, flags_end = re.compile(ports.line_pattern()), 1 << len(ports.flags)
+    clocks = []
     for number, line in enumerate(lines[1:], 2):
-        if not pattern.fullmatch(line):
-            raise FlowError(f"{path}, line {number}: '{line}' is not 'F LEFT RIGHT' with {digits} digits")
-    return [(line[0] in "13", line[0] in "23") for line in lines[1:]]  # nothing is taken in a clock with reset
+        match = pattern.fullmatch(line)
+        flags = int(match[1], 16) if match else flags_end
+        if flags >= flags_end:
+            raise FlowError(f"{path}, line {number}: '{line}' is not {ports.line()}")
+        taken = not flags & 4  # nothing is taken in a clock with reset
+        clocks.append((bool(flags & 1 and taken), bool(flags & 2 and taken)))
+    return clocks
 
 
 def read_expected(path: Path) -> tuple[list[Expected], int]:

@@ -27,9 +27,14 @@ class Group(NamedTuple):
 
 
 GROUPS = [
-    Group("inputs", r"reset|start_of_frame|valid|left_pixel|right_pixel", True, True),
-    Group("outputs", r"disparity|pixel_valid|disparity_(valid|start_of_frame|end_of_line)", True, True),
-    Group("place in the frame", r"raster_(place_(column|group)|features_valid)", True, True),
+    Group("inputs", r"reset|start_of_frame|valid|left_pixel|right_pixel|node_\w+", True, True),
+    Group(
+        "outputs",
+        r"disparity|pixel_valid|disparity_(valid|start_of_frame|end_of_line)|rectified_\w+",
+        on_page=True,
+        is_open=True,
+    ),
+    Group("place in the frame", r"(raster|sample)_place_(column|group)|raster_features_valid", True, True),
     Group(
         "winner's path: the best of each slice",
         r"slice\d+_best_(cost|index)_\d+_\d+|slice\d+_best_tag_valid",

@@ -37,8 +37,12 @@ def evaluations_per_clock(parameters: Parameters) -> float:
     return evaluations_per_frame(parameters) / clocks_per_frame(parameters)
 
 
+def frames_per_second(parameters: Parameters, fmax_mhz: float) -> float:
+    return fmax_mhz * 1e6 / clocks_per_frame(parameters)
+
+
 def speed(parameters: Parameters, fmax_mhz: float, luts: int) -> Speed:
-    frames = fmax_mhz * 1e6 / clocks_per_frame(parameters)
+    frames = frames_per_second(parameters, fmax_mhz)
     evaluations = frames * evaluations_per_frame(parameters)
     return {
         "frames_per_second": frames,

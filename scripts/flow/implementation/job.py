@@ -35,7 +35,7 @@ class Job:
 
     @property
     def entity(self) -> str:
-        return rtl.ip_entity(self.config) if self.shell else rtl.core_entity(self.config)
+        return rtl.ip_entity(self.config) if self.shell else rtl.entity(self.config)
 
     @property
     def bypasses(self) -> bool:
@@ -140,11 +140,12 @@ def run_job(job: Job) -> int:
 
 def summary(entity: str, target: str, parameters: Parameters, result: record.Result) -> str:
     luts, name = figures.lut_count(result), TARGETS[target].lut_name
+    matches = rtl.kind_of(parameters["family"]) is rtl.CORE  # a stage has no disparities
+    evaluations = f", {figures.evaluations_per_clock(parameters):g} disparity evaluations a clock" if matches else ""
     text = [
         f"{entity} on {target}: {luts} {name}, {result['ffs']} flip-flops, {result['memory_bits']} memory bits in "
         f"{result['block_rams']} block RAMs and LUT RAM",
-        f"  {figures.clocks_per_frame(parameters)} clocks a frame, "
-        f"{figures.evaluations_per_clock(parameters):g} disparity evaluations a clock",
+        f"  {figures.clocks_per_frame(parameters)} clocks a frame{evaluations}",
     ]
     if "does_not_fit" in result:
         text.append(f"  does not fit on {result['device']}: {figures.overfull(result['does_not_fit'])}")
@@ -152,13 +153,17 @@ def summary(entity: str, target: str, parameters: Parameters, result: record.Res
         fmax, path = result["fmax_mhz"], result["critical_path"]
         seeds = ", ".join(f"{seed}: {mhz}" for seed, mhz in fmax["by_seed"].items())
         of = figures.counted(len(fmax["by_seed"]), result.get("router"))
-        speed = figures.speed(parameters, fmax["median"], luts)
         text += [
             f"  {fmax['median']} MHz routed ({of}; by seed {seeds}) on "
             f"{result['device']}, {result['lut_sites']} LUT sites",
             f"  slowest path: {path['from']} to {path['to']}, block {path['block']}",
-            f"  {speed['frames_per_second']:.1f} frames a second, "
-            f"{speed['mde_per_second']:.0f} million disparity evaluations a second, "
-            f"{speed['evaluations_per_second_per_lut'] / 1e3:.0f} thousand evaluations a second per LUT",
         ]
+        frames = figures.frames_per_second(parameters, fmax["median"])
+        text.append(f"  {frames:.1f} frames a second")
+        if matches:
+            speed = figures.speed(parameters, fmax["median"], luts)
+            text[-1] += (
+                f", {speed['mde_per_second']:.0f} million disparity evaluations a second, "
+                f"{speed['evaluations_per_second_per_lut'] / 1e3:.0f} thousand evaluations a second per LUT"
+            )
     return "\n".join(text)

@@ -8,19 +8,17 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..base import rtl
 from ..base.configurations import Configuration, parameters_of
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_bambu, run
 from .manifest import Estimate, hardware_digests, top_options
 
-TOP = "stereo_core"
 WORK = ROOT / "build" / "synthesis"
 DEVICE = "LFE5U85F8BG756C"
 # The clock period only bounds what may share a state; a generous one keeps the whole loop body in one. The clock that
 # counts is the one after place and route.
 OPTIONS = [
-    "--compiler=I386_CLANG16",
-    f"--top-fname={TOP}",
     "--generate-interface=INFER",
     "-wH",
     "--generate-components-library",
@@ -49,8 +47,9 @@ class ToolRun:
 def synthesize(config: str, row: Configuration) -> ToolRun:
     """Synthesises one configuration in an empty working directory, unless the last run there had the same inputs."""
     bambu = find_bambu()
-    directory = WORK / config
-    options = [*top_options(config, row["family"], row["source_folder"]), *OPTIONS]
+    directory, top = WORK / config, rtl.kind_of(row["family"]).function
+    options = top_options(config, row["family"], row["source_folder"])
+    options += ["--compiler=I386_CLANG16", f"--top-fname={top}", *OPTIONS]
     command = shlex.join(["bambu", *options])
     version = tool_version(bambu)
     inputs = json.dumps([version, command, parameters_of(row), hardware_digests(row)], indent=1, sort_keys=True)
@@ -61,10 +60,10 @@ def synthesize(config: str, row: Configuration) -> ToolRun:
         for folder in dict.fromkeys(("hls", row["source_folder"])):
             shutil.copytree(ROOT / folder, directory / folder, ignore=shutil.ignore_patterns("rtl"))
         run([bambu, *options], cwd=directory, log=log)
-        if not (directory / f"{TOP}.vhd").is_file():
-            raise FlowError(f"Bambu wrote no {TOP}.vhd; see {log}", EXIT_TOOL_FAILED)
+        if not (directory / f"{top}.vhd").is_file():
+            raise FlowError(f"Bambu wrote no {top}.vhd; see {log}", EXIT_TOOL_FAILED)
         stamp.write_text(inputs)
-    return ToolRun(vhdl=directory / f"{TOP}.vhd", version=version, command=command, report=read_log(log.read_text()))
+    return ToolRun(vhdl=directory / f"{top}.vhd", version=version, command=command, report=read_log(log.read_text()))
 
 
 def tool_version(bambu: str) -> str:
@@ -95,11 +94,11 @@ def _last_number(pattern: str, text: str) -> str:
 
 
 def original_files(config: str) -> list[Path]:
-    """The VHDL and memory images of the last run, the tool's components included: for co-simulation only, not for the
-    repo."""
+    """The VHDL and memory images of the last run for a matching core, the tool's components included: for co-simulation
+    only, not for the repo."""
     directory = WORK / config
     components, memories = (directory / "bambu_lib" / "VHDL").glob("*.vhd"), directory.glob("*.mem")
-    files = [directory / f"{TOP}.vhd", *sorted(components), *sorted(memories)]
+    files = [directory / f"{rtl.CORE.function}.vhd", *sorted(components), *sorted(memories)]
     if len(files) < 2:
         raise FlowError(f"no output of Bambu in {directory}; run scripts/synthesize.py --config {config}")
     return files

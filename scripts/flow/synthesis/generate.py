@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..base import rtl
-from ..base.configurations import Configuration, configuration, option, parameters_of
+from ..base.configurations import Configuration, configuration, designs, option, parameters_of
 from ..base.tools import find_stereo_hls, run
 from . import bambu, manifest
 from .lowering.control import state_sequence
@@ -26,16 +26,16 @@ TRACE_ROWS = 4
 
 def header(config: str, row: Configuration, tool: str) -> str:
     """`tool`: its name and version."""
-    family = row["family"].replace("_", " ")
+    family, kind = row["family"].replace("_", " "), rtl.kind_of(row["family"])
     pairs = row["pixels_per_clock"]
     what = f"{row['description']}, {pairs} pixel pair{'s' if pairs > 1 else ''} a clock"
     options = ", ".join(row["options"]) or "none"
     return "\n".join(
         [
             "-- SPDX-License-Identifier: Apache-2.0",
-            f"-- Stereo core, {family}, configuration {config}: {what}.",
+            f"-- {kind.title}, {family}, configuration {config}: {what}.",
             *textwrap.wrap(options + ".", 110, initial_indent="-- Options: ", subsequent_indent="--   "),
-            f"-- Made from hls/top/stereo_top.cpp by {tool} and scripts/synthesize.py. Do not edit:",
+            f"-- Made from {kind.top} by {tool} and scripts/synthesize.py. Do not edit:",
             f"--   scripts/synthesize.py --config {config}",
             "-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.",
         ]
@@ -54,15 +54,16 @@ def _cpp_trace(config: str, row: Configuration, work: Path) -> Trace:
 
 def generate(config: str, say: Callable[[str], None] = print, out: Path | None = None) -> manifest.Manifest:
     """Writes the folder of one configuration, all of it or nothing. Returns its manifest."""
-    row = configuration(config)
+    row = configuration(config, designs())
+    kind = rtl.kind_of(row["family"])
     say(f"{config}: Bambu ...")
     tool_run = bambu.synthesize(config, row)
     say(f"{config}: lowering ...")
     design = read_design(tool_run.vhdl)
-    netlist = lower(design)
+    netlist = lower(design, kind)
     trace = _cpp_trace(config, row, tool_run.vhdl.parent)
     run_passes(netlist, design, trace)
-    entity = Entity(rtl.core_entity(config), {name: option(row, name) for name in rtl.GENERICS})
+    entity = Entity(kind.entity(config), {name: option(row, name) for name in kind.generics}, kind)
     text = VhdlWriter(netlist, header(config, row, tool_run.version), entity).write()
     report: manifest.ToolReport = {
         **tool_run.report,
@@ -79,7 +80,7 @@ def _write(
     target: Path, config: str, row: Configuration, text: str, tool_run: bambu.ToolRun, report: manifest.ToolReport
 ) -> manifest.Manifest:
     """VHDL and manifest together, or nothing."""
-    file = f"{rtl.core_entity(config)}.vhd"
+    file = f"{rtl.kind_of(row['family']).entity(config)}.vhd"
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent) as name:
         temporary = Path(name)

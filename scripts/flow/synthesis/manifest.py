@@ -31,7 +31,6 @@ KEYS = {
     "tool_report": dict,
 }
 _DIGESTS = ("sources", "cells", "files")
-TOP = "hls/top/stereo_top.cpp"
 Digests = dict[str, str]  # {file: SHA-256}
 
 
@@ -80,7 +79,7 @@ def top_options(config: str, family: str, source_folder: str) -> list[str]:
     folders = dict.fromkeys((source_folder, "hls"))
     macros = {"STEREO_FAMILY": family, "STEREO_CONFIGURATION": config}
     return [
-        TOP,
+        rtl.kind_of(family).top,
         "--std=c++20",
         *(f"-I{folder}" for folder in folders),
         *(f"-D{name}={value}" for name, value in macros.items()),
@@ -216,7 +215,7 @@ def stale_reasons(name: str, row: Configuration) -> list[str]:
     well."""
     directory = rtl.folder(name)
     manifest = read(directory)
-    reasons, core = [], f"{rtl.core_entity(name)}.vhd"
+    reasons, core = [], f"{rtl.kind_of(row['family']).entity(name)}.vhd"
     if manifest["configuration"] != name or set(manifest["files"]) != {core}:
         reasons.append(f"its manifest does not name {core} as its VHDL")
     if cast(dict[str, object], manifest).get("seal") != _seal(manifest):

@@ -6,6 +6,7 @@ Control signals are leaves of the operation `control` in it, until the pass of c
 
 import re
 
+from ...base import rtl
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 from .control import startup_and_loop
 from .expressions import Node, add, const, is_const, leaf, mux, shift_left, shift_right, wrap
@@ -21,13 +22,13 @@ WRITE_PORT = re.compile(r"(\w+)_bambu_artificial_ParmMgr_Write_none_modgen")
 _REFERENCE = re.compile(r"(?:(std_logic_vector|unsigned|signed)\()?(\w+|\\[^\\]+\\)(?:\((\d+)(?: downto (\d+))?\))?\)?")
 
 
-def lower(design: Design) -> Netlist:
-    return _Lowering(design).netlist()
+def lower(design: Design, kind: rtl.Kind = rtl.CORE) -> Netlist:
+    return _Lowering(design, kind).netlist()
 
 
 class _Lowering:
-    def __init__(self, design: Design) -> None:
-        self.design = design
+    def __init__(self, design: Design, kind: rtl.Kind) -> None:
+        self.design, self.kind = design, kind
         self.drivers = {}  # signal -> instance that drives it
         for instance in design.instances:
             driven = instance.ports.get("out1")
@@ -49,7 +50,12 @@ class _Lowering:
             if port:
                 outputs[port.group(1)] = self.actual(instance.ports["in2"])
         return Netlist(
-            self.inputs, outputs, [register for register, _ in registers], [memory for memory, _ in memories]
+            self.inputs,
+            outputs,
+            [register for register, _ in registers],
+            [memory for memory, _ in memories],
+            self.kind.words,
+            self.kind.valid,
         )
 
     # --- expressions --------------------------------------------------------------------------------------------------

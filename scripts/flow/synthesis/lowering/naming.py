@@ -14,7 +14,7 @@ from pathlib import Path
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 from .evaluate import compile_step, initial_state
 from .expressions import bit_not, leaf, walk, wrap
-from .netlist import WORDS, Netlist, Register
+from .netlist import Netlist, Register
 
 _UNNAMED = "other_"  # start of the names of registers that hold nothing of the C++ core
 Values = tuple[int, ...]  # one a clock
@@ -47,7 +47,7 @@ def trace_netlist(netlist: Netlist, trace: Trace) -> list[Values]:
         outputs = step({name: trace[f"in_{name}"][clock] for name in netlist.inputs}, registers, memories)
         for name, value in outputs.items():
             expected = trace[f"out_{name}"][clock]
-            if value != expected and (name not in WORDS or trace["out_disparity_valid"][clock]):
+            if value != expected and (name not in netlist.words or trace[f"out_{netlist.valid}"][clock]):
                 raise FlowError(
                     f"the lowered netlist differs from the C++ core: clock {clock}, {name}: expected {expected}, "
                     f"got {value}",

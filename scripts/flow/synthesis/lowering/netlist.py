@@ -4,10 +4,8 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
+from ...base import rtl
 from .expressions import Node, const, rebuild
-
-# Outputs with a lane for each row; they count only where disparity_valid is 1.
-WORDS = ("disparity", "pixel_valid")
 
 
 class Register:
@@ -38,6 +36,9 @@ class Netlist:
     outputs: dict[str, Node] = field(default_factory=dict)
     registers: list[Register] = field(default_factory=list)
     memories: list[Memory] = field(default_factory=list)
+    # Outputs that are words count only where another one says valid.
+    words: tuple[str, ...] = rtl.CORE.words
+    valid: str = rtl.CORE.valid
 
     def roots(self) -> Iterator[Node]:
         """Every expression that leads somewhere."""

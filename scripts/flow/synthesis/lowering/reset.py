@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 from .expressions import Node, bit_not, disjoint_ones, walk
-from .netlist import WORDS, Memory, Netlist, Register
+from .netlist import Memory, Netlist, Register
 
 
 def split_hold(register: Register) -> tuple[Node | None, Node]:
@@ -41,7 +41,7 @@ def control_registers(netlist: Netlist) -> dict[int, Register]:
     """
     by_value = {id(r.value): r for r in netlist.registers}
     words = {id(memory_read_register(netlist, m)[0].value): m for m in netlist.memories}
-    frontier = [node for name, node in netlist.outputs.items() if name not in WORDS]
+    frontier = [node for name, node in netlist.outputs.items() if name not in netlist.words]
     frontier += [address for m in netlist.memories for address in (m.read_address, m.write_address)]
     frontier += [c for c in (split_hold(r)[0] for r in netlist.registers) if c is not None]
     found: dict[int, Register] = {}

@@ -11,6 +11,7 @@ class Entity(NamedTuple):
 
     name: str
     generics: dict[str, int]
+    kind: rtl.Kind = rtl.CORE
 
     def text(self) -> str:
         generics = ";\n".join(
@@ -23,11 +24,18 @@ class Entity(NamedTuple):
         )
         return ENTITY.format(name=self.name, generics=generics, ports=self._ports(), checks=checks)
 
+    def _lanes(self) -> tuple[int, int]:
+        """(lanes, bits of a disparity); a stage has no disparities."""
+        return self.generics["pixels_per_clock"], self.generics.get("disparity_bits", 0)
+
+    def bits(self, port: rtl.Port) -> int:
+        return rtl.port_bits(port, *self._lanes())
+
     def _ports(self) -> str:
         ports = ["    clock : in std_logic;", "    reset : in std_logic;  -- synchronous, active high"]
-        for port in rtl.PORTS:
-            kind = rtl.port_type(port, self.generics["pixels_per_clock"], self.generics["disparity_bits"])
-            end = "" if port is rtl.PORTS[-1] else ";"
+        for port in self.kind.ports:
+            kind = rtl.port_type(port, *self._lanes())
+            end = "" if port is self.kind.ports[-1] else ";"
             ports.append(
                 f"    {port.name} : {port.direction} {kind}{end}" + (f"  -- {port.meaning}" if port.meaning else "")
             )

@@ -6,7 +6,7 @@ from collections.abc import ItemsView, Iterable
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 from .expressions import Node, walk
-from .netlist import WORDS, Netlist, Register
+from .netlist import Netlist, Register
 from .reset import control_registers, memory_read_register, split_hold
 from .vhdl_frame import HELPERS, Entity
 from .vhdl_text import Names, Writer, is_wide, type_of, without_outer_parentheses
@@ -34,8 +34,7 @@ _VARIABLE_KINDS = {
 class VhdlWriter:
     def __init__(self, netlist: Netlist, header: str, entity: Entity) -> None:
         self.netlist, self.header, self.entity = netlist, header, entity
-        pixels = entity.generics["pixels_per_clock"]
-        self.output_bits = {"disparity": entity.generics["disparity_bits"] * pixels, "pixel_valid": pixels}
+        self.output_bits = {port.name: entity.bits(port) for port in entity.kind.ports}
         self.names: Names = {id(r.value): (r.name, is_wide(r.value)) for r in netlist.registers}
         self.reads = {id(m): memory_read_register(netlist, m) for m in netlist.memories}
         for register, _ in self.reads.values():
@@ -100,7 +99,7 @@ class VhdlWriter:
             value = f"{name} = '1'" if node.is_bit else word
             lines.append(f"  in_{name} <= {value};")
         for name, node in self.netlist.outputs.items():
-            if name in WORDS:
+            if name in self.netlist.words:
                 lines.append(f"  {name} <= std_logic_vector({self.text.word(node, self.output_bits[name])});")
             else:
                 lines.append(f"  {name} <= as_bit({without_outer_parentheses(self.text.condition(node))});")

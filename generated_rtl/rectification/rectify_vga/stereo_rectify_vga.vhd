@@ -1,0 +1,1301 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stage in front of a stereo core, rectification, configuration rectify_vga: 640x480, a node every 16 pixels, 16 rows above and 16 below, 1 pixel pair a clock.
+-- Options: none.
+-- Made from hls/top/rectification_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config rectify_vga
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_rectify_vga is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 640;
+    height_px : positive := 480;
+    pixels_per_clock : positive := 1;
+    table_columns : positive := 41;
+    table_rows : positive := 31;
+    latency_clocks : positive := 18;
+    flush_groups : positive := 10880
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- as the cameras send them
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first row
+    valid : in std_logic;  -- 0: bubble
+    node_valid : in std_logic;  -- a node of a table: docs/rectification.md
+    node_right : in std_logic;  -- of the right camera's table
+    node_column : in std_logic_vector(15 downto 0);  -- of the node, below table_columns
+    node_row : in std_logic_vector(15 downto 0);  -- below table_rows
+    node_x : in std_logic_vector(15 downto 0);  -- offset to the right in two's complement
+    node_y : in std_logic_vector(15 downto 0);  -- offset down
+    rectified_left : out std_logic_vector(7 downto 0);
+    rectified_right : out std_logic_vector(7 downto 0);
+    rectified_start_of_frame : out std_logic;
+    rectified_valid : out std_logic
+  );
+begin
+  assert width_px = 640 report "stereo_rectify_vga: width_px is " & integer'image(width_px) & " but this core has 640" severity failure;
+  assert height_px = 480 report "stereo_rectify_vga: height_px is " & integer'image(height_px) & " but this core has 480" severity failure;
+  assert pixels_per_clock = 1 report "stereo_rectify_vga: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert table_columns = 41 report "stereo_rectify_vga: table_columns is " & integer'image(table_columns) & " but this core has 41" severity failure;
+  assert table_rows = 31 report "stereo_rectify_vga: table_rows is " & integer'image(table_rows) & " but this core has 31" severity failure;
+  assert latency_clocks = 18 report "stereo_rectify_vga: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
+  assert flush_groups = 10880 report "stereo_rectify_vga: flush_groups is " & integer'image(flush_groups) & " but this core has 10880" severity failure;
+end entity;
+
+architecture rtl of stereo_rectify_vga is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_node_x : natural range 0 to 65535;
+  signal in_node_y : natural range 0 to 65535;
+  signal in_node_column : natural range 0 to 65535;
+  signal in_node_row : natural range 0 to 65535;
+  signal in_node_valid : boolean;
+  signal in_node_right : boolean;
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_left_pixel : natural range 0 to 255;
+  -- counter
+  signal counter_column : natural range 0 to 1023;
+  signal counter_group : natural range 0 to 511;
+  signal counter_next_frame : boolean;
+  -- delay
+  signal delay_held_0_left, delay_held_0_right, delay_held_1_left, delay_held_1_right : natural range 0 to 255;
+  signal delay_held_2_left, delay_held_2_right, delay_held_3_left, delay_held_3_right : natural range 0 to 255;
+  signal delay_held_4_left, delay_held_4_right, delay_held_5_left, delay_held_5_right : natural range 0 to 255;
+  signal delay_held_6_left, delay_held_6_right, delay_held_7_left, delay_held_7_right : natural range 0 to 255;
+  signal delay_held_0_start_of_frame, delay_held_0_valid, delay_held_1_start_of_frame, delay_held_1_valid : boolean;
+  signal delay_held_2_start_of_frame, delay_held_2_valid, delay_held_3_start_of_frame, delay_held_3_valid : boolean;
+  signal delay_held_4_start_of_frame, delay_held_4_valid, delay_held_5_start_of_frame, delay_held_5_valid : boolean;
+  signal delay_held_6_start_of_frame, delay_held_6_valid, delay_held_7_start_of_frame, delay_held_7_valid : boolean;
+  -- grid
+  signal grid_node_column : natural range 0 to 63;
+  signal grid_node_row : natural range 0 to 31;
+  signal grid_weight_x_held_0, grid_weight_x_held_1, grid_weight_x_held_2, grid_weight_x_held_3 : natural range 0 to 15;
+  signal grid_weight_y_held_0, grid_weight_y_held_1, grid_weight_y_held_2, grid_weight_y_held_3 : natural range 0 to 15;
+  -- leftoffsets
+  signal leftoffsets_nodes_even_even_read_address : natural range 0 to 368;
+  signal leftoffsets_nodes_even_even_write_address, leftoffsets_nodes_even_odd_write_address : natural range 0 to 511;
+  signal leftoffsets_nodes_odd_even_write_address, leftoffsets_nodes_odd_odd_write_address : natural range 0 to 511;
+  signal leftoffsets_nodes_even_even_write_word, leftoffsets_nodes_even_even_read_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_even_ready_word, leftoffsets_nodes_even_odd_write_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_odd_read_word, leftoffsets_nodes_even_odd_ready_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_even_write_word, leftoffsets_nodes_odd_even_read_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_even_ready_word, leftoffsets_nodes_odd_odd_write_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_odd_read_word, leftoffsets_nodes_odd_odd_ready_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_odd_read_address : natural range 0 to 367;
+  signal leftoffsets_nodes_odd_even_read_address : natural range 0 to 347;
+  signal leftoffsets_nodes_odd_odd_read_address : natural range 0 to 346;
+  signal leftoffsets_nodes_row_odd_0, leftoffsets_nodes_row_odd_1, leftoffsets_nodes_row_odd_2 : boolean;
+  signal leftoffsets_nodes_column_odd_0, leftoffsets_nodes_column_odd_1, leftoffsets_nodes_column_odd_2 : boolean;
+  signal leftoffsets_x_upper_0, leftoffsets_x_upper_1, leftoffsets_x_value : natural range 0 to 65535;
+  signal leftoffsets_y_upper_0, leftoffsets_y_upper_1, leftoffsets_y_value : natural range 0 to 65535;
+  signal leftoffsets_x_fall_0, leftoffsets_x_fall_1, leftoffsets_y_fall_0 : integer range -65535 to 65535;
+  signal leftoffsets_y_fall_1 : integer range -65535 to 65535;
+  signal leftoffsets_x_weight_y, leftoffsets_x_weight_x_0, leftoffsets_x_weight_x_1 : natural range 0 to 15;
+  signal leftoffsets_x_weight_x_2 : natural range 0 to 15;
+  signal leftoffsets_x_column_0, leftoffsets_x_column_1, leftoffsets_y_column_0 : natural range 0 to 1048575;
+  signal leftoffsets_y_column_1 : natural range 0 to 1048575;
+  signal leftoffsets_x_first, leftoffsets_y_first : natural range 0 to 16777456;
+  signal leftoffsets_x_rise, leftoffsets_y_rise : integer range -1048575 to 1048575;
+  -- rightoffsets
+  signal rightoffsets_nodes_even_even_write_address, rightoffsets_nodes_even_odd_write_address : natural range 0 to 511;
+  signal rightoffsets_nodes_odd_even_write_address, rightoffsets_nodes_odd_odd_write_address : natural range 0 to 511;
+  signal rightoffsets_nodes_even_even_write_word, rightoffsets_nodes_even_even_read_word : unsigned(31 downto 0);
+  signal rightoffsets_nodes_even_even_ready_word, rightoffsets_nodes_even_odd_write_word : unsigned(31 downto 0);
+  signal rightoffsets_nodes_even_odd_read_word, rightoffsets_nodes_even_odd_ready_word : unsigned(31 downto 0);
+  signal rightoffsets_nodes_odd_even_write_word, rightoffsets_nodes_odd_even_read_word : unsigned(31 downto 0);
+  signal rightoffsets_nodes_odd_even_ready_word, rightoffsets_nodes_odd_odd_write_word : unsigned(31 downto 0);
+  signal rightoffsets_nodes_odd_odd_read_word, rightoffsets_nodes_odd_odd_ready_word : unsigned(31 downto 0);
+  signal rightoffsets_x_upper_0, rightoffsets_x_upper_1, rightoffsets_x_value : natural range 0 to 65535;
+  signal rightoffsets_y_upper_0, rightoffsets_y_upper_1, rightoffsets_y_value : natural range 0 to 65535;
+  signal rightoffsets_x_fall_0, rightoffsets_x_fall_1, rightoffsets_y_fall_0 : integer range -65535 to 65535;
+  signal rightoffsets_y_fall_1 : integer range -65535 to 65535;
+  signal rightoffsets_x_column_0, rightoffsets_x_column_1, rightoffsets_y_column_0 : natural range 0 to 1048575;
+  signal rightoffsets_y_column_1 : natural range 0 to 1048575;
+  signal rightoffsets_x_first, rightoffsets_y_first : natural range 0 to 16777456;
+  signal rightoffsets_x_rise, rightoffsets_y_rise : integer range -1048575 to 1048575;
+  -- sample
+  signal sample_place_column : natural range 0 to 1023;
+  signal sample_place_group, sample_row : natural range 0 to 511;
+  signal sample_place_next_frame, sample_pixels_valid, sample_leaves, sample_starts : boolean;
+  signal sample_taken_pixels_valid, sample_kept_pixels_valid, sample_kept_starts : boolean;
+  signal sample_slot, sample_taken_row, sample_kept_row : natural range 0 to 63;
+  signal sample_pixels_left, sample_pixels_right, sample_taken_pixels_left : natural range 0 to 255;
+  signal sample_taken_pixels_right, sample_kept_pixels_left, sample_kept_pixels_right : natural range 0 to 255;
+  signal sample_taken_column, sample_kept_column : natural range 0 to 1024;
+  -- lefttaps
+  signal lefttaps_source_x : natural range 0 to 98271;
+  signal lefttaps_offset_y : natural range 0 to 65535;
+  signal lefttaps_taps_column : natural range 0 to 16383;
+  signal lefttaps_taps_row : natural range 0 to 63;
+  signal lefttaps_weight_x, lefttaps_weight_y : natural range 0 to 31;
+  signal lefttaps_column_shown_0, lefttaps_column_shown_1, lefttaps_row_shown_0, lefttaps_row_shown_1 : boolean;
+  -- righttaps
+  signal righttaps_source_x : natural range 0 to 98271;
+  signal righttaps_offset_y : natural range 0 to 65535;
+  signal righttaps_taps_column : natural range 0 to 16383;
+  signal righttaps_taps_row : natural range 0 to 63;
+  signal righttaps_weight_x, righttaps_weight_y : natural range 0 to 31;
+  signal righttaps_column_shown_0, righttaps_column_shown_1, righttaps_row_shown_0, righttaps_row_shown_1 : boolean;
+  -- leftsampler
+  signal leftsampler_rows_even_even_read_address, leftsampler_rows_even_even_write_address : natural range 0 to 8191;
+  signal leftsampler_rows_even_odd_read_address, leftsampler_rows_even_odd_write_address : natural range 0 to 8191;
+  signal leftsampler_rows_odd_even_read_address, leftsampler_rows_odd_even_write_address : natural range 0 to 8191;
+  signal leftsampler_rows_odd_odd_read_address, leftsampler_rows_odd_odd_write_address : natural range 0 to 8191;
+  signal leftsampler_pixel_column_0, leftsampler_pixel_column_1 : natural range 0 to 8191;
+  signal leftsampler_rows_even_even_write_word, leftsampler_rows_even_even_ready_word : natural range 0 to 255;
+  signal leftsampler_rows_even_odd_write_word, leftsampler_rows_even_odd_ready_word : natural range 0 to 255;
+  signal leftsampler_rows_odd_even_write_word, leftsampler_rows_odd_even_ready_word : natural range 0 to 255;
+  signal leftsampler_rows_odd_odd_write_word, leftsampler_rows_odd_odd_ready_word : natural range 0 to 255;
+  signal leftsampler_pixel_upper_0, leftsampler_pixel_upper_1, leftsampler_pixel_value : natural range 0 to 255;
+  signal leftsampler_rows_even_even_read_word, leftsampler_rows_even_odd_read_word : unsigned(7 downto 0);
+  signal leftsampler_rows_odd_even_read_word, leftsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
+  signal leftsampler_rows_row_odd_0, leftsampler_rows_row_odd_1, leftsampler_rows_row_odd_2 : boolean;
+  signal leftsampler_rows_column_odd_0, leftsampler_rows_column_odd_1, leftsampler_rows_column_odd_2 : boolean;
+  signal leftsampler_weight_x_held_0, leftsampler_weight_x_held_1, leftsampler_weight_x_held_2 : natural range 0 to 31;
+  signal leftsampler_weight_y_held_0, leftsampler_weight_y_held_1, leftsampler_weight_y_held_2 : natural range 0 to 31;
+  signal leftsampler_pixel_weight_y, leftsampler_pixel_weight_x_0, leftsampler_pixel_weight_x_1 : natural range 0 to 31;
+  signal leftsampler_pixel_weight_x_2 : natural range 0 to 31;
+  signal leftsampler_shown_held_0, leftsampler_shown_held_1, leftsampler_shown_held_2 : natural range 0 to 15;
+  signal leftsampler_pixel_fall_0, leftsampler_pixel_fall_1 : integer range -255 to 255;
+  signal leftsampler_pixel_first : natural range 0 to 262624;
+  signal leftsampler_pixel_rise : integer range -8191 to 8191;
+  -- rightsampler
+  signal rightsampler_rows_even_even_read_address, rightsampler_rows_even_odd_read_address : natural range 0 to 8191;
+  signal rightsampler_rows_odd_even_read_address, rightsampler_rows_odd_odd_read_address : natural range 0 to 8191;
+  signal rightsampler_pixel_column_0, rightsampler_pixel_column_1 : natural range 0 to 8191;
+  signal rightsampler_rows_even_even_write_word, rightsampler_rows_even_even_ready_word : natural range 0 to 255;
+  signal rightsampler_rows_even_odd_write_word, rightsampler_rows_even_odd_ready_word : natural range 0 to 255;
+  signal rightsampler_rows_odd_even_write_word, rightsampler_rows_odd_even_ready_word : natural range 0 to 255;
+  signal rightsampler_rows_odd_odd_write_word, rightsampler_rows_odd_odd_ready_word : natural range 0 to 255;
+  signal rightsampler_pixel_upper_0, rightsampler_pixel_upper_1, rightsampler_pixel_value : natural range 0 to 255;
+  signal rightsampler_rows_even_even_read_word, rightsampler_rows_even_odd_read_word : unsigned(7 downto 0);
+  signal rightsampler_rows_odd_even_read_word, rightsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
+  signal rightsampler_rows_row_odd_0, rightsampler_rows_row_odd_1, rightsampler_rows_row_odd_2 : boolean;
+  signal rightsampler_rows_column_odd_0, rightsampler_rows_column_odd_1, rightsampler_rows_column_odd_2 : boolean;
+  signal rightsampler_weight_x_held_0, rightsampler_weight_x_held_1 : natural range 0 to 31;
+  signal rightsampler_weight_x_held_2, rightsampler_weight_y_held_0 : natural range 0 to 31;
+  signal rightsampler_weight_y_held_1, rightsampler_weight_y_held_2 : natural range 0 to 31;
+  signal rightsampler_pixel_weight_y, rightsampler_pixel_weight_x_0 : natural range 0 to 31;
+  signal rightsampler_pixel_weight_x_1, rightsampler_pixel_weight_x_2 : natural range 0 to 31;
+  signal rightsampler_shown_held_0, rightsampler_shown_held_1, rightsampler_shown_held_2 : natural range 0 to 15;
+  signal rightsampler_pixel_fall_0, rightsampler_pixel_fall_1 : integer range -255 to 255;
+  signal rightsampler_pixel_first : natural range 0 to 262624;
+  signal rightsampler_pixel_rise : integer range -8191 to 8191;
+  -- valid
+  signal valid_held_0, valid_held_1, valid_held_2, valid_held_3, valid_held_4, valid_held_5, valid_held_6 : boolean;
+  -- starts
+  signal starts_held_0, starts_held_1, starts_held_2, starts_held_3, starts_held_4, starts_held_5 : boolean;
+  signal starts_held_6 : boolean;
+  signal leftsampler_rows_even_even_read_word_memory_write_data : unsigned(7 downto 0);
+  signal leftsampler_rows_even_odd_read_word_memory_write_data : unsigned(7 downto 0);
+  signal leftsampler_rows_odd_even_read_word_memory_write_data : unsigned(7 downto 0);
+  signal leftsampler_rows_odd_odd_read_word_memory_write_data : unsigned(7 downto 0);
+  signal rightsampler_rows_even_even_read_word_memory_write_data : unsigned(7 downto 0);
+  signal rightsampler_rows_even_odd_read_word_memory_write_data : unsigned(7 downto 0);
+  signal rightsampler_rows_odd_even_read_word_memory_write_data : unsigned(7 downto 0);
+  signal rightsampler_rows_odd_odd_read_word_memory_write_data : unsigned(7 downto 0);
+  signal leftoffsets_nodes_even_even_read_word_memory_write_data : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_odd_read_word_memory_write_data : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_even_read_word_memory_write_data : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_odd_read_word_memory_write_data : unsigned(31 downto 0);
+  signal rightoffsets_nodes_even_even_read_word_memory_write_data : unsigned(31 downto 0);
+  signal rightoffsets_nodes_even_odd_read_word_memory_write_data : unsigned(31 downto 0);
+  signal rightoffsets_nodes_odd_even_read_word_memory_write_data : unsigned(31 downto 0);
+  signal rightoffsets_nodes_odd_odd_read_word_memory_write_data : unsigned(31 downto 0);
+
+begin
+  in_node_x <= to_integer(unsigned(node_x));
+  in_node_y <= to_integer(unsigned(node_y));
+  in_node_column <= to_integer(unsigned(node_column));
+  in_node_row <= to_integer(unsigned(node_row));
+  in_node_valid <= node_valid = '1';
+  in_node_right <= node_right = '1';
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  rectified_left <= std_logic_vector(to_unsigned(leftsampler_pixel_value, 8));
+  rectified_right <= std_logic_vector(to_unsigned(rightsampler_pixel_value, 8));
+  rectified_start_of_frame <= as_bit(valid_held_6 and starts_held_6);
+  rectified_valid <= as_bit(valid_held_6);
+
+  leftsampler_rows_even_even_read_word_memory_write_data <= to_unsigned(leftsampler_rows_even_even_write_word, 8);
+  leftsampler_rows_even_even_read_word_memory : entity work.line_memory
+    generic map (depth => 5457, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftsampler_rows_even_even_read_address, read_data => leftsampler_rows_even_even_read_word,
+      write_address => leftsampler_rows_even_even_write_address, write_data => leftsampler_rows_even_even_read_word_memory_write_data);
+
+  leftsampler_rows_even_odd_read_word_memory_write_data <= to_unsigned(leftsampler_rows_even_odd_write_word, 8);
+  leftsampler_rows_even_odd_read_word_memory : entity work.line_memory
+    generic map (depth => 5457, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftsampler_rows_even_odd_read_address, read_data => leftsampler_rows_even_odd_read_word,
+      write_address => leftsampler_rows_even_odd_write_address, write_data => leftsampler_rows_even_odd_read_word_memory_write_data);
+
+  leftsampler_rows_odd_even_read_word_memory_write_data <= to_unsigned(leftsampler_rows_odd_even_write_word, 8);
+  leftsampler_rows_odd_even_read_word_memory : entity work.line_memory
+    generic map (depth => 5457, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftsampler_rows_odd_even_read_address, read_data => leftsampler_rows_odd_even_read_word,
+      write_address => leftsampler_rows_odd_even_write_address, write_data => leftsampler_rows_odd_even_read_word_memory_write_data);
+
+  leftsampler_rows_odd_odd_read_word_memory_write_data <= to_unsigned(leftsampler_rows_odd_odd_write_word, 8);
+  leftsampler_rows_odd_odd_read_word_memory : entity work.line_memory
+    generic map (depth => 5457, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftsampler_rows_odd_odd_read_address, read_data => leftsampler_rows_odd_odd_read_word,
+      write_address => leftsampler_rows_odd_odd_write_address, write_data => leftsampler_rows_odd_odd_read_word_memory_write_data);
+
+  rightsampler_rows_even_even_read_word_memory_write_data <= to_unsigned(rightsampler_rows_even_even_write_word, 8);
+  rightsampler_rows_even_even_read_word_memory : entity work.line_memory
+    generic map (depth => 5457, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => rightsampler_rows_even_even_read_address, read_data => rightsampler_rows_even_even_read_word,
+      write_address => leftsampler_rows_even_even_write_address, write_data => rightsampler_rows_even_even_read_word_memory_write_data);
+
+  rightsampler_rows_even_odd_read_word_memory_write_data <= to_unsigned(rightsampler_rows_even_odd_write_word, 8);
+  rightsampler_rows_even_odd_read_word_memory : entity work.line_memory
+    generic map (depth => 5457, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => rightsampler_rows_even_odd_read_address, read_data => rightsampler_rows_even_odd_read_word,
+      write_address => leftsampler_rows_even_odd_write_address, write_data => rightsampler_rows_even_odd_read_word_memory_write_data);
+
+  rightsampler_rows_odd_even_read_word_memory_write_data <= to_unsigned(rightsampler_rows_odd_even_write_word, 8);
+  rightsampler_rows_odd_even_read_word_memory : entity work.line_memory
+    generic map (depth => 5457, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => rightsampler_rows_odd_even_read_address, read_data => rightsampler_rows_odd_even_read_word,
+      write_address => leftsampler_rows_odd_even_write_address, write_data => rightsampler_rows_odd_even_read_word_memory_write_data);
+
+  rightsampler_rows_odd_odd_read_word_memory_write_data <= to_unsigned(rightsampler_rows_odd_odd_write_word, 8);
+  rightsampler_rows_odd_odd_read_word_memory : entity work.line_memory
+    generic map (depth => 5457, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => rightsampler_rows_odd_odd_read_address, read_data => rightsampler_rows_odd_odd_read_word,
+      write_address => leftsampler_rows_odd_odd_write_address, write_data => rightsampler_rows_odd_odd_read_word_memory_write_data);
+
+  leftoffsets_nodes_even_even_read_word_memory_write_data <= leftoffsets_nodes_even_even_write_word;
+  leftoffsets_nodes_even_even_read_word_memory : entity work.line_memory
+    generic map (depth => 336, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftoffsets_nodes_even_even_read_address, read_data => leftoffsets_nodes_even_even_read_word,
+      write_address => leftoffsets_nodes_even_even_write_address, write_data => leftoffsets_nodes_even_even_read_word_memory_write_data);
+
+  leftoffsets_nodes_even_odd_read_word_memory_write_data <= leftoffsets_nodes_even_odd_write_word;
+  leftoffsets_nodes_even_odd_read_word_memory : entity work.line_memory
+    generic map (depth => 336, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftoffsets_nodes_even_odd_read_address, read_data => leftoffsets_nodes_even_odd_read_word,
+      write_address => leftoffsets_nodes_even_odd_write_address, write_data => leftoffsets_nodes_even_odd_read_word_memory_write_data);
+
+  leftoffsets_nodes_odd_even_read_word_memory_write_data <= leftoffsets_nodes_odd_even_write_word;
+  leftoffsets_nodes_odd_even_read_word_memory : entity work.line_memory
+    generic map (depth => 336, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftoffsets_nodes_odd_even_read_address, read_data => leftoffsets_nodes_odd_even_read_word,
+      write_address => leftoffsets_nodes_odd_even_write_address, write_data => leftoffsets_nodes_odd_even_read_word_memory_write_data);
+
+  leftoffsets_nodes_odd_odd_read_word_memory_write_data <= leftoffsets_nodes_odd_odd_write_word;
+  leftoffsets_nodes_odd_odd_read_word_memory : entity work.line_memory
+    generic map (depth => 336, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftoffsets_nodes_odd_odd_read_address, read_data => leftoffsets_nodes_odd_odd_read_word,
+      write_address => leftoffsets_nodes_odd_odd_write_address, write_data => leftoffsets_nodes_odd_odd_read_word_memory_write_data);
+
+  rightoffsets_nodes_even_even_read_word_memory_write_data <= rightoffsets_nodes_even_even_write_word;
+  rightoffsets_nodes_even_even_read_word_memory : entity work.line_memory
+    generic map (depth => 336, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftoffsets_nodes_even_even_read_address, read_data => rightoffsets_nodes_even_even_read_word,
+      write_address => rightoffsets_nodes_even_even_write_address, write_data => rightoffsets_nodes_even_even_read_word_memory_write_data);
+
+  rightoffsets_nodes_even_odd_read_word_memory_write_data <= rightoffsets_nodes_even_odd_write_word;
+  rightoffsets_nodes_even_odd_read_word_memory : entity work.line_memory
+    generic map (depth => 336, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftoffsets_nodes_even_odd_read_address, read_data => rightoffsets_nodes_even_odd_read_word,
+      write_address => rightoffsets_nodes_even_odd_write_address, write_data => rightoffsets_nodes_even_odd_read_word_memory_write_data);
+
+  rightoffsets_nodes_odd_even_read_word_memory_write_data <= rightoffsets_nodes_odd_even_write_word;
+  rightoffsets_nodes_odd_even_read_word_memory : entity work.line_memory
+    generic map (depth => 336, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftoffsets_nodes_odd_even_read_address, read_data => rightoffsets_nodes_odd_even_read_word,
+      write_address => rightoffsets_nodes_odd_even_write_address, write_data => rightoffsets_nodes_odd_even_read_word_memory_write_data);
+
+  rightoffsets_nodes_odd_odd_read_word_memory_write_data <= rightoffsets_nodes_odd_odd_write_word;
+  rightoffsets_nodes_odd_odd_read_word_memory : entity work.line_memory
+    generic map (depth => 336, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftoffsets_nodes_odd_odd_read_address, read_data => rightoffsets_nodes_odd_odd_read_word,
+      write_address => rightoffsets_nodes_odd_odd_write_address, write_data => rightoffsets_nodes_odd_odd_read_word_memory_write_data);
+
+  process (clock)
+    variable counter_column_is_equal, counter_next_frame_is_equal, counter_next_frame_choice : boolean;
+    variable counter_next_frame_choice_2, counter_next_frame_is_equal_2, counter_next_frame_choice_3 : boolean;
+    variable counter_group_differs, grid_node_row_all, leftoffsets_nodes_even_even_write_address_any : boolean;
+    variable leftoffsets_nodes_even_odd_write_address_any, leftoffsets_nodes_odd_even_write_address_any : boolean;
+    variable leftoffsets_nodes_odd_odd_write_address_any, rightoffsets_nodes_even_even_write_address_any : boolean;
+    variable rightoffsets_nodes_even_odd_write_address_any, rightoffsets_nodes_odd_even_write_address_any : boolean;
+    variable rightoffsets_nodes_odd_odd_write_address_any, sample_place_column_is_equal : boolean;
+    variable sample_place_next_frame_is_equal, sample_place_next_frame_choice : boolean;
+    variable sample_place_next_frame_is_equal_2, sample_place_next_frame_choice_2, sample_place_group_differs : boolean;
+    variable lefttaps_taps_column_is_less, lefttaps_taps_row_is_not_less, lefttaps_taps_row_is_less : boolean;
+    variable lefttaps_taps_row_value, lefttaps_taps_row_choice, lefttaps_taps_row_value_2 : boolean;
+    variable lefttaps_taps_row_all, lefttaps_taps_row_choice_2, lefttaps_taps_row_value_3 : boolean;
+    variable lefttaps_taps_row_choice_3, lefttaps_taps_row_value_4, lefttaps_taps_row_choice_4 : boolean;
+    variable lefttaps_taps_row_value_5, lefttaps_taps_row_choice_5, righttaps_taps_column_is_less : boolean;
+    variable righttaps_taps_row_is_not_less, righttaps_taps_row_is_less, righttaps_taps_row_value : boolean;
+    variable righttaps_taps_row_all, righttaps_taps_row_choice, righttaps_taps_row_choice_2 : boolean;
+    variable righttaps_taps_row_value_2, righttaps_taps_row_choice_3, righttaps_taps_row_choice_4 : boolean;
+    variable righttaps_taps_row_value_3, righttaps_taps_row_choice_5, righttaps_taps_row_choice_6 : boolean;
+    variable righttaps_taps_row_value_4, righttaps_taps_row_choice_7, righttaps_taps_row_choice_8 : boolean;
+    variable righttaps_taps_row_value_5, righttaps_taps_row_choice_9, righttaps_taps_row_choice_10 : boolean;
+    variable leftsampler_rows_even_even_write_address_any, leftsampler_rows_even_odd_write_address_any : boolean;
+    variable leftsampler_rows_odd_even_write_address_any, leftsampler_rows_odd_odd_write_address_any : boolean;
+    variable counter_group_choice, sample_place_group_choice : natural range 0 to 15;
+    variable counter_group_choice_2, counter_group_choice_3, grid_node_row_choice : natural range 0 to 511;
+    variable leftoffsets_nodes_even_even_write_address_value, sample_place_group_choice_2 : natural range 0 to 511;
+    variable sample_place_group_choice_3 : natural range 0 to 511;
+    variable grid_node_row_sum : natural range 495 to 1006;
+    variable leftoffsets_nodes_even_even_read_address_choice : natural range 0 to 336;
+    variable leftoffsets_nodes_even_even_read_address_value : natural range 0 to 32;
+    variable leftoffsets_nodes_odd_even_read_address_product : natural range 0 to 315;
+    variable leftoffsets_x_upper_0_choice, leftoffsets_x_upper_0_choice_2 : natural range 0 to 65535;
+    variable leftoffsets_x_upper_0_choice_3, leftoffsets_x_upper_1_choice : natural range 0 to 65535;
+    variable leftoffsets_x_upper_1_choice_2, leftoffsets_x_upper_1_choice_3 : natural range 0 to 65535;
+    variable leftoffsets_x_fall_0_choice, leftoffsets_x_fall_1_choice : natural range 0 to 65535;
+    variable rightoffsets_x_upper_0_choice, rightoffsets_x_upper_0_choice_2 : natural range 0 to 65535;
+    variable rightoffsets_x_upper_0_choice_3, rightoffsets_x_upper_1_choice : natural range 0 to 65535;
+    variable rightoffsets_x_upper_1_choice_2, rightoffsets_x_upper_1_choice_3 : natural range 0 to 65535;
+    variable rightoffsets_x_fall_0_choice, rightoffsets_x_fall_1_choice : natural range 0 to 65535;
+    variable leftoffsets_x_column_0_product, leftoffsets_x_column_1_product : integer range -983025 to 983025;
+    variable leftoffsets_y_column_0_product, leftoffsets_y_column_1_product : integer range -983025 to 983025;
+    variable rightoffsets_x_column_0_product, rightoffsets_x_column_1_product : integer range -983025 to 983025;
+    variable rightoffsets_y_column_0_product, rightoffsets_y_column_1_product : integer range -983025 to 983025;
+    variable leftoffsets_y_upper_0_choice, leftoffsets_y_upper_0_choice_2 : unsigned(31 downto 0);
+    variable leftoffsets_y_upper_0_choice_3, leftoffsets_y_upper_1_choice : unsigned(31 downto 0);
+    variable leftoffsets_y_upper_1_choice_2, leftoffsets_y_upper_1_choice_3 : unsigned(31 downto 0);
+    variable leftoffsets_y_fall_0_choice, leftoffsets_y_fall_1_choice : unsigned(31 downto 0);
+    variable leftoffsets_nodes_even_even_write_word_sum, rightoffsets_y_upper_0_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_upper_0_choice_2, rightoffsets_y_upper_0_choice_3 : unsigned(31 downto 0);
+    variable rightoffsets_y_upper_1_choice, rightoffsets_y_upper_1_choice_2 : unsigned(31 downto 0);
+    variable rightoffsets_y_upper_1_choice_3, rightoffsets_y_fall_0_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_fall_1_choice : unsigned(31 downto 0);
+    variable sample_place_column_sum : natural range 1 to 1024;
+    variable lefttaps_taps_row_difference, righttaps_taps_row_difference : integer range -1518 to 529;
+    variable lefttaps_taps_row_sum, lefttaps_taps_row_choice_6, lefttaps_taps_row_choice_7 : natural range 0 to 63;
+    variable righttaps_taps_row_choice_11, righttaps_taps_row_choice_12 : natural range 0 to 63;
+    variable leftsampler_rows_even_even_read_address_choice : natural range 0 to 8191;
+    variable leftsampler_rows_even_even_read_address_value : natural range 0 to 8191;
+    variable leftsampler_rows_even_even_write_address_value : natural range 0 to 8191;
+    variable rightsampler_rows_even_even_read_address_choice : natural range 0 to 8191;
+    variable rightsampler_rows_even_even_read_address_value : natural range 0 to 8191;
+    variable leftsampler_rows_odd_even_read_address_product : natural range 0 to 9951;
+    variable rightsampler_rows_odd_even_read_address_product : natural range 0 to 9951;
+    variable leftsampler_shown_held_0_choice, rightsampler_shown_held_0_choice : natural range 0 to 3;
+    variable leftsampler_pixel_upper_0_choice, leftsampler_pixel_upper_0_choice_2 : natural range 0 to 255;
+    variable leftsampler_pixel_upper_0_choice_3, leftsampler_pixel_upper_0_choice_4 : natural range 0 to 255;
+    variable leftsampler_pixel_upper_1_choice, leftsampler_pixel_upper_1_choice_2 : natural range 0 to 255;
+    variable leftsampler_pixel_upper_1_choice_3, leftsampler_pixel_upper_1_choice_4 : natural range 0 to 255;
+    variable leftsampler_pixel_fall_0_choice, leftsampler_pixel_fall_0_choice_2 : natural range 0 to 255;
+    variable leftsampler_pixel_fall_1_choice, leftsampler_pixel_fall_1_choice_2 : natural range 0 to 255;
+    variable rightsampler_pixel_upper_0_choice, rightsampler_pixel_upper_0_choice_2 : natural range 0 to 255;
+    variable rightsampler_pixel_upper_0_choice_3, rightsampler_pixel_upper_0_choice_4 : natural range 0 to 255;
+    variable rightsampler_pixel_upper_1_choice, rightsampler_pixel_upper_1_choice_2 : natural range 0 to 255;
+    variable rightsampler_pixel_upper_1_choice_3, rightsampler_pixel_upper_1_choice_4 : natural range 0 to 255;
+    variable rightsampler_pixel_fall_0_choice, rightsampler_pixel_fall_0_choice_2 : natural range 0 to 255;
+    variable rightsampler_pixel_fall_1_choice, rightsampler_pixel_fall_1_choice_2 : natural range 0 to 255;
+    variable leftsampler_pixel_column_0_product, leftsampler_pixel_column_1_product : integer range -7905 to 7905;
+    variable rightsampler_pixel_column_0_product, rightsampler_pixel_column_1_product : integer range -7905 to 7905;
+  begin
+    if rising_edge(clock) then
+      -- counter
+      counter_column_is_equal := counter_column = 639;
+      counter_next_frame_is_equal := counter_group = 496;
+      counter_next_frame_choice := counter_next_frame and (counter_group = 497) when counter_next_frame_is_equal else
+        counter_next_frame;
+      counter_next_frame_choice_2 := counter_next_frame_choice when counter_column_is_equal else counter_next_frame;
+      counter_next_frame_is_equal_2 := counter_group = 479;
+      counter_next_frame_choice_3 := counter_column_is_equal or (not in_start_of_frame) when
+        counter_next_frame_is_equal_2 else not in_start_of_frame;
+      if in_valid then
+        counter_column <= 0 when counter_column_is_equal or in_start_of_frame else (counter_column + 1) mod 1024;
+        counter_next_frame <= counter_next_frame_choice_3 when counter_next_frame_choice_2 else
+          counter_next_frame_is_equal_2 and counter_column_is_equal and in_start_of_frame;
+      end if;
+      counter_group_choice := 15 when counter_next_frame_is_equal_2 and counter_column_is_equal else 0;
+      counter_group_differs := counter_group /= 497;
+      counter_group_choice_2 := 17 when counter_next_frame_is_equal and counter_next_frame else (counter_group + 1) mod
+        512;
+      counter_group_choice_3 := counter_group_choice_2 when counter_column_is_equal and in_valid and
+        counter_group_differs else counter_group;
+      counter_group <= counter_group_choice * 32 when in_start_of_frame and in_valid else counter_group_choice_3;
+      -- delay
+      delay_held_0_left <= in_left_pixel;
+      delay_held_0_right <= in_right_pixel;
+      delay_held_0_start_of_frame <= in_start_of_frame;
+      delay_held_0_valid <= in_valid;
+      delay_held_1_left <= delay_held_0_left;
+      delay_held_1_right <= delay_held_0_right;
+      delay_held_1_start_of_frame <= delay_held_0_start_of_frame;
+      delay_held_1_valid <= delay_held_0_valid;
+      delay_held_2_left <= delay_held_1_left;
+      delay_held_2_right <= delay_held_1_right;
+      delay_held_2_start_of_frame <= delay_held_1_start_of_frame;
+      delay_held_2_valid <= delay_held_1_valid;
+      delay_held_3_left <= delay_held_2_left;
+      delay_held_3_right <= delay_held_2_right;
+      delay_held_3_start_of_frame <= delay_held_2_start_of_frame;
+      delay_held_3_valid <= delay_held_2_valid;
+      delay_held_4_left <= delay_held_3_left;
+      delay_held_4_right <= delay_held_3_right;
+      delay_held_4_start_of_frame <= delay_held_3_start_of_frame;
+      delay_held_4_valid <= delay_held_3_valid;
+      delay_held_5_left <= delay_held_4_left;
+      delay_held_5_right <= delay_held_4_right;
+      delay_held_5_start_of_frame <= delay_held_4_start_of_frame;
+      delay_held_5_valid <= delay_held_4_valid;
+      delay_held_6_left <= delay_held_5_left;
+      delay_held_6_right <= delay_held_5_right;
+      delay_held_6_start_of_frame <= delay_held_5_start_of_frame;
+      delay_held_6_valid <= delay_held_5_valid;
+      delay_held_7_left <= delay_held_6_left;
+      delay_held_7_right <= delay_held_6_right;
+      delay_held_7_start_of_frame <= delay_held_6_start_of_frame;
+      delay_held_7_valid <= delay_held_6_valid;
+      -- grid
+      grid_node_row_all := counter_group_differs and (16 < counter_group);
+      grid_node_row_sum := counter_group + 495;
+      if grid_node_row_all then
+        grid_node_row_choice := grid_node_row_sum mod 512;
+      else
+        grid_node_row_choice := 0;
+      end if;
+      grid_node_column <= counter_column / 16;
+      grid_node_row <= grid_node_row_choice / 16;
+      grid_weight_x_held_0 <= counter_column mod 16;
+      grid_weight_x_held_1 <= grid_weight_x_held_0;
+      grid_weight_x_held_2 <= grid_weight_x_held_1;
+      grid_weight_x_held_3 <= grid_weight_x_held_2;
+      grid_weight_y_held_0 <= grid_node_row_sum mod 16 when grid_node_row_all else 0;
+      grid_weight_y_held_1 <= grid_weight_y_held_0;
+      grid_weight_y_held_2 <= grid_weight_y_held_1;
+      grid_weight_y_held_3 <= grid_weight_y_held_2;
+      -- leftoffsets
+      leftoffsets_nodes_even_even_read_address_choice := 0 when grid_node_row = 31 else ((grid_node_row + 1) / 2) * 21;
+      leftoffsets_nodes_even_even_read_address_value := (grid_node_column + 1) / 2;
+      leftoffsets_nodes_odd_even_read_address_product := (grid_node_row / 2) * 21;
+      if leftoffsets_nodes_column_odd_2 then
+        leftoffsets_x_upper_0_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
+      else
+        leftoffsets_x_upper_0_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
+      end if;
+      if leftoffsets_nodes_column_odd_2 then
+        leftoffsets_x_upper_0_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
+      else
+        leftoffsets_x_upper_0_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
+      end if;
+      leftoffsets_x_upper_0_choice_3 := leftoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+        leftoffsets_x_upper_0_choice_2;
+      if leftoffsets_nodes_column_odd_2 then
+        leftoffsets_x_upper_1_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
+      else
+        leftoffsets_x_upper_1_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
+      end if;
+      if leftoffsets_nodes_column_odd_2 then
+        leftoffsets_x_upper_1_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
+      else
+        leftoffsets_x_upper_1_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
+      end if;
+      leftoffsets_x_upper_1_choice_3 := leftoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+        leftoffsets_x_upper_1_choice_2;
+      leftoffsets_x_fall_0_choice := leftoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+        leftoffsets_x_upper_0_choice;
+      leftoffsets_x_fall_1_choice := leftoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+        leftoffsets_x_upper_1_choice;
+      leftoffsets_x_column_0_product := leftoffsets_x_fall_0 * leftoffsets_x_weight_y;
+      leftoffsets_x_column_1_product := leftoffsets_x_fall_1 * leftoffsets_x_weight_y;
+      leftoffsets_y_upper_0_choice := leftoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_2 else
+        leftoffsets_nodes_odd_even_ready_word;
+      leftoffsets_y_upper_0_choice_2 := leftoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_2 else
+        leftoffsets_nodes_even_even_ready_word;
+      leftoffsets_y_upper_0_choice_3 := leftoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+        leftoffsets_y_upper_0_choice_2;
+      leftoffsets_y_upper_1_choice := leftoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_2 else
+        leftoffsets_nodes_odd_odd_ready_word;
+      leftoffsets_y_upper_1_choice_2 := leftoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_2 else
+        leftoffsets_nodes_even_odd_ready_word;
+      leftoffsets_y_upper_1_choice_3 := leftoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+        leftoffsets_y_upper_1_choice_2;
+      leftoffsets_y_fall_0_choice := leftoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+        leftoffsets_y_upper_0_choice;
+      leftoffsets_y_fall_1_choice := leftoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+        leftoffsets_y_upper_1_choice;
+      leftoffsets_y_column_0_product := leftoffsets_y_fall_0 * leftoffsets_x_weight_y;
+      leftoffsets_y_column_1_product := leftoffsets_y_fall_1 * leftoffsets_x_weight_y;
+      leftoffsets_nodes_even_even_read_address <= leftoffsets_nodes_even_even_read_address_choice +
+        leftoffsets_nodes_even_even_read_address_value;
+      leftoffsets_nodes_even_even_ready_word <= leftoffsets_nodes_even_even_read_word;
+      leftoffsets_nodes_even_odd_read_address <= leftoffsets_nodes_even_even_read_address_choice + (grid_node_column /
+        2);
+      leftoffsets_nodes_even_odd_ready_word <= leftoffsets_nodes_even_odd_read_word;
+      leftoffsets_nodes_odd_even_read_address <= leftoffsets_nodes_even_even_read_address_value +
+        leftoffsets_nodes_odd_even_read_address_product;
+      leftoffsets_nodes_odd_even_ready_word <= leftoffsets_nodes_odd_even_read_word;
+      leftoffsets_nodes_odd_odd_read_address <= leftoffsets_nodes_odd_even_read_address_product + (grid_node_column /
+        2);
+      leftoffsets_nodes_odd_odd_ready_word <= leftoffsets_nodes_odd_odd_read_word;
+      leftoffsets_nodes_row_odd_0 <= (grid_node_row mod 2) = 1;
+      leftoffsets_nodes_row_odd_1 <= leftoffsets_nodes_row_odd_0;
+      leftoffsets_nodes_row_odd_2 <= leftoffsets_nodes_row_odd_1;
+      leftoffsets_nodes_column_odd_0 <= (grid_node_column mod 2) = 1;
+      leftoffsets_nodes_column_odd_1 <= leftoffsets_nodes_column_odd_0;
+      leftoffsets_nodes_column_odd_2 <= leftoffsets_nodes_column_odd_1;
+      leftoffsets_x_upper_0 <= leftoffsets_x_upper_0_choice_3;
+      leftoffsets_x_upper_1 <= leftoffsets_x_upper_1_choice_3;
+      leftoffsets_x_fall_0 <= leftoffsets_x_fall_0_choice - leftoffsets_x_upper_0_choice_3;
+      leftoffsets_x_fall_1 <= leftoffsets_x_fall_1_choice - leftoffsets_x_upper_1_choice_3;
+      leftoffsets_x_weight_y <= grid_weight_y_held_3;
+      leftoffsets_x_weight_x_0 <= grid_weight_x_held_3;
+      leftoffsets_x_weight_x_1 <= leftoffsets_x_weight_x_0;
+      leftoffsets_x_weight_x_2 <= leftoffsets_x_weight_x_1;
+      leftoffsets_x_column_0 <= (((leftoffsets_x_upper_0 + ((leftoffsets_x_column_0_product mod 1048576) / 16)) mod
+        65536) * 16) + (leftoffsets_x_column_0_product mod 16);
+      leftoffsets_x_column_1 <= (((leftoffsets_x_upper_1 + ((leftoffsets_x_column_1_product mod 1048576) / 16)) mod
+        65536) * 16) + (leftoffsets_x_column_1_product mod 16);
+      leftoffsets_x_first <= ((((leftoffsets_x_column_0 * 16) / 256) + 1) * 256) + ((leftoffsets_x_column_0 mod 16) *
+        16);
+      leftoffsets_x_rise <= leftoffsets_x_column_1 - leftoffsets_x_column_0;
+      leftoffsets_x_value <= ((((leftoffsets_x_first / 16) + (((leftoffsets_x_rise * leftoffsets_x_weight_x_2) mod
+        33554432) / 16)) mod 2097152) * 16) / 512;
+      leftoffsets_y_upper_0 <= to_integer(leftoffsets_y_upper_0_choice_3(31 downto 16));
+      leftoffsets_y_upper_1 <= to_integer(leftoffsets_y_upper_1_choice_3(31 downto 16));
+      leftoffsets_y_fall_0 <= to_integer(leftoffsets_y_fall_0_choice(31 downto 16)) -
+        to_integer(leftoffsets_y_upper_0_choice_3(31 downto 16));
+      leftoffsets_y_fall_1 <= to_integer(leftoffsets_y_fall_1_choice(31 downto 16)) -
+        to_integer(leftoffsets_y_upper_1_choice_3(31 downto 16));
+      leftoffsets_y_column_0 <= (((leftoffsets_y_upper_0 + ((leftoffsets_y_column_0_product mod 1048576) / 16)) mod
+        65536) * 16) + (leftoffsets_y_column_0_product mod 16);
+      leftoffsets_y_column_1 <= (((leftoffsets_y_upper_1 + ((leftoffsets_y_column_1_product mod 1048576) / 16)) mod
+        65536) * 16) + (leftoffsets_y_column_1_product mod 16);
+      leftoffsets_y_first <= ((((leftoffsets_y_column_0 * 16) / 256) + 1) * 256) + ((leftoffsets_y_column_0 mod 16) *
+        16);
+      leftoffsets_y_rise <= leftoffsets_y_column_1 - leftoffsets_y_column_0;
+      leftoffsets_y_value <= ((((leftoffsets_y_first / 16) + (((leftoffsets_y_rise * leftoffsets_x_weight_x_2) mod
+        33554432) / 16)) mod 2097152) * 16) / 512;
+      leftoffsets_nodes_even_even_write_address_value := (((in_node_column mod 1024) / 2) + (((in_node_row mod 1024) /
+        2) * 21)) mod 512;
+      leftoffsets_nodes_even_even_write_word_sum := to_unsigned(to_integer(((to_unsigned(in_node_y, 16)) xor
+        (to_unsigned(32768, 16)))), 16) & to_unsigned(to_integer(((to_unsigned(in_node_x, 16)) xor (to_unsigned(32768,
+        16)))), 16);
+      leftoffsets_nodes_even_even_write_address_any := ((in_node_column mod 2) = 1) or ((in_node_row mod 2) = 1) or
+        (not in_node_valid) or in_node_right;
+      if not leftoffsets_nodes_even_even_write_address_any then
+        leftoffsets_nodes_even_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        leftoffsets_nodes_even_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+      end if;
+      leftoffsets_nodes_even_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or ((in_node_row mod 2) = 1)
+        or (not in_node_valid) or in_node_right;
+      if not leftoffsets_nodes_even_odd_write_address_any then
+        leftoffsets_nodes_even_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        leftoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+      end if;
+      leftoffsets_nodes_odd_even_write_address_any := ((in_node_column mod 2) = 1) or (not ((in_node_row mod 2) = 1))
+        or (not in_node_valid) or in_node_right;
+      if not leftoffsets_nodes_odd_even_write_address_any then
+        leftoffsets_nodes_odd_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        leftoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+      end if;
+      leftoffsets_nodes_odd_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or (not ((in_node_row mod 2) =
+        1)) or (not in_node_valid) or in_node_right;
+      if not leftoffsets_nodes_odd_odd_write_address_any then
+        leftoffsets_nodes_odd_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        leftoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+      end if;
+      -- rightoffsets
+      rightoffsets_nodes_even_even_write_address_any := ((in_node_column mod 2) = 1) or ((in_node_row mod 2) = 1) or
+        (not in_node_valid) or (not in_node_right);
+      if not rightoffsets_nodes_even_even_write_address_any then
+        rightoffsets_nodes_even_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        rightoffsets_nodes_even_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+      end if;
+      if leftoffsets_nodes_column_odd_2 then
+        rightoffsets_x_upper_0_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
+      else
+        rightoffsets_x_upper_0_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
+      end if;
+      if leftoffsets_nodes_column_odd_2 then
+        rightoffsets_x_upper_0_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
+      else
+        rightoffsets_x_upper_0_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
+      end if;
+      rightoffsets_x_upper_0_choice_3 := rightoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+        rightoffsets_x_upper_0_choice_2;
+      if leftoffsets_nodes_column_odd_2 then
+        rightoffsets_x_upper_1_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
+      else
+        rightoffsets_x_upper_1_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
+      end if;
+      if leftoffsets_nodes_column_odd_2 then
+        rightoffsets_x_upper_1_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
+      else
+        rightoffsets_x_upper_1_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
+      end if;
+      rightoffsets_x_upper_1_choice_3 := rightoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+        rightoffsets_x_upper_1_choice_2;
+      rightoffsets_x_fall_0_choice := rightoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+        rightoffsets_x_upper_0_choice;
+      rightoffsets_x_fall_1_choice := rightoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+        rightoffsets_x_upper_1_choice;
+      rightoffsets_x_column_0_product := rightoffsets_x_fall_0 * leftoffsets_x_weight_y;
+      rightoffsets_x_column_1_product := rightoffsets_x_fall_1 * leftoffsets_x_weight_y;
+      rightoffsets_y_upper_0_choice := rightoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_2 else
+        rightoffsets_nodes_odd_even_ready_word;
+      rightoffsets_y_upper_0_choice_2 := rightoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_2
+        else rightoffsets_nodes_even_even_ready_word;
+      rightoffsets_y_upper_0_choice_3 := rightoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+        rightoffsets_y_upper_0_choice_2;
+      rightoffsets_y_upper_1_choice := rightoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_2 else
+        rightoffsets_nodes_odd_odd_ready_word;
+      rightoffsets_y_upper_1_choice_2 := rightoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_2
+        else rightoffsets_nodes_even_odd_ready_word;
+      rightoffsets_y_upper_1_choice_3 := rightoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+        rightoffsets_y_upper_1_choice_2;
+      rightoffsets_y_fall_0_choice := rightoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+        rightoffsets_y_upper_0_choice;
+      rightoffsets_y_fall_1_choice := rightoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+        rightoffsets_y_upper_1_choice;
+      rightoffsets_y_column_0_product := rightoffsets_y_fall_0 * leftoffsets_x_weight_y;
+      rightoffsets_y_column_1_product := rightoffsets_y_fall_1 * leftoffsets_x_weight_y;
+      rightoffsets_nodes_even_even_ready_word <= rightoffsets_nodes_even_even_read_word;
+      rightoffsets_nodes_even_odd_ready_word <= rightoffsets_nodes_even_odd_read_word;
+      rightoffsets_nodes_odd_even_ready_word <= rightoffsets_nodes_odd_even_read_word;
+      rightoffsets_nodes_odd_odd_ready_word <= rightoffsets_nodes_odd_odd_read_word;
+      rightoffsets_x_upper_0 <= rightoffsets_x_upper_0_choice_3;
+      rightoffsets_x_upper_1 <= rightoffsets_x_upper_1_choice_3;
+      rightoffsets_x_fall_0 <= rightoffsets_x_fall_0_choice - rightoffsets_x_upper_0_choice_3;
+      rightoffsets_x_fall_1 <= rightoffsets_x_fall_1_choice - rightoffsets_x_upper_1_choice_3;
+      rightoffsets_x_column_0 <= (((rightoffsets_x_upper_0 + ((rightoffsets_x_column_0_product mod 1048576) / 16)) mod
+        65536) * 16) + (rightoffsets_x_column_0_product mod 16);
+      rightoffsets_x_column_1 <= (((rightoffsets_x_upper_1 + ((rightoffsets_x_column_1_product mod 1048576) / 16)) mod
+        65536) * 16) + (rightoffsets_x_column_1_product mod 16);
+      rightoffsets_x_first <= ((((rightoffsets_x_column_0 * 16) / 256) + 1) * 256) + ((rightoffsets_x_column_0 mod 16)
+        * 16);
+      rightoffsets_x_rise <= rightoffsets_x_column_1 - rightoffsets_x_column_0;
+      rightoffsets_x_value <= ((((rightoffsets_x_first / 16) + (((rightoffsets_x_rise * leftoffsets_x_weight_x_2) mod
+        33554432) / 16)) mod 2097152) * 16) / 512;
+      rightoffsets_y_upper_0 <= to_integer(rightoffsets_y_upper_0_choice_3(31 downto 16));
+      rightoffsets_y_upper_1 <= to_integer(rightoffsets_y_upper_1_choice_3(31 downto 16));
+      rightoffsets_y_fall_0 <= to_integer(rightoffsets_y_fall_0_choice(31 downto 16)) -
+        to_integer(rightoffsets_y_upper_0_choice_3(31 downto 16));
+      rightoffsets_y_fall_1 <= to_integer(rightoffsets_y_fall_1_choice(31 downto 16)) -
+        to_integer(rightoffsets_y_upper_1_choice_3(31 downto 16));
+      rightoffsets_y_column_0 <= (((rightoffsets_y_upper_0 + ((rightoffsets_y_column_0_product mod 1048576) / 16)) mod
+        65536) * 16) + (rightoffsets_y_column_0_product mod 16);
+      rightoffsets_y_column_1 <= (((rightoffsets_y_upper_1 + ((rightoffsets_y_column_1_product mod 1048576) / 16)) mod
+        65536) * 16) + (rightoffsets_y_column_1_product mod 16);
+      rightoffsets_y_first <= ((((rightoffsets_y_column_0 * 16) / 256) + 1) * 256) + ((rightoffsets_y_column_0 mod 16)
+        * 16);
+      rightoffsets_y_rise <= rightoffsets_y_column_1 - rightoffsets_y_column_0;
+      rightoffsets_y_value <= ((((rightoffsets_y_first / 16) + (((rightoffsets_y_rise * leftoffsets_x_weight_x_2) mod
+        33554432) / 16)) mod 2097152) * 16) / 512;
+      rightoffsets_nodes_even_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or ((in_node_row mod 2) = 1)
+        or (not in_node_valid) or (not in_node_right);
+      if not rightoffsets_nodes_even_odd_write_address_any then
+        rightoffsets_nodes_even_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        rightoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+      end if;
+      rightoffsets_nodes_odd_even_write_address_any := ((in_node_column mod 2) = 1) or (not ((in_node_row mod 2) = 1))
+        or (not in_node_valid) or (not in_node_right);
+      if not rightoffsets_nodes_odd_even_write_address_any then
+        rightoffsets_nodes_odd_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        rightoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+      end if;
+      rightoffsets_nodes_odd_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or (not ((in_node_row mod 2) =
+        1)) or (not in_node_valid) or (not in_node_right);
+      if not rightoffsets_nodes_odd_odd_write_address_any then
+        rightoffsets_nodes_odd_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        rightoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+      end if;
+      -- sample
+      sample_place_column_is_equal := sample_place_column = 639;
+      sample_place_column_sum := sample_place_column + 1;
+      sample_place_next_frame_is_equal := sample_place_group = 496;
+      sample_place_next_frame_choice := sample_place_next_frame and ((sample_place_column /= 639) or
+        (sample_place_group = 497)) when sample_place_next_frame_is_equal else sample_place_next_frame;
+      sample_place_next_frame_is_equal_2 := sample_place_group = 479;
+      sample_place_next_frame_choice_2 := (not delay_held_7_start_of_frame) or sample_place_column_is_equal when
+        sample_place_next_frame_is_equal_2 else not delay_held_7_start_of_frame;
+      if delay_held_7_valid then
+        sample_place_column <= 0 when delay_held_7_start_of_frame or sample_place_column_is_equal else
+          sample_place_column_sum mod 1024;
+        sample_place_next_frame <= sample_place_next_frame_choice_2 when sample_place_next_frame_choice else
+          sample_place_next_frame_is_equal_2 and delay_held_7_start_of_frame and sample_place_column_is_equal;
+      end if;
+      sample_place_group_choice := 15 when sample_place_next_frame_is_equal_2 and sample_place_column_is_equal else 0;
+      sample_place_group_differs := sample_place_group /= 497;
+      sample_place_group_choice_2 := 17 when sample_place_next_frame_is_equal and sample_place_next_frame else
+        (sample_place_group + 1) mod 512;
+      sample_place_group_choice_3 := sample_place_group_choice_2 when sample_place_column_is_equal and
+        delay_held_7_valid and sample_place_group_differs else sample_place_group;
+      sample_place_group <= sample_place_group_choice * 32 when delay_held_7_start_of_frame and delay_held_7_valid else
+        sample_place_group_choice_3;
+      sample_pixels_left <= delay_held_7_left;
+      sample_pixels_right <= delay_held_7_right;
+      sample_pixels_valid <= delay_held_7_valid;
+      sample_row <= (sample_place_group + 495) mod 512;
+      sample_leaves <= sample_place_group_differs and (16 < sample_place_group);
+      sample_starts <= (sample_place_group = 17) and (sample_place_column = 0);
+      sample_taken_column <= sample_place_column_sum;
+      sample_taken_row <= sample_slot;
+      sample_taken_pixels_left <= sample_pixels_left;
+      sample_taken_pixels_right <= sample_pixels_right;
+      sample_taken_pixels_valid <= sample_pixels_valid;
+      sample_kept_column <= sample_taken_column;
+      sample_kept_row <= sample_taken_row;
+      sample_kept_pixels_left <= sample_taken_pixels_left;
+      sample_kept_pixels_right <= sample_taken_pixels_right;
+      sample_kept_pixels_valid <= sample_taken_pixels_valid;
+      sample_kept_starts <= sample_starts;
+      if sample_place_column_is_equal and delay_held_7_valid then
+        sample_slot <= 0 when sample_slot = 33 else (sample_slot + 1) mod 64;
+      end if;
+      -- lefttaps
+      lefttaps_taps_column_is_less := (((((lefttaps_source_x / 16384) + 127) mod 128) * 512) + ((lefttaps_source_x /
+        32) mod 512)) < 640;
+      lefttaps_taps_row_difference := 529 - (lefttaps_offset_y / 32);
+      lefttaps_taps_row_is_not_less := (lefttaps_offset_y / 32) >= 495;
+      lefttaps_taps_row_is_less := (lefttaps_offset_y / 32) < 529;
+      lefttaps_taps_row_value := (((lefttaps_taps_row_difference mod 64) / 2) mod 2) = 1;
+      lefttaps_taps_row_choice := (not (((sample_taken_row / 2) mod 2) = 1)) or (lefttaps_taps_row_value and
+        lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less) when (not ((sample_taken_row mod 2) = 1)) and
+        ((lefttaps_taps_row_difference mod 2) = 1) and lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less else
+        (not (((sample_taken_row / 2) mod 2) = 1)) and lefttaps_taps_row_value and lefttaps_taps_row_is_not_less and
+        lefttaps_taps_row_is_less;
+      lefttaps_taps_row_value_2 := ((sample_taken_row / 4) mod 2) = 1;
+      lefttaps_taps_row_all := lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less;
+      lefttaps_taps_row_choice_2 := lefttaps_taps_row_value_2 and ((not ((((lefttaps_taps_row_difference mod 64) / 4)
+        mod 2) = 1)) or (not lefttaps_taps_row_all)) when lefttaps_taps_row_choice else lefttaps_taps_row_value_2 or
+        (not ((((lefttaps_taps_row_difference mod 64) / 4) mod 2) = 1)) or (not lefttaps_taps_row_all);
+      lefttaps_taps_row_value_3 := ((sample_taken_row / 8) mod 2) = 1;
+      lefttaps_taps_row_choice_3 := lefttaps_taps_row_value_3 or (not ((((lefttaps_taps_row_difference mod 64) / 8) mod
+        2) = 1)) or (not lefttaps_taps_row_all) when lefttaps_taps_row_choice_2 else lefttaps_taps_row_value_3 and
+        ((not ((((lefttaps_taps_row_difference mod 64) / 8) mod 2) = 1)) or (not lefttaps_taps_row_all));
+      lefttaps_taps_row_value_4 := ((sample_taken_row / 16) mod 2) = 1;
+      lefttaps_taps_row_choice_4 := lefttaps_taps_row_value_4 or (not ((((lefttaps_taps_row_difference mod 64) / 16)
+        mod 2) = 1)) or (not lefttaps_taps_row_all) when lefttaps_taps_row_choice_3 else lefttaps_taps_row_value_4 and
+        ((not ((((lefttaps_taps_row_difference mod 64) / 16) mod 2) = 1)) or (not lefttaps_taps_row_all));
+      lefttaps_taps_row_value_5 := ((lefttaps_taps_row_difference mod 64) / 32) = 1;
+      lefttaps_taps_row_choice_5 := (not ((sample_taken_row / 32) = 1)) and lefttaps_taps_row_value_5 and
+        lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less when lefttaps_taps_row_choice_4 else (not
+        ((sample_taken_row / 32) = 1)) or (lefttaps_taps_row_value_5 and lefttaps_taps_row_is_not_less and
+        lefttaps_taps_row_is_less);
+      lefttaps_taps_row_sum := ((((sample_taken_row / 2) + 17) mod 32) * 2) + (sample_taken_row mod 2);
+      lefttaps_taps_row_choice_6 := lefttaps_taps_row_sum when lefttaps_taps_row_choice_5 else sample_taken_row;
+      if lefttaps_taps_row_all then
+        lefttaps_taps_row_choice_7 := lefttaps_taps_row_difference mod 64;
+      else
+        lefttaps_taps_row_choice_7 := 0;
+      end if;
+      lefttaps_source_x <= (((leftoffsets_x_value / 32) + sample_place_column) * 32) + (leftoffsets_x_value mod 32);
+      lefttaps_offset_y <= leftoffsets_y_value;
+      lefttaps_taps_column <= ((lefttaps_source_x / 32) + 65025) mod 16384 when lefttaps_taps_column_is_less else 0;
+      lefttaps_taps_row <= (lefttaps_taps_row_choice_6 - lefttaps_taps_row_choice_7) mod 64;
+      lefttaps_weight_x <= lefttaps_source_x mod 32;
+      lefttaps_weight_y <= lefttaps_offset_y mod 32;
+      lefttaps_column_shown_0 <= sample_leaves and lefttaps_taps_column_is_less;
+      lefttaps_column_shown_1 <= ((lefttaps_source_x / 32) >= 511) and ((lefttaps_source_x / 32) < 1151) and
+        sample_leaves;
+      lefttaps_row_shown_0 <= ((((((lefttaps_offset_y / 512) + 4065) mod 4096) * 16) + ((lefttaps_offset_y / 32) mod
+        16)) < 33) and (((sample_row + (lefttaps_offset_y / 32) + 65024) mod 65536) < 480);
+      lefttaps_row_shown_1 <= lefttaps_taps_row_is_not_less and ((lefttaps_offset_y / 32) < 528) and (((sample_row +
+        (lefttaps_offset_y / 32) + 65025) mod 65536) < 480);
+      -- righttaps
+      righttaps_taps_column_is_less := (((((righttaps_source_x / 16384) + 127) mod 128) * 512) + ((righttaps_source_x /
+        32) mod 512)) < 640;
+      righttaps_taps_row_difference := 529 - (righttaps_offset_y / 32);
+      righttaps_taps_row_is_not_less := (righttaps_offset_y / 32) >= 495;
+      righttaps_taps_row_is_less := (righttaps_offset_y / 32) < 529;
+      righttaps_taps_row_value := (((righttaps_taps_row_difference mod 64) / 2) mod 2) = 1;
+      righttaps_taps_row_all := righttaps_taps_row_is_not_less and righttaps_taps_row_is_less;
+      righttaps_taps_row_choice := righttaps_taps_row_all or (not (((sample_taken_row / 2) mod 2) = 1)) when
+        righttaps_taps_row_value else not (((sample_taken_row / 2) mod 2) = 1);
+      righttaps_taps_row_choice_2 := righttaps_taps_row_choice when ((righttaps_taps_row_difference mod 2) = 1) and
+        righttaps_taps_row_is_not_less and righttaps_taps_row_is_less and (not ((sample_taken_row mod 2) = 1)) else
+        righttaps_taps_row_value and righttaps_taps_row_is_not_less and righttaps_taps_row_is_less and (not
+        (((sample_taken_row / 2) mod 2) = 1));
+      righttaps_taps_row_value_2 := (((righttaps_taps_row_difference mod 64) / 4) mod 2) = 1;
+      righttaps_taps_row_choice_3 := (not righttaps_taps_row_all) and lefttaps_taps_row_value_2 when
+        righttaps_taps_row_value_2 else lefttaps_taps_row_value_2;
+      righttaps_taps_row_choice_4 := righttaps_taps_row_choice_3 when righttaps_taps_row_choice_2 else (not
+        righttaps_taps_row_value_2) or (not righttaps_taps_row_all) or lefttaps_taps_row_value_2;
+      righttaps_taps_row_value_3 := (((righttaps_taps_row_difference mod 64) / 8) mod 2) = 1;
+      righttaps_taps_row_choice_5 := (not righttaps_taps_row_all) and lefttaps_taps_row_value_3 when
+        righttaps_taps_row_value_3 else lefttaps_taps_row_value_3;
+      righttaps_taps_row_choice_6 := (not righttaps_taps_row_value_3) or (not righttaps_taps_row_all) or
+        lefttaps_taps_row_value_3 when righttaps_taps_row_choice_4 else righttaps_taps_row_choice_5;
+      righttaps_taps_row_value_4 := (((righttaps_taps_row_difference mod 64) / 16) mod 2) = 1;
+      righttaps_taps_row_choice_7 := (not righttaps_taps_row_all) and lefttaps_taps_row_value_4 when
+        righttaps_taps_row_value_4 else lefttaps_taps_row_value_4;
+      righttaps_taps_row_choice_8 := (not righttaps_taps_row_value_4) or (not righttaps_taps_row_all) or
+        lefttaps_taps_row_value_4 when righttaps_taps_row_choice_6 else righttaps_taps_row_choice_7;
+      righttaps_taps_row_value_5 := ((righttaps_taps_row_difference mod 64) / 32) = 1;
+      righttaps_taps_row_choice_9 := righttaps_taps_row_all or (not ((sample_taken_row / 32) = 1)) when
+        righttaps_taps_row_value_5 else not ((sample_taken_row / 32) = 1);
+      righttaps_taps_row_choice_10 := righttaps_taps_row_value_5 and righttaps_taps_row_is_not_less and
+        righttaps_taps_row_is_less and (not ((sample_taken_row / 32) = 1)) when righttaps_taps_row_choice_8 else
+        righttaps_taps_row_choice_9;
+      righttaps_taps_row_choice_11 := lefttaps_taps_row_sum when righttaps_taps_row_choice_10 else sample_taken_row;
+      if righttaps_taps_row_all then
+        righttaps_taps_row_choice_12 := righttaps_taps_row_difference mod 64;
+      else
+        righttaps_taps_row_choice_12 := 0;
+      end if;
+      righttaps_source_x <= (((rightoffsets_x_value / 32) + sample_place_column) * 32) + (rightoffsets_x_value mod 32);
+      righttaps_offset_y <= rightoffsets_y_value;
+      righttaps_taps_column <= ((righttaps_source_x / 32) + 65025) mod 16384 when righttaps_taps_column_is_less else 0;
+      righttaps_taps_row <= (righttaps_taps_row_choice_11 - righttaps_taps_row_choice_12) mod 64;
+      righttaps_weight_x <= righttaps_source_x mod 32;
+      righttaps_weight_y <= righttaps_offset_y mod 32;
+      righttaps_column_shown_0 <= righttaps_taps_column_is_less and sample_leaves;
+      righttaps_column_shown_1 <= ((righttaps_source_x / 32) >= 511) and ((righttaps_source_x / 32) < 1151) and
+        sample_leaves;
+      righttaps_row_shown_0 <= ((((((righttaps_offset_y / 512) + 4065) mod 4096) * 16) + ((righttaps_offset_y / 32) mod
+        16)) < 33) and (((sample_row + (righttaps_offset_y / 32) + 65024) mod 65536) < 480);
+      righttaps_row_shown_1 <= righttaps_taps_row_is_not_less and ((righttaps_offset_y / 32) < 528) and (((sample_row +
+        (righttaps_offset_y / 32) + 65025) mod 65536) < 480);
+      -- leftsampler
+      leftsampler_rows_even_even_read_address_choice := 0 when lefttaps_taps_row = 33 else (((lefttaps_taps_row + 1) /
+        2) * 321) mod 8192;
+      leftsampler_rows_even_even_read_address_value := ((lefttaps_taps_column + 1) mod 16384) / 2;
+      leftsampler_rows_odd_even_read_address_product := (lefttaps_taps_row / 2) * 321;
+      if lefttaps_row_shown_0 then
+        leftsampler_shown_held_0_choice := (as_number(lefttaps_column_shown_1) * 2) +
+          as_number(lefttaps_column_shown_0);
+      else
+        leftsampler_shown_held_0_choice := 0;
+      end if;
+      leftsampler_pixel_upper_0_choice := leftsampler_rows_odd_odd_ready_word when leftsampler_rows_column_odd_2 else
+        leftsampler_rows_odd_even_ready_word;
+      leftsampler_pixel_upper_0_choice_2 := leftsampler_rows_even_odd_ready_word when leftsampler_rows_column_odd_2
+        else leftsampler_rows_even_even_ready_word;
+      leftsampler_pixel_upper_0_choice_3 := leftsampler_pixel_upper_0_choice when leftsampler_rows_row_odd_2 else
+        leftsampler_pixel_upper_0_choice_2;
+      leftsampler_pixel_upper_0_choice_4 := leftsampler_pixel_upper_0_choice_3 when (leftsampler_shown_held_2 mod 2) =
+        1 else 0;
+      leftsampler_pixel_upper_1_choice := leftsampler_rows_odd_even_ready_word when leftsampler_rows_column_odd_2 else
+        leftsampler_rows_odd_odd_ready_word;
+      leftsampler_pixel_upper_1_choice_2 := leftsampler_rows_even_even_ready_word when leftsampler_rows_column_odd_2
+        else leftsampler_rows_even_odd_ready_word;
+      leftsampler_pixel_upper_1_choice_3 := leftsampler_pixel_upper_1_choice when leftsampler_rows_row_odd_2 else
+        leftsampler_pixel_upper_1_choice_2;
+      leftsampler_pixel_upper_1_choice_4 := leftsampler_pixel_upper_1_choice_3 when ((leftsampler_shown_held_2 / 2) mod
+        2) = 1 else 0;
+      leftsampler_pixel_fall_0_choice := leftsampler_pixel_upper_0_choice_2 when leftsampler_rows_row_odd_2 else
+        leftsampler_pixel_upper_0_choice;
+      leftsampler_pixel_fall_0_choice_2 := leftsampler_pixel_fall_0_choice when ((leftsampler_shown_held_2 / 4) mod 2)
+        = 1 else 0;
+      leftsampler_pixel_fall_1_choice := leftsampler_pixel_upper_1_choice_2 when leftsampler_rows_row_odd_2 else
+        leftsampler_pixel_upper_1_choice;
+      leftsampler_pixel_fall_1_choice_2 := leftsampler_pixel_fall_1_choice when (leftsampler_shown_held_2 / 8) = 1 else
+        0;
+      leftsampler_pixel_column_0_product := leftsampler_pixel_fall_0 * leftsampler_pixel_weight_y;
+      leftsampler_pixel_column_1_product := leftsampler_pixel_fall_1 * leftsampler_pixel_weight_y;
+      leftsampler_rows_even_even_read_address <= (leftsampler_rows_even_even_read_address_choice +
+        leftsampler_rows_even_even_read_address_value) mod 8192;
+      leftsampler_rows_even_even_ready_word <= to_integer(leftsampler_rows_even_even_read_word);
+      leftsampler_rows_even_odd_read_address <= (leftsampler_rows_even_even_read_address_choice + (lefttaps_taps_column
+        / 2)) mod 8192;
+      leftsampler_rows_even_odd_ready_word <= to_integer(leftsampler_rows_even_odd_read_word);
+      leftsampler_rows_odd_even_read_address <= (leftsampler_rows_odd_even_read_address_product +
+        leftsampler_rows_even_even_read_address_value) mod 8192;
+      leftsampler_rows_odd_even_ready_word <= to_integer(leftsampler_rows_odd_even_read_word);
+      leftsampler_rows_odd_odd_read_address <= (leftsampler_rows_odd_even_read_address_product + (lefttaps_taps_column
+        / 2)) mod 8192;
+      leftsampler_rows_odd_odd_ready_word <= to_integer(leftsampler_rows_odd_odd_read_word);
+      leftsampler_rows_row_odd_0 <= (lefttaps_taps_row mod 2) = 1;
+      leftsampler_rows_row_odd_1 <= leftsampler_rows_row_odd_0;
+      leftsampler_rows_row_odd_2 <= leftsampler_rows_row_odd_1;
+      leftsampler_rows_column_odd_0 <= (lefttaps_taps_column mod 2) = 1;
+      leftsampler_rows_column_odd_1 <= leftsampler_rows_column_odd_0;
+      leftsampler_rows_column_odd_2 <= leftsampler_rows_column_odd_1;
+      leftsampler_weight_x_held_0 <= lefttaps_weight_x;
+      leftsampler_weight_x_held_1 <= leftsampler_weight_x_held_0;
+      leftsampler_weight_x_held_2 <= leftsampler_weight_x_held_1;
+      leftsampler_weight_y_held_0 <= lefttaps_weight_y;
+      leftsampler_weight_y_held_1 <= leftsampler_weight_y_held_0;
+      leftsampler_weight_y_held_2 <= leftsampler_weight_y_held_1;
+      leftsampler_shown_held_0 <= leftsampler_shown_held_0_choice + (as_number(lefttaps_column_shown_0) * 4) +
+        (as_number(lefttaps_column_shown_1) * 8) when lefttaps_row_shown_1 else leftsampler_shown_held_0_choice;
+      leftsampler_shown_held_1 <= leftsampler_shown_held_0;
+      leftsampler_shown_held_2 <= leftsampler_shown_held_1;
+      leftsampler_pixel_upper_0 <= leftsampler_pixel_upper_0_choice_4;
+      leftsampler_pixel_upper_1 <= leftsampler_pixel_upper_1_choice_4;
+      leftsampler_pixel_fall_0 <= leftsampler_pixel_fall_0_choice_2 - leftsampler_pixel_upper_0_choice_4;
+      leftsampler_pixel_fall_1 <= leftsampler_pixel_fall_1_choice_2 - leftsampler_pixel_upper_1_choice_4;
+      leftsampler_pixel_weight_y <= leftsampler_weight_y_held_2;
+      leftsampler_pixel_weight_x_0 <= leftsampler_weight_x_held_2;
+      leftsampler_pixel_weight_x_1 <= leftsampler_pixel_weight_x_0;
+      leftsampler_pixel_weight_x_2 <= leftsampler_pixel_weight_x_1;
+      leftsampler_pixel_column_0 <= (((leftsampler_pixel_upper_0 + ((leftsampler_pixel_column_0_product mod 8192) /
+        32)) mod 256) * 32) + (leftsampler_pixel_column_0_product mod 32);
+      leftsampler_pixel_column_1 <= (((leftsampler_pixel_upper_1 + ((leftsampler_pixel_column_1_product mod 8192) /
+        32)) mod 256) * 32) + (leftsampler_pixel_column_1_product mod 32);
+      leftsampler_pixel_first <= ((((leftsampler_pixel_column_0 * 32) / 512) + 1) * 512) + ((leftsampler_pixel_column_0
+        mod 16) * 32);
+      leftsampler_pixel_rise <= leftsampler_pixel_column_1 - leftsampler_pixel_column_0;
+      leftsampler_pixel_value <= (((((leftsampler_pixel_first / 32) + (((leftsampler_pixel_weight_x_2 *
+        leftsampler_pixel_rise) mod 524288) / 32)) mod 16384) * 32) / 1024) mod 256;
+      leftsampler_rows_even_even_write_address_value := ((sample_kept_column / 2) + ((sample_kept_row / 2) * 321)) mod
+        8192;
+      leftsampler_rows_even_even_write_address_any := (not sample_kept_pixels_valid) or ((sample_kept_column mod 2) =
+        1) or ((sample_kept_row mod 2) = 1);
+      if not leftsampler_rows_even_even_write_address_any then
+        leftsampler_rows_even_even_write_address <= leftsampler_rows_even_even_write_address_value;
+        leftsampler_rows_even_even_write_word <= sample_kept_pixels_left;
+      end if;
+      leftsampler_rows_even_odd_write_address_any := (not sample_kept_pixels_valid) or (not ((sample_kept_column mod 2)
+        = 1)) or ((sample_kept_row mod 2) = 1);
+      if not leftsampler_rows_even_odd_write_address_any then
+        leftsampler_rows_even_odd_write_address <= leftsampler_rows_even_even_write_address_value;
+        leftsampler_rows_even_odd_write_word <= sample_kept_pixels_left;
+      end if;
+      leftsampler_rows_odd_even_write_address_any := (not sample_kept_pixels_valid) or ((sample_kept_column mod 2) = 1)
+        or (not ((sample_kept_row mod 2) = 1));
+      if not leftsampler_rows_odd_even_write_address_any then
+        leftsampler_rows_odd_even_write_address <= leftsampler_rows_even_even_write_address_value;
+        leftsampler_rows_odd_even_write_word <= sample_kept_pixels_left;
+      end if;
+      leftsampler_rows_odd_odd_write_address_any := (not sample_kept_pixels_valid) or (not ((sample_kept_column mod 2)
+        = 1)) or (not ((sample_kept_row mod 2) = 1));
+      if not leftsampler_rows_odd_odd_write_address_any then
+        leftsampler_rows_odd_odd_write_address <= leftsampler_rows_even_even_write_address_value;
+        leftsampler_rows_odd_odd_write_word <= sample_kept_pixels_left;
+      end if;
+      -- rightsampler
+      rightsampler_rows_even_even_read_address_choice := 0 when righttaps_taps_row = 33 else (((righttaps_taps_row + 1)
+        / 2) * 321) mod 8192;
+      rightsampler_rows_even_even_read_address_value := ((righttaps_taps_column + 1) mod 16384) / 2;
+      rightsampler_rows_odd_even_read_address_product := (righttaps_taps_row / 2) * 321;
+      if righttaps_row_shown_0 then
+        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown_1) * 2) +
+          as_number(righttaps_column_shown_0);
+      else
+        rightsampler_shown_held_0_choice := 0;
+      end if;
+      rightsampler_pixel_upper_0_choice := rightsampler_rows_odd_odd_ready_word when rightsampler_rows_column_odd_2
+        else rightsampler_rows_odd_even_ready_word;
+      rightsampler_pixel_upper_0_choice_2 := rightsampler_rows_even_odd_ready_word when rightsampler_rows_column_odd_2
+        else rightsampler_rows_even_even_ready_word;
+      rightsampler_pixel_upper_0_choice_3 := rightsampler_pixel_upper_0_choice when rightsampler_rows_row_odd_2 else
+        rightsampler_pixel_upper_0_choice_2;
+      rightsampler_pixel_upper_0_choice_4 := rightsampler_pixel_upper_0_choice_3 when (rightsampler_shown_held_2 mod 2)
+        = 1 else 0;
+      rightsampler_pixel_upper_1_choice := rightsampler_rows_odd_even_ready_word when rightsampler_rows_column_odd_2
+        else rightsampler_rows_odd_odd_ready_word;
+      rightsampler_pixel_upper_1_choice_2 := rightsampler_rows_even_even_ready_word when rightsampler_rows_column_odd_2
+        else rightsampler_rows_even_odd_ready_word;
+      rightsampler_pixel_upper_1_choice_3 := rightsampler_pixel_upper_1_choice when rightsampler_rows_row_odd_2 else
+        rightsampler_pixel_upper_1_choice_2;
+      rightsampler_pixel_upper_1_choice_4 := rightsampler_pixel_upper_1_choice_3 when ((rightsampler_shown_held_2 / 2)
+        mod 2) = 1 else 0;
+      rightsampler_pixel_fall_0_choice := rightsampler_pixel_upper_0_choice_2 when rightsampler_rows_row_odd_2 else
+        rightsampler_pixel_upper_0_choice;
+      rightsampler_pixel_fall_0_choice_2 := rightsampler_pixel_fall_0_choice when ((rightsampler_shown_held_2 / 4) mod
+        2) = 1 else 0;
+      rightsampler_pixel_fall_1_choice := rightsampler_pixel_upper_1_choice_2 when rightsampler_rows_row_odd_2 else
+        rightsampler_pixel_upper_1_choice;
+      rightsampler_pixel_fall_1_choice_2 := rightsampler_pixel_fall_1_choice when (rightsampler_shown_held_2 / 8) = 1
+        else 0;
+      rightsampler_pixel_column_0_product := rightsampler_pixel_weight_y * rightsampler_pixel_fall_0;
+      rightsampler_pixel_column_1_product := rightsampler_pixel_weight_y * rightsampler_pixel_fall_1;
+      rightsampler_rows_even_even_read_address <= (rightsampler_rows_even_even_read_address_choice +
+        rightsampler_rows_even_even_read_address_value) mod 8192;
+      rightsampler_rows_even_even_ready_word <= to_integer(rightsampler_rows_even_even_read_word);
+      rightsampler_rows_even_odd_read_address <= (rightsampler_rows_even_even_read_address_choice +
+        (righttaps_taps_column / 2)) mod 8192;
+      rightsampler_rows_even_odd_ready_word <= to_integer(rightsampler_rows_even_odd_read_word);
+      rightsampler_rows_odd_even_read_address <= (rightsampler_rows_odd_even_read_address_product +
+        rightsampler_rows_even_even_read_address_value) mod 8192;
+      rightsampler_rows_odd_even_ready_word <= to_integer(rightsampler_rows_odd_even_read_word);
+      rightsampler_rows_odd_odd_read_address <= (rightsampler_rows_odd_even_read_address_product +
+        (righttaps_taps_column / 2)) mod 8192;
+      rightsampler_rows_odd_odd_ready_word <= to_integer(rightsampler_rows_odd_odd_read_word);
+      rightsampler_rows_row_odd_0 <= (righttaps_taps_row mod 2) = 1;
+      rightsampler_rows_row_odd_1 <= rightsampler_rows_row_odd_0;
+      rightsampler_rows_row_odd_2 <= rightsampler_rows_row_odd_1;
+      rightsampler_rows_column_odd_0 <= (righttaps_taps_column mod 2) = 1;
+      rightsampler_rows_column_odd_1 <= rightsampler_rows_column_odd_0;
+      rightsampler_rows_column_odd_2 <= rightsampler_rows_column_odd_1;
+      rightsampler_weight_x_held_0 <= righttaps_weight_x;
+      rightsampler_weight_x_held_1 <= rightsampler_weight_x_held_0;
+      rightsampler_weight_x_held_2 <= rightsampler_weight_x_held_1;
+      rightsampler_weight_y_held_0 <= righttaps_weight_y;
+      rightsampler_weight_y_held_1 <= rightsampler_weight_y_held_0;
+      rightsampler_weight_y_held_2 <= rightsampler_weight_y_held_1;
+      rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_0) * 4) +
+        (as_number(righttaps_column_shown_1) * 8) when righttaps_row_shown_1 else rightsampler_shown_held_0_choice;
+      rightsampler_shown_held_1 <= rightsampler_shown_held_0;
+      rightsampler_shown_held_2 <= rightsampler_shown_held_1;
+      rightsampler_pixel_upper_0 <= rightsampler_pixel_upper_0_choice_4;
+      rightsampler_pixel_upper_1 <= rightsampler_pixel_upper_1_choice_4;
+      rightsampler_pixel_fall_0 <= rightsampler_pixel_fall_0_choice_2 - rightsampler_pixel_upper_0_choice_4;
+      rightsampler_pixel_fall_1 <= rightsampler_pixel_fall_1_choice_2 - rightsampler_pixel_upper_1_choice_4;
+      rightsampler_pixel_weight_y <= rightsampler_weight_y_held_2;
+      rightsampler_pixel_weight_x_0 <= rightsampler_weight_x_held_2;
+      rightsampler_pixel_weight_x_1 <= rightsampler_pixel_weight_x_0;
+      rightsampler_pixel_weight_x_2 <= rightsampler_pixel_weight_x_1;
+      rightsampler_pixel_column_0 <= (((rightsampler_pixel_upper_0 + ((rightsampler_pixel_column_0_product mod 8192) /
+        32)) mod 256) * 32) + (rightsampler_pixel_column_0_product mod 32);
+      rightsampler_pixel_column_1 <= (((rightsampler_pixel_upper_1 + ((rightsampler_pixel_column_1_product mod 8192) /
+        32)) mod 256) * 32) + (rightsampler_pixel_column_1_product mod 32);
+      rightsampler_pixel_first <= ((((rightsampler_pixel_column_0 * 32) / 512) + 1) * 512) +
+        ((rightsampler_pixel_column_0 mod 16) * 32);
+      rightsampler_pixel_rise <= rightsampler_pixel_column_1 - rightsampler_pixel_column_0;
+      rightsampler_pixel_value <= (((((rightsampler_pixel_first / 32) + (((rightsampler_pixel_rise *
+        rightsampler_pixel_weight_x_2) mod 524288) / 32)) mod 16384) * 32) / 1024) mod 256;
+      if not leftsampler_rows_even_even_write_address_any then
+        rightsampler_rows_even_even_write_word <= sample_kept_pixels_right;
+      end if;
+      if not leftsampler_rows_even_odd_write_address_any then
+        rightsampler_rows_even_odd_write_word <= sample_kept_pixels_right;
+      end if;
+      if not leftsampler_rows_odd_even_write_address_any then
+        rightsampler_rows_odd_even_write_word <= sample_kept_pixels_right;
+      end if;
+      if not leftsampler_rows_odd_odd_write_address_any then
+        rightsampler_rows_odd_odd_write_word <= sample_kept_pixels_right;
+      end if;
+      -- valid
+      valid_held_0 <= sample_kept_pixels_valid;
+      valid_held_1 <= valid_held_0;
+      valid_held_2 <= valid_held_1;
+      valid_held_3 <= valid_held_2;
+      valid_held_4 <= valid_held_3;
+      valid_held_5 <= valid_held_4;
+      valid_held_6 <= valid_held_5;
+      -- starts
+      starts_held_0 <= sample_kept_starts;
+      starts_held_1 <= starts_held_0;
+      starts_held_2 <= starts_held_1;
+      starts_held_3 <= starts_held_2;
+      starts_held_4 <= starts_held_3;
+      starts_held_5 <= starts_held_4;
+      starts_held_6 <= starts_held_5;
+      if reset = '1' then
+        counter_column <= 0;
+        counter_group <= 497;
+        counter_next_frame <= false;
+        delay_held_0_start_of_frame <= false;
+        delay_held_0_valid <= false;
+        delay_held_1_start_of_frame <= false;
+        delay_held_1_valid <= false;
+        delay_held_2_start_of_frame <= false;
+        delay_held_2_valid <= false;
+        delay_held_3_start_of_frame <= false;
+        delay_held_3_valid <= false;
+        delay_held_4_start_of_frame <= false;
+        delay_held_4_valid <= false;
+        delay_held_5_start_of_frame <= false;
+        delay_held_5_valid <= false;
+        delay_held_6_start_of_frame <= false;
+        delay_held_6_valid <= false;
+        delay_held_7_start_of_frame <= false;
+        delay_held_7_valid <= false;
+        grid_node_column <= 0;
+        grid_node_row <= 0;
+        grid_weight_x_held_0 <= 0;
+        grid_weight_x_held_1 <= 0;
+        grid_weight_x_held_2 <= 0;
+        grid_weight_x_held_3 <= 0;
+        grid_weight_y_held_0 <= 0;
+        grid_weight_y_held_1 <= 0;
+        grid_weight_y_held_2 <= 0;
+        grid_weight_y_held_3 <= 0;
+        leftoffsets_nodes_even_even_read_address <= 0;
+        leftoffsets_nodes_even_even_write_address <= 0;
+        leftoffsets_nodes_even_even_write_word <= to_unsigned(0, 32);
+        leftoffsets_nodes_even_even_ready_word <= to_unsigned(0, 32);
+        leftoffsets_nodes_even_odd_read_address <= 0;
+        leftoffsets_nodes_even_odd_write_address <= 0;
+        leftoffsets_nodes_even_odd_write_word <= to_unsigned(0, 32);
+        leftoffsets_nodes_even_odd_ready_word <= to_unsigned(0, 32);
+        leftoffsets_nodes_odd_even_read_address <= 0;
+        leftoffsets_nodes_odd_even_write_address <= 0;
+        leftoffsets_nodes_odd_even_write_word <= to_unsigned(0, 32);
+        leftoffsets_nodes_odd_even_ready_word <= to_unsigned(0, 32);
+        leftoffsets_nodes_odd_odd_read_address <= 0;
+        leftoffsets_nodes_odd_odd_write_address <= 0;
+        leftoffsets_nodes_odd_odd_write_word <= to_unsigned(0, 32);
+        leftoffsets_nodes_odd_odd_ready_word <= to_unsigned(0, 32);
+        leftoffsets_nodes_row_odd_0 <= false;
+        leftoffsets_nodes_row_odd_1 <= false;
+        leftoffsets_nodes_row_odd_2 <= false;
+        leftoffsets_nodes_column_odd_0 <= false;
+        leftoffsets_nodes_column_odd_1 <= false;
+        leftoffsets_nodes_column_odd_2 <= false;
+        leftoffsets_x_upper_0 <= 0;
+        leftoffsets_x_upper_1 <= 0;
+        leftoffsets_x_fall_0 <= 0;
+        leftoffsets_x_fall_1 <= 0;
+        leftoffsets_x_weight_y <= 0;
+        leftoffsets_x_weight_x_0 <= 0;
+        leftoffsets_x_weight_x_1 <= 0;
+        leftoffsets_x_weight_x_2 <= 0;
+        leftoffsets_x_column_0 <= 0;
+        leftoffsets_x_column_1 <= 0;
+        leftoffsets_x_first <= 0;
+        leftoffsets_x_rise <= 0;
+        leftoffsets_x_value <= 0;
+        leftoffsets_y_upper_0 <= 0;
+        leftoffsets_y_upper_1 <= 0;
+        leftoffsets_y_fall_0 <= 0;
+        leftoffsets_y_fall_1 <= 0;
+        leftoffsets_y_column_0 <= 0;
+        leftoffsets_y_column_1 <= 0;
+        leftoffsets_y_first <= 0;
+        leftoffsets_y_rise <= 0;
+        leftoffsets_y_value <= 0;
+        rightoffsets_nodes_even_even_write_address <= 0;
+        rightoffsets_nodes_even_even_write_word <= to_unsigned(0, 32);
+        rightoffsets_nodes_even_even_ready_word <= to_unsigned(0, 32);
+        rightoffsets_nodes_even_odd_write_address <= 0;
+        rightoffsets_nodes_even_odd_write_word <= to_unsigned(0, 32);
+        rightoffsets_nodes_even_odd_ready_word <= to_unsigned(0, 32);
+        rightoffsets_nodes_odd_even_write_address <= 0;
+        rightoffsets_nodes_odd_even_write_word <= to_unsigned(0, 32);
+        rightoffsets_nodes_odd_even_ready_word <= to_unsigned(0, 32);
+        rightoffsets_nodes_odd_odd_write_address <= 0;
+        rightoffsets_nodes_odd_odd_write_word <= to_unsigned(0, 32);
+        rightoffsets_nodes_odd_odd_ready_word <= to_unsigned(0, 32);
+        rightoffsets_x_upper_0 <= 0;
+        rightoffsets_x_upper_1 <= 0;
+        rightoffsets_x_fall_0 <= 0;
+        rightoffsets_x_fall_1 <= 0;
+        rightoffsets_x_column_0 <= 0;
+        rightoffsets_x_column_1 <= 0;
+        rightoffsets_x_first <= 0;
+        rightoffsets_x_rise <= 0;
+        rightoffsets_x_value <= 0;
+        rightoffsets_y_upper_0 <= 0;
+        rightoffsets_y_upper_1 <= 0;
+        rightoffsets_y_fall_0 <= 0;
+        rightoffsets_y_fall_1 <= 0;
+        rightoffsets_y_column_0 <= 0;
+        rightoffsets_y_column_1 <= 0;
+        rightoffsets_y_first <= 0;
+        rightoffsets_y_rise <= 0;
+        rightoffsets_y_value <= 0;
+        sample_place_column <= 0;
+        sample_place_group <= 497;
+        sample_place_next_frame <= false;
+        sample_slot <= 0;
+        sample_pixels_valid <= false;
+        sample_starts <= false;
+        sample_taken_column <= 0;
+        sample_taken_row <= 0;
+        sample_taken_pixels_valid <= false;
+        sample_kept_column <= 0;
+        sample_kept_row <= 0;
+        sample_kept_pixels_valid <= false;
+        sample_kept_starts <= false;
+        lefttaps_source_x <= 0;
+        lefttaps_offset_y <= 0;
+        lefttaps_taps_column <= 0;
+        lefttaps_taps_row <= 0;
+        righttaps_source_x <= 0;
+        righttaps_offset_y <= 0;
+        righttaps_taps_column <= 0;
+        righttaps_taps_row <= 0;
+        leftsampler_rows_even_even_read_address <= 0;
+        leftsampler_rows_even_even_write_address <= 0;
+        leftsampler_rows_even_odd_read_address <= 0;
+        leftsampler_rows_even_odd_write_address <= 0;
+        leftsampler_rows_odd_even_read_address <= 0;
+        leftsampler_rows_odd_even_write_address <= 0;
+        leftsampler_rows_odd_odd_read_address <= 0;
+        leftsampler_rows_odd_odd_write_address <= 0;
+        rightsampler_rows_even_even_read_address <= 0;
+        rightsampler_rows_even_odd_read_address <= 0;
+        rightsampler_rows_odd_even_read_address <= 0;
+        rightsampler_rows_odd_odd_read_address <= 0;
+        valid_held_0 <= false;
+        valid_held_1 <= false;
+        valid_held_2 <= false;
+        valid_held_3 <= false;
+        valid_held_4 <= false;
+        valid_held_5 <= false;
+        valid_held_6 <= false;
+        starts_held_0 <= false;
+        starts_held_1 <= false;
+        starts_held_2 <= false;
+        starts_held_3 <= false;
+        starts_held_4 <= false;
+        starts_held_5 <= false;
+        starts_held_6 <= false;
+      end if;
+    end if;
+  end process;
+end architecture;

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/rectification/stage_stimulus.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "cosim/stage_files.hpp"
+#include "definition/rectification/reference_model.hpp"
+#include "testing/seed.hpp"
+#include "testing/test_pairs.hpp"
+
+namespace stereo::test {
+namespace {
+
+const Stage& tiny() { return *find_stage("rectify_tiny"); }
+
+Stimulus stream_of(const ImagePair& pair, int frames) {
+   return make_stimulus(tiny().name, tiny().shape, pair, {.frames = frames, .stall_percent = 20, .seed = test_seed()});
+}
+
+ImagePair pair_of(const Stage& stage) {
+   return random_pair(stage.config.width_px, stage.config.height_px, test_seed());
+}
+
+TEST(Stages, AreThoseOfTheTable) {
+   ASSERT_NE(find_stage("rectify_tiny"), nullptr);
+   ASSERT_NE(find_stage("rectify_vga"), nullptr);
+   EXPECT_EQ(find_stage("tiny"), nullptr);
+   EXPECT_EQ(find_stage("rectify_vga")->description(), "640x480, a node every 16 pixels, 16 rows above and 16 below");
+}
+
+/// Without the nodes that are written during the frames, what leaves is what the definition makes with the tables that
+/// were loaded.
+TEST(StageStimulus, LoadsTheTablesOfWhichTheFramesAreMade) {
+   const rectification::Config& config = tiny().config;
+   const ImagePair pair = pair_of(tiny());
+   std::vector<StageClock> clocks = make_stage_stimulus(tiny(), stream_of(pair, 1), test_seed());
+   rectification::Table tables[2] = {{config, config.width_px, config.height_px},
+                                     {config, config.width_px, config.height_px}};
+   bool frames = false;
+   for (StageClock& clock : clocks) {
+      frames = frames || clock.in.valid;
+      if (frames) clock.node.valid = false;
+      if (clock.node.valid)
+         tables[clock.node.right ? 1 : 0].at(clock.node.column, clock.node.row) = {clock.node.x, clock.node.y};
+   }
+   const GrayImage left = rectification::rectified(pair.left, tables[0], config);
+   const GrayImage right = rectification::rectified(pair.right, tables[1], config);
+   int compared = 0;
+   bool started = false;
+   for (const StageOutput& output : run_stage(tiny(), clocks)) {
+      started = started || output.start_of_frame;
+      if (!started || output.y >= config.height_px) continue;
+      ASSERT_EQ(output.left, left.at(output.x, output.y)) << "x=" << output.x << " y=" << output.y;
+      ASSERT_EQ(output.right, right.at(output.x, output.y)) << "x=" << output.x << " y=" << output.y;
+      ++compared;
+   }
+   EXPECT_EQ(compared, config.width_px * config.height_px);
+}
+
+TEST(StageStimulus, LoadsTheTablesAgainAfterEachReset) {
+   const Stimulus stream = make_broken_stimulus(tiny().name, tiny().shape, pair_of(tiny()), 40, 10, test_seed());
+   ASSERT_FALSE(stream.resets.empty());
+   const std::size_t nodes = 2U * unsigned(tiny().config.table_columns() * tiny().config.table_rows());
+   std::set<std::tuple<bool, int, int>> loaded;
+   std::size_t resets = 0, writes = 0;
+   for (const auto& [in, node, reset] : make_stage_stimulus(tiny(), stream, test_seed())) {
+      if (reset) loaded.clear();
+      resets += reset ? 1 : 0;
+      if (in.valid && !reset) {
+         ASSERT_EQ(loaded.size(), nodes);
+      }
+      if (!node.valid) continue;
+      ASSERT_FALSE(reset);
+      ASSERT_LT(node.column, tiny().config.table_columns());
+      ASSERT_LT(node.row, tiny().config.table_rows());
+      loaded.insert({node.right, node.column, node.row});
+      writes += in.valid ? 1 : 0;
+   }
+   EXPECT_EQ(resets, stream.resets.size());
+   EXPECT_GT(writes, 0U) << "nodes are written while frames are under way";
+}
+
+TEST(StageFiles, HaveAFieldForEachPort) {
+   std::ostringstream stimulus, expected;
+   write_stage_stimulus(stimulus, tiny(),
+                        {{{.left = {0x0a}, .right = {0xff}, .start_of_frame = true, .valid = true}, {}},
+                         {{}, {true, true, 3, 2, -1, 256}},
+                         {{}, {}, true}});
+   write_stage_expected(expected, tiny(), {{50, 0, 0, 0, 0x12, 0xab, true}, {51, 1, 0, 0, 7, 0, false}});
+   EXPECT_EQ(stimulus.str(),
+             "stereo-hls stimulus 2 config=rectify_tiny pixels=1 clocks=3\n03 0a ff 0000 0000 0000 0000\n"
+             "18 00 00 0003 0002 ffff 0100\n04 00 00 0000 0000 0000 0000\n");
+   EXPECT_EQ(expected.str(),
+             "stereo-hls expected 2 config=rectify_tiny pixels=1 disparity_bits=16 outputs=2 latency=18\n"
+             "50 0 0 0 ab12 1\n51 1 0 0 0007 0\n");
+}
+
+}  // namespace
+}  // namespace stereo::test
