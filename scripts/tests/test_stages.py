@@ -19,7 +19,7 @@ RECTIFICATION = rtl.STAGES["rectification"]
 
 # One or more in each block.
 FAULTS = {
-    "counter: a frame one row higher": (r"(counter_next_frame_is_equal_2 := counter_group = )19;", r"\g<1>18;"),
+    "counter: a frame one row higher": (r"(counter_next_frame_is_equal_2 := counter_group = )11;", r"\g<1>10;"),
     "delay: a register bypassed": (r"(delay_held_5_left <= )delay_held_4_left;", r"\1delay_held_3_left;"),
     "grid: the next node": (r"(grid_node_column <= counter_column) / 8;", r"\1 / 16;"),
     "grid: a weight in the wrong clock": (
@@ -68,11 +68,11 @@ def test_vhdl_is_the_core(request, pair, tmp_path, simulator, stream):
     process = cosim(pair, tmp_path, *stream, "--simulator", simulator)
     assert process.returncode == 0, process.stdout + process.stderr
     result = report(tmp_path)
-    assert result["passed"] and result["compared"] == result["expected"] > 3 * 32 * 20
+    assert result["passed"] and result["compared"] == result["expected"] > 3 * 32 * 12
     if "--frames" in stream:
         assert result["frames"] == 3 and result["latency_clocks"] == designs()[TINY]["latency_clocks"]
     if stream == ("--frames", 3):
-        assert result["clocks_per_frame"] == 32 * 20
+        assert result["clocks_per_frame"] == 32 * 12
 
 
 @pytest.mark.parametrize("fault", FAULTS)

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stage in front of a stereo core, rectification, configuration rectify_tiny: 32x20, a node every 8 pixels, 3 rows above and 3 below, 1 pixel pair a clock.
--- Options: grid_px 8, rows_above 3, rows_below 3.
+-- Stage in front of a stereo core, rectification, configuration rectify_tiny: 32x12, a node every 4 pixels, 3 rows above and 3 below, 1 pixel pair a clock.
+-- Options: grid_px 4, rows_above 3, rows_below 3.
 -- Made from hls/top/rectification_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config rectify_tiny
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -12,9 +12,9 @@ entity stereo_rectify_tiny is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
     width_px : positive := 32;
-    height_px : positive := 20;
+    height_px : positive := 12;
     pixels_per_clock : positive := 1;
-    table_columns : positive := 5;
+    table_columns : positive := 9;
     table_rows : positive := 4;
     latency_clocks : positive := 18;
     flush_groups : positive := 128
@@ -39,9 +39,9 @@ entity stereo_rectify_tiny is
   );
 begin
   assert width_px = 32 report "stereo_rectify_tiny: width_px is " & integer'image(width_px) & " but this core has 32" severity failure;
-  assert height_px = 20 report "stereo_rectify_tiny: height_px is " & integer'image(height_px) & " but this core has 20" severity failure;
+  assert height_px = 12 report "stereo_rectify_tiny: height_px is " & integer'image(height_px) & " but this core has 12" severity failure;
   assert pixels_per_clock = 1 report "stereo_rectify_tiny: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
-  assert table_columns = 5 report "stereo_rectify_tiny: table_columns is " & integer'image(table_columns) & " but this core has 5" severity failure;
+  assert table_columns = 9 report "stereo_rectify_tiny: table_columns is " & integer'image(table_columns) & " but this core has 9" severity failure;
   assert table_rows = 4 report "stereo_rectify_tiny: table_rows is " & integer'image(table_rows) & " but this core has 4" severity failure;
   assert latency_clocks = 18 report "stereo_rectify_tiny: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
   assert flush_groups = 128 report "stereo_rectify_tiny: flush_groups is " & integer'image(flush_groups) & " but this core has 128" severity failure;
@@ -110,36 +110,38 @@ architecture rtl of stereo_rectify_tiny is
   signal delay_held_4_start_of_frame, delay_held_4_valid, delay_held_5_start_of_frame, delay_held_5_valid : boolean;
   signal delay_held_6_start_of_frame, delay_held_6_valid, delay_held_7_start_of_frame, delay_held_7_valid : boolean;
   -- grid
-  signal grid_node_column, grid_node_row : natural range 0 to 3;
-  signal grid_weight_x_held_0, grid_weight_x_held_1, grid_weight_x_held_2, grid_weight_x_held_3 : natural range 0 to 7;
-  signal grid_weight_y_held_0, grid_weight_y_held_1, grid_weight_y_held_2, grid_weight_y_held_3 : natural range 0 to 7;
+  signal grid_node_column : natural range 0 to 7;
+  signal grid_node_row, grid_weight_x_held_0, grid_weight_x_held_1, grid_weight_x_held_2 : natural range 0 to 3;
+  signal grid_weight_x_held_3, grid_weight_y_held_0, grid_weight_y_held_1, grid_weight_y_held_2 : natural range 0 to 3;
+  signal grid_weight_y_held_3 : natural range 0 to 3;
   -- leftoffsets
-  signal leftoffsets_nodes_even_even_read_address, leftoffsets_nodes_even_even_write_address : natural range 0 to 7;
-  signal leftoffsets_nodes_even_odd_read_address, leftoffsets_nodes_even_odd_write_address : natural range 0 to 7;
-  signal leftoffsets_nodes_odd_even_write_address, leftoffsets_nodes_odd_odd_write_address : natural range 0 to 7;
-  signal leftoffsets_x_weight_y, leftoffsets_x_weight_x_0, leftoffsets_x_weight_x_1 : natural range 0 to 7;
-  signal leftoffsets_x_weight_x_2 : natural range 0 to 7;
+  signal leftoffsets_nodes_even_even_read_address : natural range 0 to 14;
+  signal leftoffsets_nodes_even_even_write_address, leftoffsets_nodes_even_odd_write_address : natural range 0 to 15;
+  signal leftoffsets_nodes_odd_even_write_address, leftoffsets_nodes_odd_odd_write_address : natural range 0 to 15;
   signal leftoffsets_nodes_even_even_write_word, leftoffsets_nodes_even_even_read_word : unsigned(31 downto 0);
   signal leftoffsets_nodes_even_even_ready_word, leftoffsets_nodes_even_odd_write_word : unsigned(31 downto 0);
   signal leftoffsets_nodes_even_odd_read_word, leftoffsets_nodes_even_odd_ready_word : unsigned(31 downto 0);
   signal leftoffsets_nodes_odd_even_write_word, leftoffsets_nodes_odd_even_read_word : unsigned(31 downto 0);
   signal leftoffsets_nodes_odd_even_ready_word, leftoffsets_nodes_odd_odd_write_word : unsigned(31 downto 0);
   signal leftoffsets_nodes_odd_odd_read_word, leftoffsets_nodes_odd_odd_ready_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_odd_even_read_address : natural range 0 to 5;
-  signal leftoffsets_nodes_odd_odd_read_address : natural range 0 to 4;
+  signal leftoffsets_nodes_even_odd_read_address : natural range 0 to 13;
+  signal leftoffsets_nodes_odd_even_read_address : natural range 0 to 9;
+  signal leftoffsets_nodes_odd_odd_read_address : natural range 0 to 8;
   signal leftoffsets_nodes_row_odd_0, leftoffsets_nodes_row_odd_1, leftoffsets_nodes_row_odd_2 : boolean;
   signal leftoffsets_nodes_column_odd_0, leftoffsets_nodes_column_odd_1, leftoffsets_nodes_column_odd_2 : boolean;
   signal leftoffsets_x_upper_0, leftoffsets_x_upper_1, leftoffsets_x_value : natural range 0 to 65535;
   signal leftoffsets_y_upper_0, leftoffsets_y_upper_1, leftoffsets_y_value : natural range 0 to 65535;
   signal leftoffsets_x_fall_0, leftoffsets_x_fall_1, leftoffsets_y_fall_0 : integer range -65535 to 65535;
   signal leftoffsets_y_fall_1 : integer range -65535 to 65535;
-  signal leftoffsets_x_column_0, leftoffsets_x_column_1, leftoffsets_y_column_0 : natural range 0 to 524287;
-  signal leftoffsets_y_column_1 : natural range 0 to 524287;
-  signal leftoffsets_x_first, leftoffsets_y_first : natural range 0 to 4194360;
-  signal leftoffsets_x_rise, leftoffsets_y_rise : integer range -524287 to 524287;
+  signal leftoffsets_x_weight_y, leftoffsets_x_weight_x_0, leftoffsets_x_weight_x_1 : natural range 0 to 3;
+  signal leftoffsets_x_weight_x_2 : natural range 0 to 3;
+  signal leftoffsets_x_column_0, leftoffsets_x_column_1, leftoffsets_y_column_0 : natural range 0 to 262143;
+  signal leftoffsets_y_column_1 : natural range 0 to 262143;
+  signal leftoffsets_x_first, leftoffsets_y_first : natural range 0 to 1048588;
+  signal leftoffsets_x_rise, leftoffsets_y_rise : integer range -262143 to 262143;
   -- rightoffsets
-  signal rightoffsets_nodes_even_even_write_address, rightoffsets_nodes_even_odd_write_address : natural range 0 to 7;
-  signal rightoffsets_nodes_odd_even_write_address, rightoffsets_nodes_odd_odd_write_address : natural range 0 to 7;
+  signal rightoffsets_nodes_even_even_write_address, rightoffsets_nodes_even_odd_write_address : natural range 0 to 15;
+  signal rightoffsets_nodes_odd_even_write_address, rightoffsets_nodes_odd_odd_write_address : natural range 0 to 15;
   signal rightoffsets_nodes_even_even_write_word, rightoffsets_nodes_even_even_read_word : unsigned(31 downto 0);
   signal rightoffsets_nodes_even_even_ready_word, rightoffsets_nodes_even_odd_write_word : unsigned(31 downto 0);
   signal rightoffsets_nodes_even_odd_read_word, rightoffsets_nodes_even_odd_ready_word : unsigned(31 downto 0);
@@ -150,17 +152,18 @@ architecture rtl of stereo_rectify_tiny is
   signal rightoffsets_y_upper_0, rightoffsets_y_upper_1, rightoffsets_y_value : natural range 0 to 65535;
   signal rightoffsets_x_fall_0, rightoffsets_x_fall_1, rightoffsets_y_fall_0 : integer range -65535 to 65535;
   signal rightoffsets_y_fall_1 : integer range -65535 to 65535;
-  signal rightoffsets_x_column_0, rightoffsets_x_column_1, rightoffsets_y_column_0 : natural range 0 to 524287;
-  signal rightoffsets_y_column_1 : natural range 0 to 524287;
-  signal rightoffsets_x_first, rightoffsets_y_first : natural range 0 to 4194360;
-  signal rightoffsets_x_rise, rightoffsets_y_rise : integer range -524287 to 524287;
+  signal rightoffsets_x_column_0, rightoffsets_x_column_1, rightoffsets_y_column_0 : natural range 0 to 262143;
+  signal rightoffsets_y_column_1 : natural range 0 to 262143;
+  signal rightoffsets_x_first, rightoffsets_y_first : natural range 0 to 1048588;
+  signal rightoffsets_x_rise, rightoffsets_y_rise : integer range -262143 to 262143;
   -- sample
-  signal sample_place_column, sample_place_group, sample_row : natural range 0 to 31;
+  signal sample_place_column, sample_place_group : natural range 0 to 31;
   signal sample_place_next_frame, sample_pixels_valid, sample_leaves, sample_starts : boolean;
   signal sample_taken_pixels_valid, sample_kept_pixels_valid, sample_kept_starts : boolean;
   signal sample_slot, sample_taken_row, sample_kept_row : natural range 0 to 7;
   signal sample_pixels_left, sample_pixels_right, sample_taken_pixels_left : natural range 0 to 255;
   signal sample_taken_pixels_right, sample_kept_pixels_left, sample_kept_pixels_right : natural range 0 to 255;
+  signal sample_row : natural range 0 to 15;
   signal sample_taken_column, sample_kept_column : natural range 0 to 32;
   -- lefttaps
   signal lefttaps_source_x : natural range 0 to 66527;
@@ -325,7 +328,7 @@ begin
 
   leftoffsets_nodes_even_even_read_word_memory_write_data <= leftoffsets_nodes_even_even_write_word;
   leftoffsets_nodes_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 6, width => 32)
+    generic map (depth => 10, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => leftoffsets_nodes_even_even_read_address, read_data => leftoffsets_nodes_even_even_read_word,
@@ -333,7 +336,7 @@ begin
 
   leftoffsets_nodes_even_odd_read_word_memory_write_data <= leftoffsets_nodes_even_odd_write_word;
   leftoffsets_nodes_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 6, width => 32)
+    generic map (depth => 10, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => leftoffsets_nodes_even_odd_read_address, read_data => leftoffsets_nodes_even_odd_read_word,
@@ -341,7 +344,7 @@ begin
 
   leftoffsets_nodes_odd_even_read_word_memory_write_data <= leftoffsets_nodes_odd_even_write_word;
   leftoffsets_nodes_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 6, width => 32)
+    generic map (depth => 10, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => leftoffsets_nodes_odd_even_read_address, read_data => leftoffsets_nodes_odd_even_read_word,
@@ -349,7 +352,7 @@ begin
 
   leftoffsets_nodes_odd_odd_read_word_memory_write_data <= leftoffsets_nodes_odd_odd_write_word;
   leftoffsets_nodes_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 6, width => 32)
+    generic map (depth => 10, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => leftoffsets_nodes_odd_odd_read_address, read_data => leftoffsets_nodes_odd_odd_read_word,
@@ -357,7 +360,7 @@ begin
 
   rightoffsets_nodes_even_even_read_word_memory_write_data <= rightoffsets_nodes_even_even_write_word;
   rightoffsets_nodes_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 6, width => 32)
+    generic map (depth => 10, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => leftoffsets_nodes_even_even_read_address, read_data => rightoffsets_nodes_even_even_read_word,
@@ -365,7 +368,7 @@ begin
 
   rightoffsets_nodes_even_odd_read_word_memory_write_data <= rightoffsets_nodes_even_odd_write_word;
   rightoffsets_nodes_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 6, width => 32)
+    generic map (depth => 10, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => leftoffsets_nodes_even_odd_read_address, read_data => rightoffsets_nodes_even_odd_read_word,
@@ -373,7 +376,7 @@ begin
 
   rightoffsets_nodes_odd_even_read_word_memory_write_data <= rightoffsets_nodes_odd_even_write_word;
   rightoffsets_nodes_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 6, width => 32)
+    generic map (depth => 10, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => leftoffsets_nodes_odd_even_read_address, read_data => rightoffsets_nodes_odd_even_read_word,
@@ -381,7 +384,7 @@ begin
 
   rightoffsets_nodes_odd_odd_read_word_memory_write_data <= rightoffsets_nodes_odd_odd_write_word;
   rightoffsets_nodes_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 6, width => 32)
+    generic map (depth => 10, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => leftoffsets_nodes_odd_odd_read_address, read_data => rightoffsets_nodes_odd_odd_read_word,
@@ -400,16 +403,18 @@ begin
     variable lefttaps_taps_column_is_equal, righttaps_taps_column_is_equal : boolean;
     variable leftsampler_rows_even_even_write_address_any, leftsampler_rows_even_odd_write_address_any : boolean;
     variable leftsampler_rows_odd_even_write_address_any, leftsampler_rows_odd_odd_write_address_any : boolean;
-    variable counter_group_choice, sample_place_group_choice : natural range 0 to 5;
-    variable counter_group_choice_2, counter_group_choice_3, grid_node_row_choice : natural range 0 to 31;
-    variable sample_place_group_choice_2, sample_place_group_choice_3 : natural range 0 to 31;
-    variable grid_node_row_sum : natural range 7 to 14;
-    variable leftoffsets_nodes_even_even_read_address_sum : natural range 1 to 4;
-    variable leftoffsets_nodes_even_even_read_address_choice : natural range 0 to 7;
-    variable leftoffsets_nodes_even_even_write_address_value, lefttaps_taps_row_choice : natural range 0 to 7;
-    variable righttaps_taps_row_choice : natural range 0 to 7;
+    variable counter_group_choice, sample_place_group_choice, lefttaps_taps_row_value : natural range 0 to 3;
+    variable righttaps_taps_row_value, leftsampler_shown_held_0_choice : natural range 0 to 3;
+    variable rightsampler_shown_held_0_choice : natural range 0 to 3;
+    variable counter_group_choice_2, counter_group_choice_3, sample_place_group_choice_2 : natural range 0 to 31;
+    variable sample_place_group_choice_3 : natural range 0 to 31;
+    variable grid_node_row_choice, leftoffsets_nodes_even_even_write_address_value : natural range 0 to 15;
     variable leftoffsets_nodes_even_even_read_address_value : natural range 0 to 2;
-    variable leftoffsets_nodes_odd_even_read_address_value : natural range 0 to 2;
+    variable leftoffsets_nodes_even_even_read_address_choice : natural range 0 to 10;
+    variable leftoffsets_nodes_even_even_read_address_value_2 : natural range 0 to 4;
+    variable leftoffsets_nodes_odd_even_read_address_value : natural range 0 to 4;
+    variable leftsampler_rows_even_even_read_address_value : natural range 0 to 4;
+    variable rightsampler_rows_even_even_read_address_value : natural range 0 to 4;
     variable leftoffsets_x_upper_0_choice, leftoffsets_x_upper_0_choice_2 : natural range 0 to 65535;
     variable leftoffsets_x_upper_0_choice_3, leftoffsets_x_upper_1_choice : natural range 0 to 65535;
     variable leftoffsets_x_upper_1_choice_2, leftoffsets_x_upper_1_choice_3 : natural range 0 to 65535;
@@ -419,10 +424,10 @@ begin
     variable rightoffsets_x_upper_1_choice_2, rightoffsets_x_upper_1_choice_3 : natural range 0 to 65535;
     variable rightoffsets_x_fall_0_choice, rightoffsets_x_fall_1_choice : natural range 0 to 65535;
     variable lefttaps_taps_row_sum, righttaps_taps_row_sum : natural range 0 to 65535;
-    variable leftoffsets_x_column_0_product, leftoffsets_x_column_1_product : integer range -458745 to 458745;
-    variable leftoffsets_y_column_0_product, leftoffsets_y_column_1_product : integer range -458745 to 458745;
-    variable rightoffsets_x_column_0_product, rightoffsets_x_column_1_product : integer range -458745 to 458745;
-    variable rightoffsets_y_column_0_product, rightoffsets_y_column_1_product : integer range -458745 to 458745;
+    variable leftoffsets_x_column_0_product, leftoffsets_x_column_1_product : integer range -196605 to 196605;
+    variable leftoffsets_y_column_0_product, leftoffsets_y_column_1_product : integer range -196605 to 196605;
+    variable rightoffsets_x_column_0_product, rightoffsets_x_column_1_product : integer range -196605 to 196605;
+    variable rightoffsets_y_column_0_product, rightoffsets_y_column_1_product : integer range -196605 to 196605;
     variable leftoffsets_y_upper_0_choice, leftoffsets_y_upper_0_choice_2 : unsigned(31 downto 0);
     variable leftoffsets_y_upper_0_choice_3, leftoffsets_y_upper_1_choice : unsigned(31 downto 0);
     variable leftoffsets_y_upper_1_choice_2, leftoffsets_y_upper_1_choice_3 : unsigned(31 downto 0);
@@ -433,10 +438,7 @@ begin
     variable rightoffsets_y_upper_1_choice_3, rightoffsets_y_fall_0_choice : unsigned(31 downto 0);
     variable rightoffsets_y_fall_1_choice : unsigned(31 downto 0);
     variable sample_place_column_sum : natural range 1 to 32;
-    variable lefttaps_taps_row_value, righttaps_taps_row_value, leftsampler_shown_held_0_choice : natural range 0 to 3;
-    variable rightsampler_shown_held_0_choice : natural range 0 to 3;
-    variable leftsampler_rows_even_even_read_address_value : natural range 0 to 4;
-    variable rightsampler_rows_even_even_read_address_value : natural range 0 to 4;
+    variable lefttaps_taps_row_choice, righttaps_taps_row_choice : natural range 0 to 7;
     variable leftsampler_rows_even_even_read_address_choice : natural range 0 to 68;
     variable rightsampler_rows_even_even_read_address_choice : natural range 0 to 68;
     variable leftsampler_rows_even_even_read_address_value_2 : natural range 0 to 127;
@@ -462,9 +464,9 @@ begin
     if rising_edge(clock) then
       -- counter
       counter_column_is_equal := counter_column = 31;
-      counter_next_frame_differs := counter_group /= 24;
-      counter_next_frame_is_equal := counter_group = 23;
-      counter_next_frame_is_equal_2 := counter_group = 19;
+      counter_next_frame_differs := counter_group /= 16;
+      counter_next_frame_is_equal := counter_group = 15;
+      counter_next_frame_is_equal_2 := counter_group = 11;
       counter_next_frame_all := counter_column_is_equal and counter_next_frame_is_equal_2;
       counter_next_frame_choice := counter_next_frame_all when in_start_of_frame else counter_next_frame;
       if in_valid then
@@ -473,7 +475,7 @@ begin
           counter_column_is_equal and counter_next_frame_differs and counter_next_frame_is_equal else
           counter_next_frame_choice;
       end if;
-      counter_group_choice := 5 when counter_next_frame_all else 0;
+      counter_group_choice := 3 when counter_next_frame_all else 0;
       counter_group_choice_2 := 4 when counter_next_frame and counter_next_frame_is_equal else (counter_group + 1) mod
         32;
       counter_group_choice_3 := counter_group_choice_2 when counter_column_is_equal and counter_next_frame_differs and
@@ -515,29 +517,27 @@ begin
       -- grid
       grid_node_row_all := counter_next_frame_differs and (((counter_group / 16) = 1) or (((counter_group / 8) mod 2) =
         1) or (((counter_group / 4) mod 2) = 1));
-      grid_node_row_sum := (counter_group / 4) + 7;
       if grid_node_row_all then
-        grid_node_row_choice := ((grid_node_row_sum mod 8) * 4) + (counter_group mod 4);
+        grid_node_row_choice := ((((counter_group / 4) + 3) mod 4) * 4) + (counter_group mod 4);
       else
         grid_node_row_choice := 0;
       end if;
-      grid_node_column <= counter_column / 8;
-      grid_node_row <= grid_node_row_choice / 8;
-      grid_weight_x_held_0 <= counter_column mod 8;
+      grid_node_column <= counter_column / 4;
+      grid_node_row <= grid_node_row_choice / 4;
+      grid_weight_x_held_0 <= counter_column mod 4;
       grid_weight_x_held_1 <= grid_weight_x_held_0;
       grid_weight_x_held_2 <= grid_weight_x_held_1;
       grid_weight_x_held_3 <= grid_weight_x_held_2;
-      grid_weight_y_held_0 <= ((grid_node_row_sum mod 2) * 4) + (counter_group mod 4) when grid_node_row_all else 0;
+      grid_weight_y_held_0 <= counter_group mod 4 when grid_node_row_all else 0;
       grid_weight_y_held_1 <= grid_weight_y_held_0;
       grid_weight_y_held_2 <= grid_weight_y_held_1;
       grid_weight_y_held_3 <= grid_weight_y_held_2;
       -- leftoffsets
-      leftoffsets_nodes_even_even_read_address_sum := grid_node_row + 1;
+      leftoffsets_nodes_even_even_read_address_value := (grid_node_row + 1) / 2;
       leftoffsets_nodes_even_even_read_address_choice := 0 when grid_node_row = 3 else
-        (((leftoffsets_nodes_even_even_read_address_sum / 2) + (leftoffsets_nodes_even_even_read_address_sum / 4)) * 2)
-        + ((leftoffsets_nodes_even_even_read_address_sum / 2) mod 2);
-      leftoffsets_nodes_even_even_read_address_value := (grid_node_column + 1) / 2;
-      leftoffsets_nodes_odd_even_read_address_value := (grid_node_row / 2) * 2;
+        (leftoffsets_nodes_even_even_read_address_value * 4) + leftoffsets_nodes_even_even_read_address_value;
+      leftoffsets_nodes_even_even_read_address_value_2 := (grid_node_column + 1) / 2;
+      leftoffsets_nodes_odd_even_read_address_value := (grid_node_row / 2) * 4;
       if leftoffsets_nodes_column_odd_2 then
         leftoffsets_x_upper_0_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
       else
@@ -586,13 +586,13 @@ begin
         leftoffsets_y_upper_1_choice;
       leftoffsets_y_column_0_product := leftoffsets_y_fall_0 * leftoffsets_x_weight_y;
       leftoffsets_y_column_1_product := leftoffsets_y_fall_1 * leftoffsets_x_weight_y;
-      leftoffsets_nodes_even_even_read_address <= (leftoffsets_nodes_even_even_read_address_choice +
-        leftoffsets_nodes_even_even_read_address_value) mod 8;
+      leftoffsets_nodes_even_even_read_address <= leftoffsets_nodes_even_even_read_address_choice +
+        leftoffsets_nodes_even_even_read_address_value_2;
       leftoffsets_nodes_even_even_ready_word <= leftoffsets_nodes_even_even_read_word;
-      leftoffsets_nodes_even_odd_read_address <= (leftoffsets_nodes_even_even_read_address_choice + (grid_node_column /
-        2)) mod 8;
+      leftoffsets_nodes_even_odd_read_address <= leftoffsets_nodes_even_even_read_address_choice + (grid_node_column /
+        2);
       leftoffsets_nodes_even_odd_ready_word <= leftoffsets_nodes_even_odd_read_word;
-      leftoffsets_nodes_odd_even_read_address <= leftoffsets_nodes_even_even_read_address_value +
+      leftoffsets_nodes_odd_even_read_address <= leftoffsets_nodes_even_even_read_address_value_2 +
         leftoffsets_nodes_odd_even_read_address_value + (grid_node_row / 2);
       leftoffsets_nodes_odd_even_ready_word <= leftoffsets_nodes_odd_even_read_word;
       leftoffsets_nodes_odd_odd_read_address <= leftoffsets_nodes_odd_even_read_address_value + (grid_node_row / 2) +
@@ -612,30 +612,30 @@ begin
       leftoffsets_x_weight_x_0 <= grid_weight_x_held_3;
       leftoffsets_x_weight_x_1 <= leftoffsets_x_weight_x_0;
       leftoffsets_x_weight_x_2 <= leftoffsets_x_weight_x_1;
-      leftoffsets_x_column_0 <= (((leftoffsets_x_upper_0 + ((leftoffsets_x_column_0_product mod 524288) / 8)) mod
-        65536) * 8) + (leftoffsets_x_column_0_product mod 8);
-      leftoffsets_x_column_1 <= (((leftoffsets_x_upper_1 + ((leftoffsets_x_column_1_product mod 524288) / 8)) mod
-        65536) * 8) + (leftoffsets_x_column_1_product mod 8);
-      leftoffsets_x_first <= ((((leftoffsets_x_column_0 * 8) / 64) + 1) * 64) + ((leftoffsets_x_column_0 mod 8) * 8);
+      leftoffsets_x_column_0 <= (((leftoffsets_x_upper_0 + ((leftoffsets_x_column_0_product mod 262144) / 4)) mod
+        65536) * 4) + (leftoffsets_x_column_0_product mod 4);
+      leftoffsets_x_column_1 <= (((leftoffsets_x_upper_1 + ((leftoffsets_x_column_1_product mod 262144) / 4)) mod
+        65536) * 4) + (leftoffsets_x_column_1_product mod 4);
+      leftoffsets_x_first <= ((((leftoffsets_x_column_0 * 4) / 16) + 1) * 16) + ((leftoffsets_x_column_0 mod 4) * 4);
       leftoffsets_x_rise <= leftoffsets_x_column_1 - leftoffsets_x_column_0;
-      leftoffsets_x_value <= ((((leftoffsets_x_first / 8) + (((leftoffsets_x_rise * leftoffsets_x_weight_x_2) mod
-        8388608) / 8)) mod 1048576) * 8) / 128;
+      leftoffsets_x_value <= ((((leftoffsets_x_first / 4) + (((leftoffsets_x_rise * leftoffsets_x_weight_x_2) mod
+        2097152) / 4)) mod 524288) * 4) / 32;
       leftoffsets_y_upper_0 <= to_integer(leftoffsets_y_upper_0_choice_3(31 downto 16));
       leftoffsets_y_upper_1 <= to_integer(leftoffsets_y_upper_1_choice_3(31 downto 16));
       leftoffsets_y_fall_0 <= to_integer(leftoffsets_y_fall_0_choice(31 downto 16)) -
         to_integer(leftoffsets_y_upper_0_choice_3(31 downto 16));
       leftoffsets_y_fall_1 <= to_integer(leftoffsets_y_fall_1_choice(31 downto 16)) -
         to_integer(leftoffsets_y_upper_1_choice_3(31 downto 16));
-      leftoffsets_y_column_0 <= (((leftoffsets_y_upper_0 + ((leftoffsets_y_column_0_product mod 524288) / 8)) mod
-        65536) * 8) + (leftoffsets_y_column_0_product mod 8);
-      leftoffsets_y_column_1 <= (((leftoffsets_y_upper_1 + ((leftoffsets_y_column_1_product mod 524288) / 8)) mod
-        65536) * 8) + (leftoffsets_y_column_1_product mod 8);
-      leftoffsets_y_first <= ((((leftoffsets_y_column_0 * 8) / 64) + 1) * 64) + ((leftoffsets_y_column_0 mod 8) * 8);
+      leftoffsets_y_column_0 <= (((leftoffsets_y_upper_0 + ((leftoffsets_y_column_0_product mod 262144) / 4)) mod
+        65536) * 4) + (leftoffsets_y_column_0_product mod 4);
+      leftoffsets_y_column_1 <= (((leftoffsets_y_upper_1 + ((leftoffsets_y_column_1_product mod 262144) / 4)) mod
+        65536) * 4) + (leftoffsets_y_column_1_product mod 4);
+      leftoffsets_y_first <= ((((leftoffsets_y_column_0 * 4) / 16) + 1) * 16) + ((leftoffsets_y_column_0 mod 4) * 4);
       leftoffsets_y_rise <= leftoffsets_y_column_1 - leftoffsets_y_column_0;
-      leftoffsets_y_value <= ((((leftoffsets_y_first / 8) + (((leftoffsets_y_rise * leftoffsets_x_weight_x_2) mod
-        8388608) / 8)) mod 1048576) * 8) / 128;
-      leftoffsets_nodes_even_even_write_address_value := (((in_node_column mod 16) / 2) + ((((in_node_row / 2) +
-        (in_node_row / 4)) mod 4) * 2) + ((in_node_row / 2) mod 2)) mod 8;
+      leftoffsets_y_value <= ((((leftoffsets_y_first / 4) + (((leftoffsets_y_rise * leftoffsets_x_weight_x_2) mod
+        2097152) / 4)) mod 524288) * 4) / 32;
+      leftoffsets_nodes_even_even_write_address_value := (((in_node_column mod 32) / 2) + ((((in_node_row / 2) +
+        (in_node_row / 8)) mod 4) * 4) + ((in_node_row / 2) mod 4)) mod 16;
       leftoffsets_nodes_even_even_write_word_sum := to_unsigned(to_integer(((to_unsigned(in_node_y, 16)) xor
         (to_unsigned(32768, 16)))), 16) & to_unsigned(to_integer(((to_unsigned(in_node_x, 16)) xor (to_unsigned(32768,
         16)))), 16);
@@ -726,28 +726,28 @@ begin
       rightoffsets_x_upper_1 <= rightoffsets_x_upper_1_choice_3;
       rightoffsets_x_fall_0 <= rightoffsets_x_fall_0_choice - rightoffsets_x_upper_0_choice_3;
       rightoffsets_x_fall_1 <= rightoffsets_x_fall_1_choice - rightoffsets_x_upper_1_choice_3;
-      rightoffsets_x_column_0 <= (((rightoffsets_x_upper_0 + ((rightoffsets_x_column_0_product mod 524288) / 8)) mod
-        65536) * 8) + (rightoffsets_x_column_0_product mod 8);
-      rightoffsets_x_column_1 <= (((rightoffsets_x_upper_1 + ((rightoffsets_x_column_1_product mod 524288) / 8)) mod
-        65536) * 8) + (rightoffsets_x_column_1_product mod 8);
-      rightoffsets_x_first <= ((((rightoffsets_x_column_0 * 8) / 64) + 1) * 64) + ((rightoffsets_x_column_0 mod 8) * 8);
+      rightoffsets_x_column_0 <= (((rightoffsets_x_upper_0 + ((rightoffsets_x_column_0_product mod 262144) / 4)) mod
+        65536) * 4) + (rightoffsets_x_column_0_product mod 4);
+      rightoffsets_x_column_1 <= (((rightoffsets_x_upper_1 + ((rightoffsets_x_column_1_product mod 262144) / 4)) mod
+        65536) * 4) + (rightoffsets_x_column_1_product mod 4);
+      rightoffsets_x_first <= ((((rightoffsets_x_column_0 * 4) / 16) + 1) * 16) + ((rightoffsets_x_column_0 mod 4) * 4);
       rightoffsets_x_rise <= rightoffsets_x_column_1 - rightoffsets_x_column_0;
-      rightoffsets_x_value <= ((((rightoffsets_x_first / 8) + (((rightoffsets_x_rise * leftoffsets_x_weight_x_2) mod
-        8388608) / 8)) mod 1048576) * 8) / 128;
+      rightoffsets_x_value <= ((((rightoffsets_x_first / 4) + (((rightoffsets_x_rise * leftoffsets_x_weight_x_2) mod
+        2097152) / 4)) mod 524288) * 4) / 32;
       rightoffsets_y_upper_0 <= to_integer(rightoffsets_y_upper_0_choice_3(31 downto 16));
       rightoffsets_y_upper_1 <= to_integer(rightoffsets_y_upper_1_choice_3(31 downto 16));
       rightoffsets_y_fall_0 <= to_integer(rightoffsets_y_fall_0_choice(31 downto 16)) -
         to_integer(rightoffsets_y_upper_0_choice_3(31 downto 16));
       rightoffsets_y_fall_1 <= to_integer(rightoffsets_y_fall_1_choice(31 downto 16)) -
         to_integer(rightoffsets_y_upper_1_choice_3(31 downto 16));
-      rightoffsets_y_column_0 <= (((rightoffsets_y_upper_0 + ((rightoffsets_y_column_0_product mod 524288) / 8)) mod
-        65536) * 8) + (rightoffsets_y_column_0_product mod 8);
-      rightoffsets_y_column_1 <= (((rightoffsets_y_upper_1 + ((rightoffsets_y_column_1_product mod 524288) / 8)) mod
-        65536) * 8) + (rightoffsets_y_column_1_product mod 8);
-      rightoffsets_y_first <= ((((rightoffsets_y_column_0 * 8) / 64) + 1) * 64) + ((rightoffsets_y_column_0 mod 8) * 8);
+      rightoffsets_y_column_0 <= (((rightoffsets_y_upper_0 + ((rightoffsets_y_column_0_product mod 262144) / 4)) mod
+        65536) * 4) + (rightoffsets_y_column_0_product mod 4);
+      rightoffsets_y_column_1 <= (((rightoffsets_y_upper_1 + ((rightoffsets_y_column_1_product mod 262144) / 4)) mod
+        65536) * 4) + (rightoffsets_y_column_1_product mod 4);
+      rightoffsets_y_first <= ((((rightoffsets_y_column_0 * 4) / 16) + 1) * 16) + ((rightoffsets_y_column_0 mod 4) * 4);
       rightoffsets_y_rise <= rightoffsets_y_column_1 - rightoffsets_y_column_0;
-      rightoffsets_y_value <= ((((rightoffsets_y_first / 8) + (((rightoffsets_y_rise * leftoffsets_x_weight_x_2) mod
-        8388608) / 8)) mod 1048576) * 8) / 128;
+      rightoffsets_y_value <= ((((rightoffsets_y_first / 4) + (((rightoffsets_y_rise * leftoffsets_x_weight_x_2) mod
+        2097152) / 4)) mod 524288) * 4) / 32;
       rightoffsets_nodes_even_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or ((in_node_row mod 2) = 1)
         or (not in_node_valid) or (not in_node_right);
       if not rightoffsets_nodes_even_odd_write_address_any then
@@ -769,9 +769,9 @@ begin
       -- sample
       sample_place_column_is_equal := sample_place_column = 31;
       sample_place_column_sum := sample_place_column + 1;
-      sample_place_next_frame_differs := sample_place_group /= 24;
-      sample_place_next_frame_is_equal := sample_place_group = 23;
-      sample_place_next_frame_is_equal_2 := sample_place_group = 19;
+      sample_place_next_frame_differs := sample_place_group /= 16;
+      sample_place_next_frame_is_equal := sample_place_group = 15;
+      sample_place_next_frame_is_equal_2 := sample_place_group = 11;
       sample_place_next_frame_all := sample_place_column_is_equal and sample_place_next_frame_is_equal_2;
       sample_place_next_frame_choice := sample_place_next_frame_all when delay_held_7_start_of_frame else
         sample_place_next_frame;
@@ -782,7 +782,7 @@ begin
           delay_held_7_start_of_frame when sample_place_column_is_equal and sample_place_next_frame_differs and
           sample_place_next_frame_is_equal else sample_place_next_frame_choice;
       end if;
-      sample_place_group_choice := 5 when sample_place_next_frame_all else 0;
+      sample_place_group_choice := 3 when sample_place_next_frame_all else 0;
       sample_place_group_choice_2 := 4 when sample_place_next_frame and sample_place_next_frame_is_equal else
         (sample_place_group + 1) mod 32;
       sample_place_group_choice_3 := sample_place_group_choice_2 when sample_place_column_is_equal and
@@ -792,7 +792,7 @@ begin
       sample_pixels_left <= delay_held_7_left;
       sample_pixels_right <= delay_held_7_right;
       sample_pixels_valid <= delay_held_7_valid;
-      sample_row <= ((((sample_place_group / 4) + 7) mod 8) * 4) + (sample_place_group mod 4);
+      sample_row <= ((((sample_place_group / 4) + 3) mod 4) * 4) + (sample_place_group mod 4);
       sample_leaves <= sample_place_next_frame_differs and (((sample_place_group / 16) = 1) or (((sample_place_group /
         8) mod 2) = 1) or (((sample_place_group / 4) mod 2) = 1));
       sample_starts <= (sample_place_column = 0) and (sample_place_group = 4);
@@ -828,9 +828,9 @@ begin
       lefttaps_column_shown_0 <= lefttaps_taps_column_is_equal and sample_leaves;
       lefttaps_column_shown_1 <= sample_leaves and ((((lefttaps_source_x / 32) + 1) / 32) = 16);
       lefttaps_row_shown_0 <= ((lefttaps_offset_y / 32) >= 509) and ((lefttaps_offset_y / 32) < 516) and (((sample_row
-        + (lefttaps_offset_y / 32) + 65024) mod 65536) < 20);
+        + (lefttaps_offset_y / 32) + 65024) mod 65536) < 12);
       lefttaps_row_shown_1 <= (lefttaps_taps_row_sum < 7) and (((sample_row + (lefttaps_offset_y / 32) + 65025) mod
-        65536) < 20);
+        65536) < 12);
       -- righttaps
       righttaps_taps_column_is_equal := (righttaps_source_x / 1024) = 16;
       righttaps_taps_row_value := (righttaps_offset_y / 32) mod 4;
@@ -846,12 +846,12 @@ begin
       righttaps_taps_row <= (sample_taken_row + righttaps_taps_row_choice) mod 8;
       righttaps_weight_x <= righttaps_source_x mod 32;
       righttaps_weight_y <= righttaps_offset_y mod 32;
-      righttaps_column_shown_0 <= righttaps_taps_column_is_equal and sample_leaves;
-      righttaps_column_shown_1 <= sample_leaves and ((((righttaps_source_x / 32) + 1) / 32) = 16);
+      righttaps_column_shown_0 <= sample_leaves and ((((righttaps_source_x / 32) + 1) / 32) = 16);
+      righttaps_column_shown_1 <= righttaps_taps_column_is_equal and sample_leaves;
       righttaps_row_shown_0 <= ((righttaps_offset_y / 32) >= 509) and ((righttaps_offset_y / 32) < 516) and
-        (((sample_row + (righttaps_offset_y / 32) + 65024) mod 65536) < 20);
+        (((sample_row + (righttaps_offset_y / 32) + 65024) mod 65536) < 12);
       righttaps_row_shown_1 <= (righttaps_taps_row_sum < 7) and (((sample_row + (righttaps_offset_y / 32) + 65025) mod
-        65536) < 20);
+        65536) < 12);
       -- leftsampler
       leftsampler_rows_even_even_read_address_value := (lefttaps_taps_row + 1) / 2;
       leftsampler_rows_even_even_read_address_choice := 0 when lefttaps_taps_row = 7 else
@@ -968,8 +968,8 @@ begin
       rightsampler_rows_even_even_read_address_value_2 := ((righttaps_taps_column + 1) mod 256) / 2;
       rightsampler_rows_odd_even_read_address_value := (righttaps_taps_row / 2) * 16;
       if righttaps_row_shown_0 then
-        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown_1) * 2) +
-          as_number(righttaps_column_shown_0);
+        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown_0) * 2) +
+          as_number(righttaps_column_shown_1);
       else
         rightsampler_shown_held_0_choice := 0;
       end if;
@@ -1023,8 +1023,8 @@ begin
       rightsampler_weight_y_held_0 <= righttaps_weight_y;
       rightsampler_weight_y_held_1 <= rightsampler_weight_y_held_0;
       rightsampler_weight_y_held_2 <= rightsampler_weight_y_held_1;
-      rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_0) * 4) +
-        (as_number(righttaps_column_shown_1) * 8) when righttaps_row_shown_1 else rightsampler_shown_held_0_choice;
+      rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_1) * 4) +
+        (as_number(righttaps_column_shown_0) * 8) when righttaps_row_shown_1 else rightsampler_shown_held_0_choice;
       rightsampler_shown_held_1 <= rightsampler_shown_held_0;
       rightsampler_shown_held_2 <= rightsampler_shown_held_1;
       rightsampler_pixel_upper_0 <= rightsampler_pixel_upper_0_choice_4;
@@ -1074,7 +1074,7 @@ begin
       starts_held_6 <= starts_held_5;
       if reset = '1' then
         counter_column <= 0;
-        counter_group <= 24;
+        counter_group <= 16;
         counter_next_frame <= false;
         delay_held_0_start_of_frame <= false;
         delay_held_0_valid <= false;
@@ -1177,7 +1177,7 @@ begin
         rightoffsets_y_rise <= 0;
         rightoffsets_y_value <= 0;
         sample_place_column <= 0;
-        sample_place_group <= 24;
+        sample_place_group <= 16;
         sample_place_next_frame <= false;
         sample_slot <= 0;
         sample_pixels_valid <= false;

@@ -1,0 +1,56 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Disparities to millimetres by a table, 2 clocks. A pixel whose disparity has not passed the core's checks is 0, unknown.
+--   write_*  the last entry that was written; it is written again in every clock
+-- Size: 256 words of 16 bits.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity camera_depth is
+  port (
+    clock : in std_logic;
+    reset : in std_logic;
+    write_disparity : in std_logic_vector(7 downto 0);
+    write_mm : in std_logic_vector(15 downto 0);
+    disparity : in std_logic_vector(7 downto 0);
+    pixel_valid : in std_logic_vector(0 downto 0);
+    disparity_valid : in std_logic;
+    disparity_start_of_frame : in std_logic;
+    disparity_end_of_line : in std_logic;
+    depth_mm : out std_logic_vector(15 downto 0);
+    depth_known : out std_logic_vector(0 downto 0);
+    depth_valid : out std_logic;
+    depth_start_of_frame : out std_logic;
+    depth_end_of_line : out std_logic
+  );
+end entity;
+
+architecture rtl of camera_depth is
+  signal found : unsigned(15 downto 0);
+  signal known, valid, start, last : std_logic := '0';
+begin
+  depths : entity work.line_memory
+    generic map (depth => 256, width => 16)
+    port map (
+      clock => clock, read_enable => true, read_address => to_integer(unsigned(disparity)), read_data => found,
+      write_address => to_integer(unsigned(write_disparity)), write_data => unsigned(write_mm));
+
+  process (clock)
+  begin
+    if rising_edge(clock) then
+      known <= pixel_valid(0);
+      valid <= disparity_valid;
+      start <= disparity_start_of_frame;
+      last <= disparity_end_of_line;
+      depth_mm <= std_logic_vector(found) when known = '1' else (others => '0');
+      depth_known(0) <= known;
+      depth_valid <= valid;
+      depth_start_of_frame <= start;
+      depth_end_of_line <= last;
+      if reset = '1' then
+        valid <= '0';
+        depth_valid <= '0';
+      end if;
+    end if;
+  end process;
+end architecture;

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The software pipeline of a camera_system: the frames that must come out, made by other means than its VHDL."""
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from ..base.configurations import Configuration, configuration, designs, option
+from ..base.tools import find_stereo_hls, run
+from ..cosim import vectors
+from .template import System
+
+LARGEST_MM = 65535
+Image = Sequence[Sequence[int]]  # rows of grey values
+
+
+class Node(NamedTuple):
+    """Offsets in 2^-offset_fraction_bits pixels."""
+
+    x: int
+    y: int
+
+
+Table = Sequence[Sequence[Node]]  # rows of nodes
+
+
+def depth_table(focal_baseline: int, offset: int = 0) -> list[int]:
+    """docs/depth.md: `focal_baseline` in sixteenths of pixels times millimetres, `offset` in sixteenths of pixels."""
+    depths = []
+    for disparity in range(256):
+        parallax = 16 * disparity - offset
+        depth = (2 * focal_baseline + parallax) // (2 * parallax) if parallax > 0 else 0
+        depths.append(depth if depth <= LARGEST_MM else 0)
+    return depths
+
+
+def rectified(image: Image, table: Table, row: Configuration) -> list[list[int]]:
+    """docs/rectification.md, word by word."""
+    grid, fraction, weight = (option(row, f"{name}") for name in ("grid_px", "offset_fraction_bits", "weight_bits"))
+    above, below, unit = option(row, "rows_above"), option(row, "rows_below"), 1 << weight
+    height, width = len(image), len(image[0])
+
+    def rounded(numerator: int, denominator: int) -> int:
+        return (2 * numerator + denominator) // (2 * denominator)
+
+    def pixel(x: int, y: int) -> int:
+        i, u, j, v = x // grid, x % grid, y // grid, y % grid
+        corners = (
+            (table[j][i], (grid - u) * (grid - v)),
+            (table[j][i + 1], u * (grid - v)),
+            (table[j + 1][i], (grid - u) * v),
+            (table[j + 1][i + 1], u * v),
+        )
+        divisor = grid * grid << fraction
+        at_x = x * unit + rounded(unit * sum(node.x * share for node, share in corners), divisor)
+        at_y = y * unit + rounded(unit * sum(node.y * share for node, share in corners), divisor)
+        c, a, r, b = at_x // unit, at_x % unit, at_y // unit, at_y % unit
+
+        def tap(column: int, line: int) -> int:
+            inside = 0 <= column < width and 0 <= line < height and y - above <= line <= y + below
+            return image[line][column] if inside else 0
+
+        upper = (unit - a) * tap(c, r) + a * tap(c + 1, r)
+        lower = (unit - a) * tap(c, r + 1) + a * tap(c + 1, r + 1)
+        return rounded((unit - b) * upper + b * lower, unit * unit)
+
+    return [[pixel(x, y) for x in range(width)] for y in range(height)]
+
+
+def write_pgm(path: Path, image: Image) -> Path:
+    path.write_bytes(b"P5 %d %d 255\n" % (len(image[0]), len(image)) + bytes(value for row in image for value in row))
+    return path
+
+
+def depth_frame(system: System, left: Path, right: Path, depths: Sequence[int], work: Path) -> list[int]:
+    """The words of m_axis for a rectified pair: depth, above it whether the disparity has passed the core's checks."""
+    command = [
+        find_stereo_hls(),
+        "vectors",
+        "--config",
+        system.matching,
+        "--left",
+        left,
+        "--right",
+        right,
+        "--out",
+        work,
+    ]
+    run(command, passes_errors=True)
+    words = []
+    for output in vectors.read_expected(work / "expected.txt")[0]:
+        valid = output.flags >> 2 & 1
+        words.append((depths[output.disparity] if valid else 0) | valid << 16)
+    return words
+
+
+def read_table(path: Path, row: Configuration) -> list[list[Node]]:
+    """A *_table.hex of `stereo_hls rectify`."""
+    bits = option(row, "offset_bits")
+
+    def signed(value: int) -> int:
+        value &= (1 << bits) - 1
+        return value - (1 << bits) if value >> (bits - 1) else value
+
+    words = [int(line, 16) for line in re.findall(r"\w+", path.read_text())]
+    nodes = [Node(signed(word), signed(word >> bits)) for word in words]
+    columns = option(row, "table_columns")
+    return [nodes[at : at + columns] for at in range(0, len(nodes), columns)]
+
+
+def rows_of(system: System) -> tuple[Configuration, Configuration]:
+    """(rectification, matching)"""
+    table = designs()
+    return configuration(system.rectification, table), configuration(system.matching, table)

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A camera_system in Verilator: tables and two cameras' streams in, frames of depths out."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NamedTuple
+
+from ..base import builds, ghdl
+from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..base.tools import ROOT, run_with_progress
+from ..cosim import simulators
+from .pipeline import Image, Table
+from .template import System, vhdl_files
+
+BENCH = ROOT / "hls_tb" / "system" / "camera_bench.cpp"
+WORK = ROOT / "build" / "camera_system"
+WATCHDOG_SECONDS = 300
+NODE_PLACE, NODE_OFFSETS, DEPTH = 0x00, 0x04, 0x08
+OKAY = 0
+
+
+class Beat(NamedTuple):
+    gap: int  # clocks since the one before
+    pixel: int
+    flags: int  # 1 start of frame, 2 end of line
+
+
+@dataclass
+class Frame:
+    words: list[int] = field(default_factory=list)
+    error: bool = False  # as its last beat says
+    start: int = 0  # clocks
+    line_starts: list[int] = field(default_factory=list)
+
+
+@dataclass
+class Observation:
+    responses: list[int]
+    frames: list[Frame]
+    line_ends: tuple[list[int], list[int]]  # clocks, of each camera
+    clocks: int
+
+
+def table_writes(tables: Sequence[Table], depths: Sequence[int]) -> list[tuple[int, int]]:
+    """(address, data) of all that a system is loaded with; `tables`: left and right."""
+    writes = []
+    for right, table in enumerate(tables):
+        for row, nodes in enumerate(table):
+            for column, node in enumerate(nodes):
+                writes.append((NODE_PLACE, right << 31 | row << 16 | column))
+                writes.append((NODE_OFFSETS, (node.y & 0xFFFF) << 16 | node.x & 0xFFFF))
+    return writes + [(DEPTH, disparity << 16 | mm) for disparity, mm in enumerate(depths)]
+
+
+def beats(image: Image) -> list[Beat]:
+    """A frame of one camera at full speed."""
+    width = len(image[0])
+    return [
+        Beat(0, pixel, (y == 0 and x == 0) + 2 * (x == width - 1))
+        for y, row in enumerate(image)
+        for x, pixel in enumerate(row)
+    ]
+
+
+class Verilated:
+    def __init__(self, system: System, files: list[Path] | None = None) -> None:
+        self.system, self.files = system, files or vhdl_files(system)
+        makers = [BENCH, *(Path(module) for module in (__file__, simulators.__file__, ghdl.__file__))]
+        tools = simulators.Verilator.tools()
+        self._built = builds.build_once(WORK / system.name, self.files, makers, tools, self._build)
+
+    def _build(self, work: Path, files: list[Path]) -> None:
+        simulators.verilate(work, files, self.system.entity, [BENCH])
+
+    def play(
+        self,
+        writes: Iterable[tuple[int, int]],
+        left: Iterable[Beat],
+        right: Iterable[Beat],
+        out: Path,
+        sink: tuple[int, int] = (0, 1),
+    ) -> Observation:
+        """`sink`: how often it waits in percent, and the seed."""
+        out.mkdir(parents=True, exist_ok=True)
+        stream, observed = out / "stream.txt", out / "observed.txt"
+        lines = [f"t {address:x} {data:x}" for address, data in writes] + [f"s {sink[0]} {sink[1]}"]
+        lines += [f"l {b.gap} {b.pixel:x} {b.flags}" for b in left] + [
+            f"r {b.gap} {b.pixel:x} {b.flags}" for b in right
+        ]
+        stream.write_text("\n".join(lines) + "\n")
+        command = [simulators.verilated_bench(self._built.folder), stream.resolve(), observed.resolve()]
+        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=out)
+        return read(observed)
+
+
+def read(path: Path) -> Observation:
+    lines = path.read_text().splitlines()
+    if not lines or not lines[-1].startswith("end "):
+        raise FlowError(f"{path}: the simulation did not write its last line, so it did not finish", EXIT_TOOL_FAILED)
+    seen = Observation([], [], ([], []), int(lines[-1].split()[1]))
+    new_line = True
+    for line in lines[:-1]:
+        kind, *words = line.split()
+        if kind == "t":
+            seen.responses.append(int(words[0]))
+        elif kind == "e":
+            seen.line_ends[int(words[0])].append(int(words[1]))
+        else:
+            data, flags, clock = int(words[0], 16), int(words[1]), int(words[2])
+            if flags & 1:
+                seen.frames.append(Frame(start=clock))
+            if not seen.frames:
+                raise FlowError(f"{path}: a beat before the first start of frame", EXIT_TOOL_FAILED)
+            frame = seen.frames[-1]
+            if new_line:
+                frame.line_starts.append(clock)
+            new_line = bool(flags & 4)
+            frame.words.append(data)
+            frame.error = bool(flags & 2)
+    return seen

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Writes examples/camera_system/camera_system_NAME.vhd: the joiner, a rectification, a matching core and the depths, in
+the shell that every matching core has. The shell takes the three for one core: a pair in gives a depth, later by the
+clocks of all, and as many more groups bring out the last rows."""
+
+from pathlib import Path
+from typing import NamedTuple, cast
+
+from ..base import rtl
+from ..base.errors import FlowError
+from ..base.tools import ROOT
+from ..shell import design
+from ..shell.template import core_id, instance
+from ..synthesis import manifest
+
+FOLDER = ROOT / "examples" / "camera_system"
+PARTS = ("camera_tables", "camera_depth")
+DEPTH_CLOCKS = 2  # of camera_depth
+DEPTH_BITS = 16
+SKEW_LINES = 8  # that either camera may be ahead
+
+
+class System(NamedTuple):
+    name: str
+    rectification: str
+    matching: str
+
+    @property
+    def entity(self) -> str:
+        return f"camera_system_{self.name}"
+
+    @property
+    def path(self) -> Path:
+        return FOLDER / f"{self.entity}.vhd"
+
+
+SYSTEMS = {
+    system.name: system
+    for system in (System("tiny", "rectify_tiny", "tiny"), System("vga", "rectify_vga", "niitsuma_640"))
+}
+_CAMERAS = tuple(
+    (f"s_{side}_axis_{name}", direction, kind)
+    for side in ("left", "right")
+    for name, direction, kind in (
+        ("tvalid", "in", "std_logic"),
+        ("tready", "out", "std_logic"),
+        ("tdata", "in", "std_logic_vector(7 downto 0)"),
+        ("tuser", "in", "std_logic_vector(0 downto 0)"),
+        ("tlast", "in", "std_logic"),
+    )
+)
+_MAP = (
+    ("m_axis_tvalid", "out", "std_logic"),
+    ("m_axis_tready", "in", "std_logic"),
+    ("m_axis_tdata", "out", "std_logic_vector(23 downto 0)"),
+    ("m_axis_tuser", "out", "std_logic_vector(1 downto 0)"),
+    ("m_axis_tlast", "out", "std_logic"),
+)
+
+
+def _lite(prefix: str, address_bits: int, whole: bool) -> tuple[tuple[str, str, str], ...]:
+    """An AXI4-Lite port; `whole`: with protection and strobes."""
+    word, address = "std_logic_vector(31 downto 0)", f"std_logic_vector({address_bits - 1} downto 0)"
+    response = "std_logic_vector(1 downto 0)"
+    ports = [
+        ("awaddr", "in", address),
+        ("awprot", "in", "std_logic_vector(2 downto 0)"),
+        ("awvalid", "in", "std_logic"),
+        ("awready", "out", "std_logic"),
+        ("wdata", "in", word),
+        ("wstrb", "in", "std_logic_vector(3 downto 0)"),
+        ("wvalid", "in", "std_logic"),
+        ("wready", "out", "std_logic"),
+        ("bresp", "out", response),
+        ("bvalid", "out", "std_logic"),
+        ("bready", "in", "std_logic"),
+        ("araddr", "in", address),
+        ("arprot", "in", "std_logic_vector(2 downto 0)"),
+        ("arvalid", "in", "std_logic"),
+        ("arready", "out", "std_logic"),
+        ("rdata", "out", word),
+        ("rresp", "out", response),
+        ("rvalid", "out", "std_logic"),
+        ("rready", "in", "std_logic"),
+    ]
+    kept = [port for port in ports if whole or port[0] not in ("awprot", "wstrb", "arprot")]
+    return tuple((f"{prefix}_{name}", direction, kind) for name, direction, kind in kept)
+
+
+_SHELL_LITE, _TABLES_LITE = _lite("s_axil", 6, True), _lite("s_tables_axil", 5, False)
+_SIGNALS = {
+    "reset, core_reset, pair_tvalid, pair_tready, pair_tlast": "std_logic",
+    "pair_tdata, node_column, node_row, node_x, node_y": "std_logic_vector(15 downto 0)",
+    "skew_lines, write_mm, depth_mm": "std_logic_vector(15 downto 0)",
+    "pair_tuser, pixel_valid, depth_known": "std_logic_vector(0 downto 0)",
+    "faults": "std_logic_vector(2 downto 0)",
+    "left_pixel, right_pixel, rectified_left, rectified_right": "std_logic_vector(7 downto 0)",
+    "disparity, write_disparity": "std_logic_vector(7 downto 0)",
+    "start_of_frame, valid, node_valid, node_right, rectified_start_of_frame, rectified_valid": "std_logic",
+    "disparity_valid, disparity_start_of_frame, disparity_end_of_line": "std_logic",
+    "depth_valid, depth_start_of_frame, depth_end_of_line": "std_logic",
+}
+
+
+def _check(system: System, stage: dict[str, int], core: dict[str, int]) -> None:
+    for key in ("width_px", "height_px", "pixels_per_clock"):
+        if stage[key] != core[key]:
+            raise FlowError(
+                f"{system.rectification} and {system.matching} differ in {key}: {stage[key]} and {core[key]}"
+            )
+    # A gap between frames passes through the rectification, which gives a pair for each pair.
+    if core["disparity_bits"] != 8:
+        raise FlowError(f"{system.matching} has subpixel, which camera_system does not take")
+
+
+def text(system: System) -> str:
+    """The VHDL of a system."""
+    entry, before = (manifest.read(rtl.folder(name)) for name in (system.matching, system.rectification))
+    core, parameters = design.generics(entry), cast(dict[str, int], before["parameters"])
+    stage = {name: parameters[name] for name in rtl.STAGES["rectification"].generics}
+    _check(system, stage, core)
+    shell: dict[str, int | str] = {
+        **core,
+        "disparity_bits": DEPTH_BITS,
+        "latency_clocks": core["latency_clocks"] + stage["latency_clocks"] + DEPTH_CLOCKS,
+        "flush_groups": core["flush_groups"] + stage["flush_groups"],
+        "core_id": f'x"{core_id(entry)}"',
+        "enabled_at_reset": "enabled_at_reset",
+    }
+    outside = [
+        ("aclk", "in", "std_logic"),
+        ("aresetn", "in", "std_logic"),
+        *_CAMERAS,
+        *_MAP,
+        *_SHELL_LITE,
+        *_TABLES_LITE,
+    ]
+    same = {name: name for name, _, _ in outside}
+    pairs = {
+        f"{bus}_{name}": f"pair_{name}"
+        for bus in ("s_axis",)
+        for name in ("tvalid", "tready", "tdata", "tuser", "tlast")
+    }
+    clocked = {"aclk": "aclk", "aresetn": "aresetn"}
+    to_shell = clocked | pairs | {name: name for name, _, _ in (*_MAP, *_SHELL_LITE)}
+    to_shell |= {f"core_{name}": name for name in ("left_pixel", "right_pixel", "start_of_frame", "valid")}
+    to_shell |= {
+        "core_reset": "core_reset",
+        "core_disparity": "depth_mm",
+        "core_pixel_valid": "depth_known",
+        "core_disparity_valid": "depth_valid",
+        "core_disparity_start_of_frame": "depth_start_of_frame",
+        "core_disparity_end_of_line": "depth_end_of_line",
+    }
+    joiner = clocked | {name: same[name] for name, _, _ in _CAMERAS}
+    joiner |= {f"m_axis_{name}": f"pair_{name}" for name in ("tvalid", "tready", "tdata", "tuser", "tlast")}
+    joiner |= {"skew_lines": "skew_lines", "faults": "faults"}
+    nodes = {name: name for name in ("node_valid", "node_right", "node_column", "node_row", "node_x", "node_y")}
+    tables = clocked | {f"s_axil_{name.removeprefix('s_tables_axil_')}": name for name, _, _ in _TABLES_LITE}
+    tables |= {"skew_lines": "skew_lines", "faults": "faults", **nodes}
+    tables |= {"depth_disparity": "write_disparity", "depth_mm": "write_mm"}
+    results = ("disparity", "pixel_valid", "disparity_valid", "disparity_start_of_frame", "disparity_end_of_line")
+    matching = {
+        "clock": "aclk",
+        "reset": "core_reset",
+        "left_pixel": "rectified_left",
+        "right_pixel": "rectified_right",
+    }
+    matching |= {"start_of_frame": "rectified_start_of_frame", "valid": "rectified_valid"} | {
+        name: name for name in results
+    }
+    rectification = {"clock": "aclk", "reset": "reset"}
+    rectification |= {name: name for name in ("left_pixel", "right_pixel", "start_of_frame", "valid")} | nodes
+    rectification |= {port.name: port.name for port in rtl.STAGE_PORTS if port.direction == "out"}
+    depth = {"clock": "aclk", "reset": "core_reset", "write_disparity": "write_disparity", "write_mm": "write_mm"}
+    depth |= {name: name for name in results}
+    depth |= {"depth_mm": "depth_mm", "depth_known": "depth_known"}
+    depth |= {name: name for name in ("depth_valid", "depth_start_of_frame", "depth_end_of_line")}
+    lines = [
+        "-- SPDX-License-Identifier: Apache-2.0",
+        f"-- Two cameras to depths: {system.rectification}, {system.matching}. Do not edit; made by",
+        f"--   scripts/camera_system.py --system {system.name} --write",
+        "-- examples/camera_system/README.md says what the ports are.",
+        "library ieee;",
+        "use ieee.std_logic_1164.all;",
+        "",
+        f"entity {system.entity} is",
+        "  generic (enabled_at_reset : boolean := true);  -- false: waits for a processor",
+        "  port (",
+        ";\n".join(f"    {name} : {direction} {kind}" for name, direction, kind in outside),
+        "  );",
+        "end entity;",
+        "",
+        f"architecture rtl of {system.entity} is",
+        *(f"  signal {names} : {kind};" for names, kind in _SIGNALS.items()),
+        "begin",
+        "  -- A soft reset leaves the tables as they are.",
+        "  process (aclk)",
+        "  begin",
+        "    if rising_edge(aclk) then",
+        "      reset <= not aresetn;",
+        "    end if;",
+        "  end process;",
+        "",
+        instance("joiner", "stereo_joiner", {"depth": SKEW_LINES * core["width_px"]}, joiner),
+        "",
+        instance("shell", "stereo_shell", shell, to_shell),
+        "",
+        instance("tables", "camera_tables", {k: parameters[k] for k in ("table_columns", "table_rows")}, tables),
+        "",
+        instance("rectification", rtl.entity(system.rectification), stage, rectification),
+        "",
+        instance("core", rtl.core_entity(system.matching), core, matching),
+        "",
+        instance("depth", "camera_depth", {}, depth),
+        "end architecture;",
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def vhdl_files(system: System) -> list[Path]:
+    """All of a system in compile order."""
+    return [
+        *manifest.core_files(system.rectification),
+        *manifest.core_files(system.matching)[1:],  # the memory cell stands there
+        *design.shell_files(),
+        *design.joiner_files(),
+        *(FOLDER / f"{name}.vhd" for name in PARTS),
+        system.path,
+    ]
