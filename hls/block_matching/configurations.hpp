@@ -155,6 +155,10 @@ STEREO_ROW(tiny_all_p4, option, tiny, pixels_per_clock = 4, prefilter = Prefilte
 STEREO_ROW(tiny_all_recursive, option, tiny, window_px = 7, min_disparity = 1, prefilter = Prefilter::xsobel,
            left_right_threshold = 1, uniqueness_percent = 10, texture_threshold = 100, subpixel = true, median = true,
            aggregation = Aggregation::recursive);
+STEREO_ROW(tiny_settings, option, tiny_unique, left_right_threshold = 2, run_time_settings = true);
+STEREO_ROW(tiny_settings_all, option, tiny_all, run_time_settings = true);
+STEREO_ROW(tiny_settings_left_p2, option, tiny_all_left_p2, height_px = 16, run_time_settings = true);
+STEREO_ROW(tiny_settings_recursive, option, tiny_all_recursive, run_time_settings = true);
 // clang-format on
 
 }  // namespace stereo::block_matching::configurations

@@ -12,13 +12,15 @@ entity tb_stereo_core is
     stimulus_file  : string;
     observed_file  : string;
     pixels         : positive := 1;  -- pixel pairs a clock
-    disparity_bits : positive := 8  -- of one pixel
+    disparity_bits : positive := 8;  -- of one pixel
+    settings_count : natural := 0  -- that have ports
   );
 end entity;
 
 architecture sim of tb_stereo_core is
   signal clock, reset, start_of_frame, valid : std_logic := '0';
   signal left_pixel, right_pixel : std_logic_vector(8 * pixels - 1 downto 0);
+  signal settings : std_logic_vector(16 * settings_count - 1 downto 0);
   signal disparity : std_logic_vector(disparity_bits * pixels - 1 downto 0);
   signal pixel_valid : std_logic_vector(pixels - 1 downto 0);
   signal disparity_valid, disparity_start_of_frame, disparity_end_of_line : std_logic;
@@ -27,6 +29,7 @@ begin
     port map (
       clock => clock, reset => reset,
       left_pixel => left_pixel, right_pixel => right_pixel, start_of_frame => start_of_frame, valid => valid,
+      -- settings of the stimulus
       disparity => disparity, pixel_valid => pixel_valid, disparity_valid => disparity_valid,
       disparity_start_of_frame => disparity_start_of_frame, disparity_end_of_line => disparity_end_of_line);
 
@@ -37,6 +40,7 @@ begin
     variable stimulus_line, observed_line, progress_line : line;
     variable flags : std_logic_vector(3 downto 0);
     variable left_value, right_value : std_logic_vector(8 * pixels - 1 downto 0);
+    variable setting : std_logic_vector(15 downto 0);
     variable clock_count : natural := 0;
 
     procedure clock_edge is
@@ -83,6 +87,10 @@ begin
       reset <= flags(2);
       left_pixel <= left_value;
       right_pixel <= right_value;
+      for i in 0 to settings_count - 1 loop
+        hread(stimulus_line, setting);
+        settings(16 * i + 15 downto 16 * i) <= setting;
+      end loop;
       wait for 0 ns;
       observe;
       clock_edge;

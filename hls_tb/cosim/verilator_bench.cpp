@@ -59,6 +59,21 @@ void drive(Port& port, unsigned value) {
    port = static_cast<Port>(value);
 }
 
+/// The words of a line behind the pixels, for a core that has these ports.
+template <class Model>
+bool read_settings(Model& model, std::FILE* stimulus) {
+   bool complete = true;
+   const auto take = [&](auto& port) {
+      unsigned value = 0;
+      complete = complete && std::fscanf(stimulus, "%x", &value) == 1;
+      drive(port, value);
+   };
+   if constexpr (requires { model.texture_threshold; }) take(model.texture_threshold);
+   if constexpr (requires { model.uniqueness_percent; }) take(model.uniqueness_percent);
+   if constexpr (requires { model.left_right_threshold; }) take(model.left_right_threshold);
+   return complete;
+}
+
 void clock_edge(Vdesign& model, Wave& wave, long clock) {
    model.clock = 0;
    model.eval();
@@ -93,7 +108,7 @@ int main(int argc, char** argv) {
    if (!std::fgets(line, sizeof line, stimulus)) return 2;  // format line, checked before the simulation starts
    long clock = 0;
    unsigned flags, left, right;
-   while (std::fscanf(stimulus, "%x %x %x", &flags, &left, &right) == 3) {
+   while (std::fscanf(stimulus, "%x %x %x", &flags, &left, &right) == 3 && read_settings(model, stimulus)) {
       model.valid = flags & 1;
       model.start_of_frame = flags >> 1 & 1;
       model.reset = flags >> 2 & 1;

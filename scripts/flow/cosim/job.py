@@ -252,7 +252,8 @@ def _folder(job: Job) -> Path:
 def _simulator(job: Job, design: list[Path], parameters: Parameters) -> Simulator:
     folder = SIMULATIONS / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
     lanes, bits = parameters["pixels_per_clock"], parameters["disparity_bits"]
-    return SIMULATORS[job.simulator](job.config, design, folder, lanes, bits, trace=job.wave is not None)
+    settings = rtl.settings_of(parameters)
+    return SIMULATORS[job.simulator](job.config, design, folder, lanes, bits, job.wave is not None, settings)
 
 
 def _simulate(job: Job, simulator: Simulator, stimulus: Path, observed: Path, clocks: int) -> float:
@@ -292,7 +293,14 @@ def _explain(job: Job, parameters: Parameters, simulator: Simulator, first: chec
         source = simulator
         if not isinstance(simulator, Ghdl):
             folder = SIMULATIONS / f"{job.config}-ghdl"
-            source = Ghdl(job.config, simulator.vhdl_files, folder, simulator.pixels, simulator.disparity_bits)
+            source = Ghdl(
+                job.config,
+                simulator.vhdl_files,
+                folder,
+                simulator.pixels,
+                simulator.disparity_bits,
+                settings=simulator.settings,
+            )
             source.build()
         _rerun(job, source, path, window)
 

@@ -31,8 +31,10 @@ class Simulator:
         pixels: int = 1,
         disparity_bits: int = 8,
         trace: bool = False,
+        settings: Sequence[rtl.Setting] = (),
     ) -> None:
         self.config = config
+        self.settings = tuple(settings)  # that have ports
         self.pixels = pixels  # pairs a clock
         self.disparity_bits = disparity_bits  # of one pixel
         self.vhdl_files = list(vhdl_files)
@@ -54,7 +56,7 @@ class Simulator:
     def build(self) -> bool:
         """Whether it had to be built; not, where the same was built before."""
         makers = [*self._bench_files(), Path(__file__), Path(ghdl.__file__)]
-        options = (self.config, self.trace, self.tools())
+        options = (self.config, self.settings, self.trace, self.tools())
         self._built = builds.build_once(self.root, self.vhdl_files, makers, options, self._build)
         return self._built.is_new
 
@@ -108,8 +110,24 @@ class Ghdl(Simulator):
         copies = []
         for path in templates:
             copies.append(work / path.name)
-            copies[-1].write_text(path.read_text().replace(rtl.core_entity("NAME"), rtl.core_entity(self.config)))
+            text = path.read_text().replace(rtl.core_entity("NAME"), rtl.core_entity(self.config))
+            for marker, lines in self._settings_text().items():
+                text = text.replace(f"{marker}\n", lines)
+            copies[-1].write_text(text)
         return copies
+
+    def _settings_text(self) -> dict[str, str]:
+        """{comment in a bench: the lines that stand there for a core whose settings have ports}"""
+        declared, slices, whole = "", "", ""
+        for place, setting in enumerate(self.settings):
+            declared += f"    {setting.name} : in std_logic_vector;\n"
+            slices += f"      {setting.name} => settings({16 * place + setting.bits - 1} downto {16 * place}),\n"
+            whole += f"      {setting.name} => {setting.name},\n"
+        return {
+            "    -- ports of settings": declared,
+            "      -- settings of the stimulus": slices,
+            "      -- settings": whole,
+        }
 
     def _elaborate(self, work: Path, files: Iterable[Path]) -> None:
         ghdl.analyse(files, work)
@@ -120,6 +138,7 @@ class Ghdl(Simulator):
             {
                 "pixels": self.pixels,
                 "disparity_bits": self.disparity_bits,
+                "settings_count": len(self.settings),
                 "stimulus_file": str(stimulus),
                 "observed_file": str(observed),
             }
@@ -188,7 +207,7 @@ class Original(Ghdl):
                 copy.write_text(path.read_text().rpartition("end package body;")[2])
                 sources.append(copy)
         template = (BENCH / "bambu_read_port.vhd").read_text()
-        for port in ("left_pixel", "right_pixel", "start_of_frame", "valid"):
+        for port in (port.name for port in rtl.ports_with(self.settings) if port.direction == "in"):
             copy = library / f"{port}.vhd"
             copy.write_text(template.replace("PORT", port))
             sources.append(copy)
@@ -230,7 +249,8 @@ def verilate(
     verilator = find_verilator()
     source = work / f"{top}.v"
     source.write_text(ghdl.to_verilog(vhdl_files, work, top))
-    command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *options, "-CFLAGS", "-O2"]
+    command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *options]
+    command += ["-CFLAGS", "-O2 -std=c++20"]
     command += [
         "--top-module",
         top,

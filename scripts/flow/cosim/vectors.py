@@ -81,10 +81,13 @@ Stimulus = list[tuple[bool, bool]]
 def read_stimulus(path: Path) -> Stimulus:
     lines = read_lines(path)
     _, digits = _read_header(path, lines, "stimulus", "clocks")
-    pattern = re.compile(rf"[0-7] [0-9a-f]{{{digits}}} [0-9a-f]{{{digits}}}")
+    settings = re.search(r" settings=([1-8])\b", lines[0])
+    words = int(settings.group(1)) if settings else 0
+    pattern = re.compile(rf"[0-7] [0-9a-f]{{{digits}}} [0-9a-f]{{{digits}}}(?: [0-9a-f]{{4}}){{{words}}}")
     for number, line in enumerate(lines[1:], 2):
         if not pattern.fullmatch(line):
-            raise FlowError(f"{path}, line {number}: '{line}' is not 'F LEFT RIGHT' with {digits} digits")
+            more = f" and {words} settings" if words else ""
+            raise FlowError(f"{path}, line {number}: '{line}' is not 'F LEFT RIGHT' with {digits} digits{more}")
     return [(line[0] in "13", line[0] in "23") for line in lines[1:]]  # nothing is taken in a clock with reset
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import ghdl
+from ..base import ghdl, rtl
 from ..base.configurations import configuration
 from ..base.errors import FlowError
 from ..base.tools import ROOT, Word, find_stereo_hls, run
@@ -110,7 +110,7 @@ class Core:
 
     def noticed(self, core: list[Path], shell: list[Path], folder: Path) -> str:
         lanes, bits = self.parameters["pixels_per_clock"], self.parameters["disparity_bits"]
-        simulator = Ghdl(self.config, core, folder / "core", lanes, bits)
+        simulator = Ghdl(self.config, core, folder / "core", lanes, bits, settings=rtl.settings_of(self.parameters))
         simulator.build()
         for number, (stimulus, clocks, expected) in enumerate(self.runs):
             observed_path = folder / "observed.txt"

@@ -11,7 +11,7 @@ from pathlib import Path
 from ..base.configurations import Configuration, parameters_of
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_bambu, run
-from .manifest import Estimate, hardware_digests, top_options
+from .manifest import Estimate, hardware_digests, top_of, top_options
 
 TOP = "stereo_core"
 WORK = ROOT / "build" / "synthesis"
@@ -50,7 +50,7 @@ def synthesize(config: str, row: Configuration) -> ToolRun:
     """Synthesises one configuration in an empty working directory, unless the last run there had the same inputs."""
     bambu = find_bambu()
     directory = WORK / config
-    options = [*top_options(config, row["family"], row["source_folder"]), *OPTIONS]
+    options = [*top_options(config, row["family"], row["source_folder"], top_of(row)), *OPTIONS]
     command = shlex.join(["bambu", *options])
     version = tool_version(bambu)
     inputs = json.dumps([version, command, parameters_of(row), hardware_digests(row)], indent=1, sort_keys=True)

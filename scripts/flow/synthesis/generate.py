@@ -35,7 +35,7 @@ def header(config: str, row: Configuration, tool: str) -> str:
             "-- SPDX-License-Identifier: Apache-2.0",
             f"-- Stereo core, {family}, configuration {config}: {what}.",
             *textwrap.wrap(options + ".", 110, initial_indent="-- Options: ", subsequent_indent="--   "),
-            f"-- Made from hls/top/stereo_top.cpp by {tool} and scripts/synthesize.py. Do not edit:",
+            f"-- Made from {manifest.top_of(row)} by {tool} and scripts/synthesize.py. Do not edit:",
             f"--   scripts/synthesize.py --config {config}",
             "-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.",
         ]
@@ -62,7 +62,7 @@ def generate(config: str, say: Callable[[str], None] = print, out: Path | None =
     netlist = lower(design)
     trace = _cpp_trace(config, row, tool_run.vhdl.parent)
     run_passes(netlist, design, trace)
-    entity = Entity(rtl.core_entity(config), {name: option(row, name) for name in rtl.GENERICS})
+    entity = Entity(rtl.core_entity(config), {name: option(row, name) for name in rtl.GENERICS}, rtl.settings_of(row))
     text = VhdlWriter(netlist, header(config, row, tool_run.version), entity).write()
     report: manifest.ToolReport = {
         **tool_run.report,

@@ -32,6 +32,7 @@ KEYS = {
 }
 _DIGESTS = ("sources", "cells", "files")
 TOP = "hls/top/stereo_top.cpp"
+SETTINGS_TOP = "hls/top/settings_top.cpp"  # of rows whose settings come from ports
 Digests = dict[str, str]  # {file: SHA-256}
 
 
@@ -75,12 +76,17 @@ def _digests(paths: Iterable[Path]) -> Digests:
     return {path.relative_to(ROOT).as_posix(): digest(path) for path in paths}
 
 
-def top_options(config: str, family: str, source_folder: str) -> list[str]:
+def top_of(row: Configuration) -> str:
+    """The hardware top of a row."""
+    return SETTINGS_TOP if rtl.settings_of(row) else TOP
+
+
+def top_options(config: str, family: str, source_folder: str, top: str = TOP) -> list[str]:
     """What a compiler needs to compile the hardware top, in the project's root."""
     folders = dict.fromkeys((source_folder, "hls"))
     macros = {"STEREO_FAMILY": family, "STEREO_CONFIGURATION": config}
     return [
-        TOP,
+        top,
         "--std=c++20",
         *(f"-I{folder}" for folder in folders),
         *(f"-D{name}={value}" for name, value in macros.items()),
@@ -88,10 +94,10 @@ def top_options(config: str, family: str, source_folder: str) -> list[str]:
 
 
 @cache
-def _included(source_folder: str, family: str) -> tuple[Path, ...]:
+def _included(source_folder: str, family: str, top: str) -> tuple[Path, ...]:
     """The hardware top and all that it includes, as the compiler finds it: the same for every row of a family."""
     compiler = find_tool("c++", "CXX", "on Debian: apt-get install g++")
-    rule = run([compiler, *top_options("any", family, source_folder), "-MM"], cwd=ROOT)
+    rule = run([compiler, *top_options("any", family, source_folder, top), "-MM"], cwd=ROOT)
     return tuple(sorted(ROOT / name for name in rule.replace("\\\n", " ").split(":", 1)[1].split()))
 
 
@@ -99,7 +105,7 @@ def hardware_digests(row: Configuration) -> Digests:
     """The C++ of the core. The family's table of configurations is left out: a manifest holds the one row that counts,
     so that a new configuration does not make the others stale."""
     table = ROOT / row["source_folder"] / row["family"] / "configurations.hpp"
-    return _digests(path for path in _included(row["source_folder"], row["family"]) if path != table)
+    return _digests(path for path in _included(row["source_folder"], row["family"], top_of(row)) if path != table)
 
 
 def source_digests(row: Configuration) -> Digests:

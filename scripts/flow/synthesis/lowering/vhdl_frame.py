@@ -11,6 +11,7 @@ class Entity(NamedTuple):
 
     name: str
     generics: dict[str, int]
+    settings: tuple[rtl.Setting, ...] = ()
 
     def text(self) -> str:
         generics = ";\n".join(
@@ -25,9 +26,10 @@ class Entity(NamedTuple):
 
     def _ports(self) -> str:
         ports = ["    clock : in std_logic;", "    reset : in std_logic;  -- synchronous, active high"]
-        for port in rtl.PORTS:
+        all_ports = rtl.ports_with(self.settings)
+        for port in all_ports:
             kind = rtl.port_type(port, self.generics["pixels_per_clock"], self.generics["disparity_bits"])
-            end = "" if port is rtl.PORTS[-1] else ";"
+            end = "" if port is all_ports[-1] else ";"
             ports.append(
                 f"    {port.name} : {port.direction} {kind}{end}" + (f"  -- {port.meaning}" if port.meaning else "")
             )
