@@ -57,7 +57,7 @@ def main() -> int:
     find_bambu()
     for name in names:
         report = generate(name, out=options.out / name if options.out else None)["tool_report"]
-        if options.out is None and rtl.kind_of(table[name]["family"]) is rtl.CORE:
+        if options.out is None and not rtl.is_stage(table[name]):
             template.write(name)
         print(
             f"{name}: {report['states']} states ({report['loop_states']} in the loop), "

@@ -13,6 +13,7 @@ struct Structure {
    int cost_clocks = 3;       ///< of direct SAD sums, 1: all in one clock; 2: differences apart; 3: each addition apart
    bool sign_memory = false;  ///< of direct SAD sums in 3 clocks: remember which pixel of a pair is the larger one
    int winner_group = 2;      ///< candidates that one clock of the winner-take-all tree compares: 2 ... 16
+   bool run_time_settings = false;  ///< thresholds from ports, taken over with each start of frame
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
@@ -21,6 +22,7 @@ struct Structure {
       visit("cost_clocks", self.cost_clocks, 1, 3, "the number of clocks of the cost");
       visit("sign_memory", self.sign_memory);
       visit("winner_group", self.winner_group, 2, 16, "the number of candidates of a winner group");
+      visit("run_time_settings", self.run_time_settings);
    }
 };
 
@@ -116,6 +118,15 @@ struct Config : Image, Matching, Structure {
    constexpr int transform_columns() const { return cost == Cost::census ? census_width_px / 2 : 1; }
    constexpr int transform_groups() const { return (transform_rows() + pixels_per_clock - 1) / pixels_per_clock; }
 
+   /// What the ports of a core with run-time settings set; nothing of a check that the core does not have.
+   template <class Visitor>
+   constexpr void settings(Visitor& visit) const {
+      const int texture = has_texture_check() ? prefilter_cap * window_px * window_px : 0;
+      visit("texture_threshold", 16, texture, texture_threshold);
+      visit("uniqueness_percent", 8, has_uniqueness_check() ? 100 : 0, uniqueness_percent);
+      visit("left_right_threshold", 8, has_left_right_check() ? disparities - 1 : 0, at_least_0(left_right_threshold));
+   }
+
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
       Image::options(self, visit);
@@ -145,13 +156,27 @@ struct Config : Image, Matching, Structure {
       if (has_transform() && row_groups() <= transform_groups())
          return "the image must be higher than the rows that a transform waits for";
       if (median && row_groups() <= 1) return "the image must be higher than the row that a median waits for";
+      if (run_time_settings && !has_check()) return "run-time settings need a check";
+      if (run_time_settings && !holds_settings())
+         return "with run-time settings the image must be higher, for a frame's first disparity to leave before the "
+                "next one";
       if (largest_window_cost() >= 1 << 26) return "window costs must stay below 2^26";
       if (has_uniqueness_check() && largest_window_cost() >= 1 << 24)
          return "with a uniqueness check window costs must stay below 2^24";
       return {};
    }
 
+   /// Clocks that are enough from the last group that a disparity depends on to the last check.
+   constexpr int clocks_to_last_check() const { return 64 + disparities; }
+
   private:
+   /// Whether the first disparity of a frame is checked before the next frame can start.
+   constexpr bool holds_settings() const {
+      const int transform = has_transform() ? transform_groups() * width_px + transform_columns() : 0;
+      const int check = has_left_right_check() ? disparities - 1 : 0;
+      const int first = transform + delay_groups() * width_px + first_map_column() + columns_after() + check;
+      return first + clocks_to_last_check() < row_groups() * width_px;
+   }
    static constexpr int at_least_0(int value) { return value < 0 ? 0 : value; }
    static constexpr int larger(int a, int b) { return a < b ? b : a; }
    /// Columns by which the reference must lag behind the searched image, for the newest searched pixel to be the match

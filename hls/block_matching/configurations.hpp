@@ -161,6 +161,10 @@ STEREO_ROW(tiny_full, option, tiny, full_width = true);
 STEREO_ROW(tiny_full_p2, option, tiny, pixels_per_clock = 2, window_px = 4, reference = Reference::left,
            min_disparity = 2, left_right_threshold = 1, full_width = true);
 STEREO_ROW(tiny_full_all, option, tiny_all, min_disparity = -3, full_width = true);
+STEREO_ROW(tiny_settings, option, tiny_unique, left_right_threshold = 2, run_time_settings = true);
+STEREO_ROW(tiny_settings_all, option, tiny_all, run_time_settings = true);
+STEREO_ROW(tiny_settings_left_p2, option, tiny_all_left_p2, height_px = 16, run_time_settings = true);
+STEREO_ROW(tiny_settings_recursive, option, tiny_all_recursive, run_time_settings = true);
 // clang-format on
 
 }  // namespace stereo::block_matching::configurations

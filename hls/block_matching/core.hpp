@@ -10,6 +10,7 @@
 #include "frontend/transform.hpp"
 #include "support/optional_block.hpp"
 #include "support/schedule.hpp"
+#include "support/settings.hpp"
 #include "winner/left_right_check.hpp"
 #include "winner/map_group.hpp"
 #include "winner/median.hpp"
@@ -36,6 +37,8 @@ struct Core {
    /// What makes the map of the winners. Whole disparities without a median are ready as they are.
    using MapBlock = std::conditional_t<C.median, Median<C>, Optional<C.subpixel, MapRegister<C>>>;
    static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using Settings = CheckSettings;
+   using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
 
    //            P pixel pairs
    //                 |
@@ -61,6 +64,8 @@ struct Core {
    static constexpr Schedule kSchedule =
        raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput, C.gap_groups());
 
+   static_assert(!C.run_time_settings || kLatency < C.clocks_to_last_check(), "the bound in Config is too low");
+
    // The first memory number of each block.
    static constexpr int kDelayMemory = TransformBlock::kMemories;
    static constexpr int kRowsMemory = kDelayMemory + PairDelay<C>::kMemories;
@@ -69,6 +74,7 @@ struct Core {
    static constexpr int kCheckMemory = kTextureMemory + TextureBlock::kMemories;
    static constexpr int kMapMemory = kCheckMemory + CheckBlock::kMemories;
 
+   SettingsBlock settings;
    TransformBlock transform;
    Raster<C> raster;
    PairDelay<C> delay;
@@ -95,6 +101,7 @@ struct Core {
    /// listed too, though the hardware has only wires there.
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      visit.block("settings", settings);
       visit.block("transform", transform);
       visit.block("raster", raster);
       visit.block("delay", delay);
@@ -109,12 +116,13 @@ struct Core {
    /// What the registers show in this clock. Does not depend on this clock's input.
    HLS_INLINE StereoOutput output() const { return shown(map()); }
 
-   /// The clock edge. Last block first: each reads what the block before it held until now.
-   HLS_INLINE void clock(const StereoInput& in) {
+   /// The clock edge. Last block first: each reads what the block before it held until now. `now`: what the ports show;
+   /// only counts where the configuration has run-time settings, in the clock of a start of frame.
+   HLS_INLINE void clock(const StereoInput& in, const Settings& now = Settings()) {
       if constexpr (kHasMapBlock) map_block.clock(checked());
       if constexpr (C.has_left_right_check()) check();
-      refinement.clock(slices.last(), texture);
-      if constexpr (C.has_texture_check()) texture.clock(rows);
+      refinement.clock(slices.last(), texture, settings);
+      if constexpr (C.has_texture_check()) texture.clock(rows, settings);
       slices.clock(rows.search, rows.reference, rows.tag, NoRival<C>(), rows.ready.column);
       rows.clock(delay);
       delay.clock(raster);
@@ -124,6 +132,7 @@ struct Core {
       } else {
          raster.clock(grey_values<C>(in));
       }
+      if constexpr (C.run_time_settings) settings.clock(in, now);
    }
 
   private:
@@ -132,7 +141,7 @@ struct Core {
       uint8_t other_winner[C.pixels_per_clock];
       HLS_UNROLL
       for (int p = 0; p < C.pixels_per_clock; ++p) other_winner[p] = other.winner[p][other.kOldest];
-      left_right.clock(refinement.output(slices.last(), texture), other_winner);
+      left_right.clock(refinement.output(slices.last(), texture), other_winner, settings);
    }
 
    HLS_INLINE Winners<C> checked() const {

@@ -43,6 +43,12 @@ struct WindowSum {
       visit("tag", tag);
    }
 
+   /// The tag of the column that the next sum has.
+   template <class Column>
+   HLS_INLINE const PixelTag& newest(const Column& cost) const {
+      return cost.tag;
+   }
+
    template <class Column>
    HLS_INLINE void clock(const Column& cost) {
       const bool move = cost.tag.valid;
@@ -107,6 +113,12 @@ struct RunningWindowSum {
       visit("sum", sum);
       visit("centre", centre);
       visit("tag", tag);
+   }
+
+   /// The tag of the column that the next sum has.
+   template <class Column>
+   HLS_INLINE const PixelTag& newest(const Column&) const {
+      return change_tag;
    }
 
    template <class Column>

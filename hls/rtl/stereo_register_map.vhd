@@ -7,7 +7,7 @@ use ieee.std_logic_1164.all;
 package stereo_register_map is
   constant address_bits : positive := 6;  -- of addresses in bytes
   constant id_value : std_logic_vector(31 downto 0) := x"53544552";
-  constant version_value : std_logic_vector(31 downto 0) := x"00010000";
+  constant version_value : std_logic_vector(31 downto 0) := x"00010100";
   constant id_word : natural := 0;
   constant version_word : natural := 1;
   constant control_word : natural := 2;
@@ -20,6 +20,7 @@ package stereo_register_map is
   constant status_early_start : natural := 10;
   constant status_outside_frame : natural := 11;
   constant status_core_fault : natural := 12;
+  constant status_setting_refused : natural := 13;
   constant size_word : natural := 4;
   constant size_width_px_bits : positive := 16;
   constant size_height_px_bits : positive := 16;
@@ -33,4 +34,22 @@ package stereo_register_map is
   constant broken_frames_word : natural := 8;
   constant frame_clocks_word : natural := 9;
   constant core_word : natural := 10;
+  constant interrupt_word : natural := 11;
+  constant interrupt_frame_done_enable : natural := 0;
+  constant interrupt_any_error_enable : natural := 1;
+  constant interrupt_frame_done : natural := 8;
+  constant interrupt_any_error : natural := 9;
+  constant texture_threshold_word : natural := 12;
+  constant texture_threshold_value_bits : positive := 16;
+  constant texture_threshold_largest_bits : positive := 16;
+  constant uniqueness_percent_word : natural := 13;
+  constant uniqueness_percent_value_bits : positive := 16;
+  constant uniqueness_percent_largest_bits : positive := 16;
+  constant left_right_threshold_word : natural := 14;
+  constant left_right_threshold_value_bits : positive := 16;
+  constant left_right_threshold_largest_bits : positive := 16;
+  constant setting_count : positive := 3;
+  constant first_setting_word : natural := texture_threshold_word;
+  type setting_words is array (0 to setting_count - 1) of std_logic_vector(15 downto 0);
+  type setting_values is array (0 to setting_count - 1) of natural;
 end package;

@@ -4,8 +4,12 @@
 -- OKAY; other addresses read 0 and ignore writes.
 --   enable, soft_reset    bits of `control`; soft_reset holds until soft_reset_done, which also clears errors and counters
 --   errors                pulses, set the sticky bits of `status`
+--   settings              the words of the settings, one behind the other, the first in the lowest bits. A write of more
+--                         than the largest value is refused and sets an error bit. The core takes them over with each start
+--                         of frame. Largest value 0: no such setting
+--   irq                   a level, from a register
 --   frame_ends, ..broken  a frame has left the core, and was broken; frame_clocks: how long it took
--- Size: about 150 register bits.
+-- Size: about 160 register bits, and those of the settings.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -20,7 +24,9 @@ entity stereo_registers is
     output_width_px : positive;
     disparity_bits : positive;
     core_id : std_logic_vector(31 downto 0);
-    enabled_at_reset : boolean
+    enabled_at_reset : boolean;
+    settings_largest : setting_values;
+    settings_start : setting_values
   );
   port (
     aclk : in std_logic;
@@ -51,7 +57,9 @@ entity stereo_registers is
     errors : in std_logic_vector(4 downto 0);
     frame_ends : in std_logic;
     frame_ends_broken : in std_logic;
-    frame_clocks : in unsigned(31 downto 0)
+    frame_clocks : in unsigned(31 downto 0);
+    settings : out setting_words;
+    irq : out std_logic
   );
 end entity;
 
@@ -67,12 +75,20 @@ architecture rtl of stereo_registers is
   signal writes : std_logic;  -- a write is complete: it happens in the next clock, that of the answer
   signal applies : std_logic := '0';  -- it happens in this clock
   signal enabled, resetting : std_logic := '0';
-  signal sticky : std_logic_vector(4 downto 0) := (others => '0');
+  signal sticky : std_logic_vector(5 downto 0) := (others => '0');
+  signal frame_done, frame_done_enabled, errors_enabled, any_error : std_logic := '0';
+  signal setting : setting_words;
   signal whole_frames, broken_frames : unsigned(31 downto 0) := (others => '0');
 
   function field(value, bits : natural) return std_logic_vector is
   begin
     return std_logic_vector(to_unsigned(value, bits));
+  end function;
+
+  -- the value, and the largest one above it
+  function setting_word(value : std_logic_vector(15 downto 0); largest : natural) return word is
+  begin
+    return field(largest, 16) & value;
   end function;
 
   function bit_at(value : std_logic; place : natural) return word is
@@ -109,6 +125,12 @@ begin
     broken_frames_word => std_logic_vector(broken_frames),
     frame_clocks_word => std_logic_vector(frame_clocks),
     core_word => core_id,
+    interrupt_word => bit_at(frame_done_enabled, interrupt_frame_done_enable) or
+      bit_at(errors_enabled, interrupt_any_error_enable) or bit_at(frame_done, interrupt_frame_done) or
+      bit_at(any_error, interrupt_any_error),
+    texture_threshold_word => setting_word(setting(0), settings_largest(0)),
+    uniqueness_percent_word => setting_word(setting(1), settings_largest(1)),
+    left_right_threshold_word => setting_word(setting(2), settings_largest(2)),
     others => (others => '0'));
 
   writes <= have_address and have_data and not bvalid;
@@ -168,19 +190,44 @@ begin
     end if;
   end process;
 
+  settings <= setting;
+  any_error <= '1' when sticky /= "000000" else '0';
+
   control : process (aclk)
-    variable cleared : std_logic_vector(4 downto 0);
+    variable cleared, set : std_logic_vector(5 downto 0);
+    variable frame_done_cleared : std_logic;
+    variable written : natural range 0 to 2 ** 16 - 1;
   begin
     if rising_edge(aclk) then
       cleared := (others => '0');
+      set := '0' & errors;
+      frame_done_cleared := '0';
       if applies = '1' and write_address = control_word and write_bytes(0) = '1' then
         enabled <= write_data(control_enable);
         resetting <= resetting or write_data(control_soft_reset);
       elsif applies = '1' and write_address = status_word and write_bytes(1) = '1' then
-        cleared := write_data(status_core_fault downto status_early_line_end);
+        cleared := write_data(status_setting_refused downto status_early_line_end);
+      elsif applies = '1' and write_address = interrupt_word then
+        if write_bytes(0) = '1' then
+          frame_done_enabled <= write_data(interrupt_frame_done_enable);
+          errors_enabled <= write_data(interrupt_any_error_enable);
+        end if;
+        frame_done_cleared := write_bytes(1) and write_data(interrupt_frame_done);
       end if;
-      -- An error of the very clock in which its bit is cleared stays.
-      sticky <= (sticky and not cleared) or errors;
+      for i in 0 to setting_count - 1 loop
+        if applies = '1' and write_address = first_setting_word + i and write_bytes(1 downto 0) = "11" then
+          written := to_integer(unsigned(write_data(15 downto 0)));
+          if written <= settings_largest(i) then
+            setting(i) <= write_data(15 downto 0);
+          else
+            set(5) := '1';
+          end if;
+        end if;
+      end loop;
+      -- What happens in the very clock in which its bit is cleared stays.
+      sticky <= (sticky and not cleared) or set;
+      frame_done <= (frame_done and not frame_done_cleared) or frame_ends;
+      irq <= (frame_done and frame_done_enabled) or (any_error and errors_enabled);
       if frame_ends = '1' and frame_ends_broken = '1' then
         broken_frames <= broken_frames + 1;
       elsif frame_ends = '1' then
@@ -189,11 +236,18 @@ begin
       if aresetn = '0' or soft_reset_done = '1' then
         resetting <= '0';
         sticky <= (others => '0');
+        frame_done <= '0';
         broken_frames <= (others => '0');
         whole_frames <= (others => '0');
       end if;
       if aresetn = '0' then
         enabled <= '1' when enabled_at_reset else '0';
+        frame_done_enabled <= '0';
+        errors_enabled <= '0';
+        irq <= '0';
+        for i in 0 to setting_count - 1 loop
+          setting(i) <= field(settings_start(i), 16);
+        end loop;
       end if;
     end if;
   end process;

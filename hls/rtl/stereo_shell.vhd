@@ -20,7 +20,14 @@ entity stereo_shell is
     flush_groups : natural;
     gap_groups : natural;
     core_id : std_logic_vector(31 downto 0);  -- the first digits of the digest of the core's VHDL in manifest.json
-    enabled_at_reset : boolean := true
+    enabled_at_reset : boolean := true;
+    -- of a core with run-time settings: the largest value of each, 0 without it, and the value after a reset
+    texture_threshold_largest : natural := 0;
+    texture_threshold_start : natural := 0;
+    uniqueness_percent_largest : natural := 0;
+    uniqueness_percent_start : natural := 0;
+    left_right_threshold_largest : natural := 0;
+    left_right_threshold_start : natural := 0
   );
   port (
     aclk : in std_logic;
@@ -57,12 +64,16 @@ entity stereo_shell is
     s_axil_rresp : out std_logic_vector(1 downto 0);
     s_axil_rvalid : out std_logic;
     s_axil_rready : in std_logic;
+    irq : out std_logic;  -- a level: register `interrupt`
     -- the core
     core_reset : out std_logic;
     core_left_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
     core_right_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
     core_start_of_frame : out std_logic;
     core_valid : out std_logic;
+    core_texture_threshold : out std_logic_vector(15 downto 0);
+    core_uniqueness_percent : out std_logic_vector(7 downto 0);
+    core_left_right_threshold : out std_logic_vector(7 downto 0);
     core_disparity : in std_logic_vector(disparity_bits * pixels_per_clock - 1 downto 0);
     core_pixel_valid : in std_logic_vector(pixels_per_clock - 1 downto 0);
     core_disparity_valid : in std_logic;
@@ -75,6 +86,7 @@ architecture rtl of stereo_shell is
   signal enable, soft_reset, soft_reset_done, busy, frame_ends, frame_ends_broken : std_logic;
   signal errors : std_logic_vector(4 downto 0);
   signal frame_clocks : unsigned(31 downto 0);
+  signal settings : setting_words;
 begin
   axis : entity work.stereo_axis
     generic map (
@@ -98,7 +110,9 @@ begin
     generic map (
       width_px => width_px, height_px => height_px, disparities => disparities, pixels_per_clock => pixels_per_clock,
       output_width_px => output_width_px, disparity_bits => disparity_bits, core_id => core_id,
-      enabled_at_reset => enabled_at_reset)
+      enabled_at_reset => enabled_at_reset,
+      settings_largest => (texture_threshold_largest, uniqueness_percent_largest, left_right_threshold_largest),
+      settings_start => (texture_threshold_start, uniqueness_percent_start, left_right_threshold_start))
     port map (
       aclk => aclk, aresetn => aresetn,
       s_axil_awaddr => s_axil_awaddr, s_axil_awprot => s_axil_awprot, s_axil_awvalid => s_axil_awvalid,
@@ -109,5 +123,10 @@ begin
       s_axil_rdata => s_axil_rdata, s_axil_rresp => s_axil_rresp, s_axil_rvalid => s_axil_rvalid,
       s_axil_rready => s_axil_rready,
       enable => enable, soft_reset => soft_reset, soft_reset_done => soft_reset_done, busy => busy, errors => errors,
-      frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks);
+      frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks,
+      settings => settings, irq => irq);
+
+  core_texture_threshold <= settings(0);
+  core_uniqueness_percent <= settings(1)(7 downto 0);
+  core_left_right_threshold <= settings(2)(7 downto 0);
 end architecture;

@@ -4,6 +4,7 @@
 #include "support/matching_options.hpp"
 #include "support/memory_bank.hpp"
 #include "support/ring.hpp"
+#include "support/settings.hpp"
 #include "winner/winners.hpp"
 
 namespace stereo {
@@ -42,6 +43,7 @@ struct LeftRightCheck {
    // clock 3
    uint8_t found[kPixels];
    Winners<C> answered;
+   uint8_t threshold;  ///< only with run-time settings
    // clock 4
    Winners<C> checked;
 
@@ -64,12 +66,17 @@ struct LeftRightCheck {
       visit("asking", asking);
       visit("found", found);
       visit("answered", answered);
+      if constexpr (kSetAtRunTime<C>) visit("threshold", threshold, C.left_right_threshold);
       visit("checked", checked);
    }
 
    /// other_winner: the winner of the other image's pixel that has just met its last disparity.
-   HLS_INLINE void clock(const Winners<C>& in, const uint8_t (&other_winner)[kPixels]) {
+   template <class Settings = NoSettings>
+   HLS_INLINE void clock(const Winners<C>& in, const uint8_t (&other_winner)[kPixels],
+                         const Settings& settings = Settings()) {
       compare();
+      if constexpr (kSetAtRunTime<C>)
+         threshold = select<uint8_t>(is_first_of_frame(asking.tag), settings.left_right_threshold, threshold);
       others.read_each(address, found);
       answered = asking;
       asking = unpacked(held[0]);
@@ -135,8 +142,13 @@ struct LeftRightCheck {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          const int16_t difference = int16_t(answered.disparity[p] - found[p]);
-         const bool consistent = difference <= C.left_right_threshold && difference >= -C.left_right_threshold;
-         checked.passed[p] = answered.passed[p] && consistent;
+         if constexpr (kSetAtRunTime<C>) {
+            const bool consistent = (difference <= int16_t(threshold)) & (difference >= int16_t(-threshold));
+            checked.passed[p] = answered.passed[p] & consistent;
+         } else {
+            const bool consistent = difference <= C.left_right_threshold && difference >= -C.left_right_threshold;
+            checked.passed[p] = answered.passed[p] && consistent;
+         }
       }
    }
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cost/costs.hpp"
+#include "support/settings.hpp"
 #include "winner/candidate.hpp"
 #include "winner/winners.hpp"
 
@@ -21,6 +22,7 @@ struct Refinement {
                                                              : 0;
    static constexpr int kStages = kClocks > 0 ? kClocks : 1;
    using Value = WindowCost<C>;
+   static constexpr bool kHasPercent = kSetAtRunTime<C> && C.has_uniqueness_check();
 
    // [stage][p]
    uint8_t disparity[kStages][kPixels];
@@ -30,6 +32,7 @@ struct Refinement {
    bool alone[2][kPixels];                              ///< stages 1 and 2: there is no second
    Value gap[kPixels], lowest[kPixels];                 // stage 1: second - cost; cost
    uint32_t scaled_gap[kPixels], scaled_cost[kPixels];  // stage 2
+   uint8_t percent;  ///< only with run-time settings: of the winner in stage 1; 0: no check
    // Subpixel: u and v are what the costs below and above have more than the winner's.
    Value cost[kPixels], below[kPixels], above[kPixels];  // stage 0
    Value u[kPixels], v[kPixels];                         // stage 1
@@ -52,6 +55,7 @@ struct Refinement {
       visit("lowest", lowest);
       visit("scaled_gap", scaled_gap);
       visit("scaled_cost", scaled_cost);
+      if constexpr (kHasPercent) visit("percent", percent, C.uniqueness_percent);
       visit("cost", cost);
       visit("below", below);
       visit("above", above);
@@ -89,8 +93,8 @@ struct Refinement {
       return winners;
    }
 
-   template <class Slice, class TextureBlock>
-   HLS_INLINE void clock(const Slice& last, const TextureBlock& texture) {
+   template <class Slice, class TextureBlock, class Settings = NoSettings>
+   HLS_INLINE void clock(const Slice& last, const TextureBlock& texture, const Settings& settings = Settings()) {
       if constexpr (kClocks > 0) {
          if constexpr (C.subpixel) divide();
          HLS_UNROLL
@@ -104,6 +108,8 @@ struct Refinement {
             }
          }
          if constexpr (C.has_uniqueness_check()) take_second(last);
+         if constexpr (kHasPercent)
+            percent = select<uint8_t>(is_first_of_frame(tag[0]), settings.uniqueness_percent, percent);
          if constexpr (C.subpixel) find_distances(last);
          HLS_UNROLL
          for (int p = 0; p < kPixels; ++p) {
@@ -138,7 +144,11 @@ struct Refinement {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          alone[1][p] = alone[0][p];
-         if constexpr (requires { C.uniqueness_distance; }) {
+         if constexpr (kHasPercent) {
+            alone[1][p] = alone[0][p] | (percent == 0);
+            scaled_gap[p] = uint32_t(gap[p]) * 100u;
+            scaled_cost[p] = uint32_t(lowest[p]) * percent;
+         } else if constexpr (requires { C.uniqueness_distance; }) {
             scaled_gap[p] = gap[p];
             scaled_cost[p] = uint32_t(C.uniqueness_distance - 1);
          } else {

@@ -14,6 +14,7 @@ entity stereo_core_NAME is
     right_pixel : in std_logic_vector;
     start_of_frame : in std_logic;
     valid : in std_logic;
+    -- ports of settings
     disparity : out std_logic_vector;
     pixel_valid : out std_logic_vector;
     disparity_valid : out std_logic;
@@ -38,6 +39,7 @@ begin
       clock => clock, reset => running, start_port => '1', done_port => open,
       left_pixel => left_pixel, right_pixel => right_pixel,
       start_of_frame(0) => start_of_frame, valid(0) => valid,
+      -- settings
       disparity => disparity, pixel_valid => pixels_valid, disparity_valid => valid_flag,
       disparity_start_of_frame => start_flag, disparity_end_of_line => line_flag);
 end architecture;

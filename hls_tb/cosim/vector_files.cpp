@@ -20,19 +20,35 @@ std::string word_text(const Lane& lanes, int pixels, int lane_bits) {
    return text;
 }
 
+std::string setting_text(uint32_t value) {
+   std::string text;
+   for (int bit = 12; bit >= 0; bit -= 4) text += kHexDigits[value >> bit & 15];
+   return text;
+}
+
 }  // namespace
 
 void write_stimulus(std::ostream& out, const Stimulus& stimulus) {
    const int pixels = stimulus.pixels_per_clock;
    out << "stereo-hls stimulus 2 config=" << stimulus.config << " pixels=" << pixels
-       << " clocks=" << stimulus.clocks.size() << '\n';
+       << " clocks=" << stimulus.clocks.size();
+   if (stimulus.ports.count > 0) out << " settings=" << stimulus.ports.count;
+   out << '\n';
+   std::string settings;
+   for (const Setting& port : stimulus.ports) settings += ' ' + setting_text(uint32_t(port.start));
+   auto change = stimulus.settings.begin();
    auto reset = stimulus.resets.begin();
    for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
       const StereoInput& in = stimulus.clocks[clock];
       const bool resets = reset != stimulus.resets.end() && *reset == clock;
       if (resets) ++reset;
       out << int(in.valid) + 2 * int(in.start_of_frame) + 4 * int(resets) << ' ' << word_text(in.left, pixels, 8) << ' '
-          << word_text(in.right, pixels, 8) << '\n';
+          << word_text(in.right, pixels, 8);
+      if (change != stimulus.settings.end() && change->clock == clock) {
+         settings.clear();
+         for (const uint32_t value : change++->values) settings += ' ' + setting_text(value);
+      }
+      out << settings << '\n';
    }
 }
 

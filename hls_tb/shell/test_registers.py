@@ -35,10 +35,46 @@ async def read_only_registers_keep_their_values(dut):
     bench = await Bench(dut, "read only").start()
     before = {name: await bench.read(name) for name in bench.map}
     for name in bench.map:
-        if name not in ("control", "status"):
+        if name not in ("control", "status", "interrupt", *registers.settings()):
             await bench.write(name, 0xFFFFFFFF)
     await bench.axil.write(60, b"\xff\xff\xff\xff")
     assert {name: await bench.read(name) for name in bench.map} == before
+
+
+@cocotb.test()
+async def settings_that_the_core_does_not_have_are_refused(dut):
+    bench = await Bench(dut, "no settings").start()
+    for name in registers.settings():
+        await bench.write(name, 0)
+        assert await bench.field("status", "setting_refused") == 0
+        await bench.write(name, 1)
+        assert (await bench.read(name), await bench.field("status", "setting_refused")) == (0, 1)
+        await bench.write("status", 1 << bench.map["status"]["fields"]["setting_refused"]["low"])
+        assert await bench.read("status") == 0
+
+
+@cocotb.test()
+async def interrupt_follows_frames_and_errors(dut):
+    bench = await Bench(dut, "interrupt").start()
+    fields = {name: 1 << field["low"] for name, field in bench.map["interrupt"]["fields"].items()}
+
+    async def level():
+        await ClockCycles(dut.aclk, 3)
+        return int(dut.irq.value)
+
+    await bench.play(script.send(a_frame(bench)))
+    assert (await bench.read("interrupt"), await level()) == (fields["frame_done"], 0)
+    await bench.write("interrupt", fields["frame_done_enable"])
+    assert await level() == 1
+    await bench.write("interrupt", fields["frame_done_enable"] | fields["frame_done"])
+    assert (await bench.read("interrupt"), await level()) == (fields["frame_done_enable"], 0)
+    await bench.play(script.send(a_frame(bench)[:5] + a_frame(bench)))
+    assert await level() == 1
+    both = fields["frame_done_enable"] | fields["any_error_enable"]
+    await bench.write("interrupt", both | fields["frame_done"])
+    assert (await bench.read("interrupt"), await level()) == (both | fields["any_error"], 1)
+    await bench.write("status", 0xFFFFFFFF)
+    assert (await bench.read("interrupt"), await level()) == (both, 0)
 
 
 @cocotb.test()

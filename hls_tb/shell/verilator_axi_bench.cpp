@@ -17,6 +17,7 @@ namespace {
 
 constexpr long kHangClocks = 200000;  // without a beat on either side while beats wait; the sink takes 1 in 10 at least
 constexpr long kProgressClocks = 20000;
+constexpr int kAnswerClocks = 100;  // of a register
 
 /// A beat of m_axis in words of 32 bits, the lowest first.
 using Beat = std::array<uint32_t, 3>;
@@ -59,6 +60,40 @@ class Bench {
    }
    void idle(long clocks) {
       while (clocks-- > 0) clock();
+   }
+   /// A register, with nothing on s_axis meanwhile.
+   void write(unsigned address, uint32_t value) {
+      model_.s_axil_awaddr = address;
+      model_.s_axil_wdata = value;
+      model_.s_axil_wstrb = 15;
+      model_.s_axil_awvalid = model_.s_axil_wvalid = 1;
+      bool answered = false;
+      for (int i = 0; i < kAnswerClocks && !answered; ++i) {
+         const bool address_taken = model_.s_axil_awready, data_taken = model_.s_axil_wready;
+         answered = model_.s_axil_bvalid;
+         clock();
+         if (address_taken) model_.s_axil_awvalid = 0;
+         if (data_taken) model_.s_axil_wvalid = 0;
+      }
+      if (!answered) std::fprintf(observed_, "p no answer to a write of register %02x, clock %ld\n", address, clock_);
+   }
+   void read(unsigned address, uint32_t expected, uint32_t mask) {
+      model_.s_axil_araddr = address;
+      model_.s_axil_arvalid = 1;
+      bool answered = false;
+      for (int i = 0; i < kAnswerClocks && !answered; ++i) {
+         const bool taken = model_.s_axil_arready;
+         answered = model_.s_axil_rvalid;
+         if (answered && ((model_.s_axil_rdata ^ expected) & mask) != 0)
+            std::fprintf(observed_, "p register %02x: expected %x, got %x, clock %ld\n", address, expected & mask,
+                         model_.s_axil_rdata & mask, clock_);
+         clock();
+         if (taken) model_.s_axil_arvalid = 0;
+      }
+      if (!answered) std::fprintf(observed_, "p no answer to a read of register %02x, clock %ld\n", address, clock_);
+   }
+   void expect_interrupt(int level) {
+      if (model_.irq != level) std::fprintf(observed_, "p irq is not %d, clock %ld\n", level, clock_);
    }
    void drain(long quiet_clocks) {
       while (clock_ - last_beat_ < quiet_clocks) clock();
@@ -135,12 +170,17 @@ void play(std::FILE* stream, Bench& bench) {
    char kind;
    unsigned long long first = 0;
    long second = 0;
+   unsigned address = 0, value = 0, mask = 0;
    while (std::fscanf(stream, " %c", &kind) == 1) {
       if (kind == 'b' && std::fscanf(stream, "%llx %ld", &first, &second) == 2) bench.send(first, int(second));
       else if (kind == 'p' && std::fscanf(stream, "%llu %ld", &first, &second) == 2)
          bench.set_rates(int(first), int(second));
       else if (kind == 'i' && std::fscanf(stream, "%ld", &second) == 1) bench.idle(second);
       else if (kind == 'r' && std::fscanf(stream, "%ld", &second) == 1) bench.reset(second);
+      else if (kind == 'w' && std::fscanf(stream, "%u %u", &address, &value) == 2) bench.write(address, value);
+      else if (kind == 'q' && std::fscanf(stream, "%u %u %u", &address, &value, &mask) == 3)
+         bench.read(address, value, mask);
+      else if (kind == 'l' && std::fscanf(stream, "%ld", &second) == 1) bench.expect_interrupt(int(second));
       else if (kind == 'd') bench.drain(kQuietClocks);
       else std::fprintf(stderr, "bad step '%c'\n", kind), std::exit(2);
    }

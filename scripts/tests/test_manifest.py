@@ -35,7 +35,7 @@ def test_generated_vhdl_says_where_it_came_from(name):
     for words in (
         "SPDX-License-Identifier: Apache-2.0",
         f"configuration {name}",
-        rtl.kind_of(TABLE[name]["family"]).top,
+        rtl.kind_of(TABLE[name]).top,
         "PandA Bambu",
         "synthesize.py",
     ):

@@ -7,8 +7,8 @@
 
 #include "engines/clocked/core_shape.hpp"
 #include "engines/clocked/heap_memories.hpp"
-#include "engines/clocked/register_list.hpp"
 #include "engines/clocked/option_list.hpp"
+#include "engines/clocked/register_list.hpp"
 #include "support/ports.hpp"
 
 namespace stereo {
@@ -20,6 +20,9 @@ class ClockedCore {
    virtual StereoOutput output() const = 0;
    /// The clock edge.
    virtual void clock(const StereoInput& in) = 0;
+   /// What the ports of the settings show from now on, in the order of CoreShape::settings; until then, what the
+   /// configuration says. Nothing where there are no such ports.
+   virtual void set(const std::vector<uint32_t>& settings) = 0;
    /// All registers, in data-flow order.
    virtual std::vector<RegisterView> registers() = 0;
 };
@@ -39,10 +42,25 @@ struct CoreModule {
 template <class Core>
 class ClockedCoreOf final : public ClockedCore {
   public:
-   explicit ClockedCoreOf(HeapMemories& memories) : core_(memories) {}
+   explicit ClockedCoreOf(HeapMemories& memories) : core_(memories) {
+      std::vector<uint32_t> start;
+      for (const Setting& setting : core_shape<Core>().settings) start.push_back(uint32_t(setting.start));
+      set(start);
+   }
 
    StereoOutput output() const override { return core_.output(); }
-   void clock(const StereoInput& in) override { core_.clock(in); }
+   void clock(const StereoInput& in) override {
+      if constexpr (kHasSettings) core_.clock(in, settings_);
+      else core_.clock(in);
+   }
+   void set(const std::vector<uint32_t>& settings) override {
+      if constexpr (kHasSettings) {
+         SettingsReader reader{settings.data()};
+         settings_.registers(reader);
+      } else {
+         static_cast<void>(settings);
+      }
+   }
    std::vector<RegisterView> registers() override {
       std::vector<RegisterView> list;
       RegisterLister lister(list);
@@ -52,7 +70,25 @@ class ClockedCoreOf final : public ClockedCore {
    const Core& core() const { return core_; }
 
   private:
+   static constexpr bool kHasSettings = kSetAtRunTime<Core::kConfig>;
+   struct None {};
+   template <class C>
+   struct SettingsOf {
+      using Type = typename C::Settings;
+   };
+   struct NoneOf {
+      using Type = None;
+   };
+   struct SettingsReader {
+      const uint32_t* next;
+      template <class T>
+      void operator()(const char*, T& value) {
+         value = T(*next++);
+      }
+   };
+
    Core core_;
+   [[no_unique_address]] typename std::conditional_t<kHasSettings, SettingsOf<Core>, NoneOf>::Type settings_;
 };
 
 template <class Core>

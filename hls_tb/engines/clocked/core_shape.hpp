@@ -3,6 +3,7 @@
 
 #include "support/image.hpp"
 #include "support/schedule.hpp"
+#include "support/settings.hpp"
 
 namespace stereo {
 
@@ -13,12 +14,19 @@ struct CoreShape {
    int disparity_bits;   ///< of one pixel in the output word: 8 or 16
    int steps_per_pixel;  ///< of a disparity: 1, or 16 for sixteenths of a pixel
    Schedule schedule;
+   SettingList settings;  ///< that its ports take; none where they are constants
 };
 
 template <class Core>
 constexpr CoreShape core_shape() {
-   return {Core::kConfig, Core::kConfig.output_width_px(), Core::kConfig.disparity_bits(),
-           Core::kConfig.steps_per_pixel(), Core::kSchedule};
+   SettingList settings;
+   if constexpr (kSetAtRunTime<Core::kConfig>) Core::kConfig.settings(settings);
+   return {Core::kConfig,
+           Core::kConfig.output_width_px(),
+           Core::kConfig.disparity_bits(),
+           Core::kConfig.steps_per_pixel(),
+           Core::kSchedule,
+           settings};
 }
 
 }  // namespace stereo

@@ -47,11 +47,16 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& s
                                   "out_disparity_valid",
                                   "out_disparity_start_of_frame",
                                   "out_disparity_end_of_line"};
+   for (const Setting& port : stimulus.ports) names.push_back(std::string("in_") + port.name);
    for (const RegisterView& shown : registers) names.push_back(shown.name);
    sink.names(names);
+   std::vector<uint32_t> settings(std::size_t(stimulus.ports.count));
+   auto change = stimulus.settings.begin();
    std::vector<TraceSink::Value> values;
    const auto add = [&values](uint64_t word) { values.push_back({word, false}); };
-   for (const StereoInput& in : stimulus.clocks) {
+   for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
+      const StereoInput& in = stimulus.clocks[clock];
+      if (change != stimulus.settings.end() && change->clock == clock) core->set(settings = change++->values);
       const StereoOutput output = core->output();
       values.clear();
       add(lane_word<uint8_t>(in.left, pixels, 8));
@@ -63,6 +68,7 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& s
       add(output.valid);
       add(output.start_of_frame);
       add(output.end_of_line);
+      for (const uint32_t setting : settings) add(setting);
       for (const RegisterView& shown : registers) values.push_back(shown.value());
       sink.clock(values);
       core->clock(in);
@@ -94,7 +100,11 @@ Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, 
       writer.gap(shape.schedule);
    }
    writer.clocks.resize(std::size_t(clocks));
-   return {config, image.pixels_per_clock, std::move(writer.clocks)};
+   Stimulus stimulus{config, image.pixels_per_clock, std::move(writer.clocks)};
+   const SettingList& ports = shape.settings;
+   Random random(kSeed);
+   set_frames(stimulus, ports, random, [&] { return random_settings(ports, random); });
+   return stimulus;
 }
 
 }  // namespace stereo

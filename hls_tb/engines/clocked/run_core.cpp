@@ -20,11 +20,14 @@ std::vector<CoreOutput> run_core(const CoreModule& module, const Stimulus& stimu
    std::vector<CoreOutput> outputs;
    OutputLocator locator(stimulus.pixels_per_clock);
    auto reset = stimulus.resets.begin();
+   auto change = stimulus.settings.begin();
    for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
+      if (change != stimulus.settings.end() && change->clock == clock) core->set(change++->values);
       const StereoOutput output = core->output();
       if (output.valid) outputs.push_back(locator.locate(clock, output));
       if (reset != stimulus.resets.end() && *reset == clock) {
          core = module.make(memories);
+         if (change != stimulus.settings.begin()) core->set((change - 1)->values);
          ++reset;
       } else {
          core->clock(stimulus.clocks[clock]);

@@ -35,7 +35,30 @@ void check(const std::string& name, const CoreShape& core, const ImagePair& pair
            range + " would give no output: send at least " + std::to_string(least) + " rows");
 }
 
+/// The first frame has the settings of the row, the others random ones.
+void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t seed) {
+   Random random(seed ^ 0x5e77);
+   bool first = true;
+   set_frames(stimulus, ports, random, [&] {
+      std::vector<uint32_t> values = random_settings(ports, random);
+      if (first)
+         for (int i = 0; i < ports.count; ++i) values[std::size_t(i)] = uint32_t(ports.setting[i].start);
+      first = false;
+      return values;
+   });
+}
+
 }  // namespace
+
+std::vector<uint32_t> random_settings(const SettingList& ports, Random& random) {
+   std::vector<uint32_t> values;
+   // Small values are the likely ones; both ends must come.
+   for (const Setting& port : ports) {
+      const int most = random.percent(50) ? port.largest : std::min(port.largest, 1 + port.largest / 8);
+      values.push_back(random.percent(15) ? 0 : uint32_t(random.below(most + 1)));
+   }
+   return values;
+}
 
 void StimulusWriter::record(const StereoInput& in) {
    while (random_.percent(stall_percent_)) bubbles(1);
@@ -101,7 +124,9 @@ Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, co
    }
    if (rows.end - rows.first == core.image.height_px) writer.flush(core.schedule);
    writer.drain(core.schedule);
-   return {config_name, core.image.pixels_per_clock, std::move(writer.clocks)};
+   Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks)};
+   set_random_frames(stimulus, core.settings, options.seed);
+   return stimulus;
 }
 
 Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair, int count,
@@ -140,7 +165,9 @@ Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& c
    whole_frame();
    writer.flush(core.schedule);
    writer.drain(core.schedule);
-   return {config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
+   Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
+   set_random_frames(stimulus, core.settings, seed);
+   return stimulus;
 }
 
 CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {

@@ -16,12 +16,20 @@
 
 namespace stereo {
 
+/// What the ports of the settings show from a clock on.
+struct SettingsChange {
+   uint64_t clock;
+   std::vector<uint32_t> values;  ///< in the order of CoreShape::settings
+};
+
 /// The inputs of a core, one record a clock.
 struct Stimulus {
    std::string config;    ///< the configuration's name
    int pixels_per_clock;  ///< lanes in use, 1, 2 or 4; lane p holds row p of a group of rows
    std::vector<StereoInput> clocks;
-   std::vector<uint64_t> resets = {};  ///< the clocks with reset, in ascending order
+   std::vector<uint64_t> resets = {};          ///< the clocks with reset, in ascending order
+   SettingList ports = {};                     ///< of the settings; none where the core has no such ports
+   std::vector<SettingsChange> settings = {};  ///< in ascending order; without any the ports show what the row says
 };
 
 /// A valid output of a core: one column of a group of rows.
@@ -103,6 +111,30 @@ Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, co
 /// std::invalid_argument with one sentence when the images do not fit the configuration.
 Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair, int count,
                               int stall_percent, uint64_t seed);
+
+/// Random settings within their limits.
+std::vector<uint32_t> random_settings(const SettingList& ports, Random& random);
+
+/// Gives each frame of the stimulus settings of its own, in the clock of its start only: in all others the ports show
+/// garbage. `next()`: those of the next frame. Nothing where the core has no such ports.
+template <class Next>
+void set_frames(Stimulus& stimulus, const SettingList& ports, Random& random, Next next) {
+   stimulus.ports = ports;
+   if (ports.count == 0) return;
+   for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
+      const StereoInput& in = stimulus.clocks[clock];
+      const bool starts = in.valid && in.start_of_frame;
+      const bool started = clock > 0 && stimulus.clocks[clock - 1].valid && stimulus.clocks[clock - 1].start_of_frame;
+      if (starts) {
+         stimulus.settings.push_back({clock, next()});
+      } else if (started || clock == 0 || random.percent(2)) {
+         std::vector<uint32_t> garbage;
+         for (const Setting& port : ports)
+            garbage.push_back(uint32_t(random.bits() & ((uint64_t(1) << port.bits) - 1)));
+         stimulus.settings.push_back({clock, std::move(garbage)});
+      }
+   }
+}
 
 /// Gives the outputs of a core their places, in the order in which they come.
 class OutputLocator {

@@ -2,8 +2,9 @@
 """Where the VHDL of each configuration stands, generated_rtl/FAMILY/NAME/, what its entities are called, and the ports
 of each kind of design: a matching core of any family, or a stage in front of it."""
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple, cast
 
 from .errors import FlowError
 from .tools import ROOT
@@ -20,6 +21,12 @@ class Port(NamedTuple):
     direction: str
     lane_bits: int | None  # of a row, P rows side by side; None: one bit for all
     meaning: str = ""
+    bits: int | None = None  # of all rows together, whatever the lanes
+
+    @property
+    def is_flag(self) -> bool:
+        """One bit, and no word."""
+        return self.lane_bits is None and self.bits is None
 
 
 DISPARITY = 0  # lane_bits of the port that is as wide as the configuration says
@@ -50,6 +57,32 @@ STAGE_PORTS = (
     Port("rectified_start_of_frame", "out", None),
     Port("rectified_valid", "out", None),
 )
+
+
+class Setting(NamedTuple):
+    """That a port of the core brings with each start of frame (hls/support/settings.hpp)."""
+
+    name: str
+    bits: int
+    largest: int  # it is 0 ... largest; 0: the core has nothing that it sets
+    start: int  # what it is after a reset
+
+
+def settings_of(parameters: Mapping[str, Any]) -> tuple[Setting, ...]:
+    """Of a configuration, in the order of their ports; none where they are constants."""
+    return tuple(Setting(**setting) for setting in cast(list[dict[str, Any]], parameters.get("settings", [])))
+
+
+def ports_with(settings: Sequence[Setting]) -> tuple[Port, ...]:
+    """All of a core with these settings."""
+    first_output = next(place for place, port in enumerate(PORTS) if port.direction == "out")
+    taken = [
+        Port(setting.name, "in", None, f"0 ... {setting.largest}, taken over with start_of_frame", setting.bits)
+        for setting in settings
+    ]
+    return (*PORTS[:first_output], *taken, *PORTS[first_output:])
+
+
 # What a user of the VHDL states of a core; the core refuses what it is not.
 GENERICS = (
     "width_px",
@@ -82,7 +115,7 @@ class Kind(NamedTuple):
     @property
     def words(self) -> tuple[str, ...]:
         """Outputs that are more than a flag."""
-        return tuple(port.name for port in self.ports if port.direction == "out" and port.lane_bits is not None)
+        return tuple(port.name for port in self.ports if port.direction == "out" and not port.is_flag)
 
 
 CORE = Kind(
@@ -95,6 +128,7 @@ CORE = Kind(
     "disparity_valid",
     ("disparity",),
 )
+SETTINGS_TOP = "hls/top/settings_top.cpp"  # of cores whose settings come from ports
 # By the folder that stands where a matching core has its family.
 STAGES = {
     "rectification": Kind(
@@ -118,8 +152,16 @@ STAGES = {
 }
 
 
-def kind_of(family: str) -> Kind:
-    return STAGES.get(family, CORE)
+def is_stage(parameters: Mapping[str, Any]) -> bool:
+    return parameters["family"] in STAGES
+
+
+def kind_of(parameters: Mapping[str, Any]) -> Kind:
+    """Of a configuration."""
+    settings = settings_of(parameters)
+    if settings:
+        return CORE._replace(top=SETTINGS_TOP, ports=ports_with(settings))
+    return STAGES.get(parameters["family"], CORE)
 
 
 def core_entity(config: str) -> str:
@@ -128,7 +170,7 @@ def core_entity(config: str) -> str:
 
 def entity(config: str) -> str:
     """Of a core or a stage whose VHDL was made."""
-    return kind_of(folder(config).parent.name).entity(config)
+    return STAGES.get(folder(config).parent.name, CORE).entity(config)
 
 
 def ip_entity(config: str) -> str:
@@ -138,13 +180,15 @@ def ip_entity(config: str) -> str:
 
 def port_type(port: Port, pixels: int, disparity_bits: int) -> str:
     """In VHDL."""
-    if port.lane_bits is None:
+    if port.is_flag:
         return "std_logic"
     return f"std_logic_vector({port_bits(port, pixels, disparity_bits) - 1} downto 0)"
 
 
 def port_bits(port: Port, pixels: int, disparity_bits: int) -> int:
     """How wide it is."""
+    if port.bits is not None:
+        return port.bits
     return 1 if port.lane_bits is None else (port.lane_bits or disparity_bits) * pixels
 
 

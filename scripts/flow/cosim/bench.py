@@ -14,6 +14,7 @@ from ..base.tools import ROOT
 FOLDER = ROOT / "hls_tb" / "cosim"
 VHDL, CPP, CPP_PORTS = FOLDER / "tb_stereo_core.vhd", FOLDER / "verilator_bench.cpp", "bench_ports.hpp"
 ORIGINAL = FOLDER / "bambu_original.vhd"
+SETTING_BITS = 16
 _FIRST_FLAGS = ("valid", "start_of_frame", "reset")
 
 
@@ -23,15 +24,19 @@ class Ports:
     def __init__(self, kind: Kind, pixels: int, disparity_bits: int) -> None:
         self.kind, self.pixels, self.disparity_bits = kind, pixels, disparity_bits
         inputs = [port for port in kind.ports if port.direction == "in"]
-        self.flags = [*_FIRST_FLAGS, *(p.name for p in inputs if p.lane_bits is None and p.name not in _FIRST_FLAGS)]
+        self.flags = [*_FIRST_FLAGS, *(p.name for p in inputs if p.is_flag and p.name not in _FIRST_FLAGS)]
         self.flag_digits = -(-len(self.flags) // 4)
-        self.fields = [port for port in inputs if port.lane_bits is not None]
+        self.fields = [port for port in inputs if not port.is_flag]
         self.word = [port for name in kind.word for port in kind.ports if port.name == name]
         others = [p for p in kind.ports if p.direction == "out" and p not in self.word and p.name != kind.valid]
-        self.shown_flags = sorted(others, key=lambda port: port.lane_bits is not None)
+        self.shown_flags = sorted(others, key=lambda port: not port.is_flag)
 
     def bits(self, port: Port) -> int:
         return rtl.port_bits(port, self.pixels, self.disparity_bits)
+
+    def _field_bits(self, port: Port) -> int:
+        """As wide as the port, but a setting, which may have any width, has a whole word."""
+        return self.bits(port) if port.bits is None else SETTING_BITS
 
     def line_pattern(self) -> str:
         """Of a line of a stimulus; its group 1 are the flags."""
@@ -43,7 +48,7 @@ class Ports:
         return f"'{' '.join(names)}' with {' or '.join(map(str, sorted(set(self._digits()))))} digits"
 
     def _digits(self) -> list[int]:
-        return [self.bits(port) // 4 for port in self.fields]
+        return [self._field_bits(port) // 4 for port in self.fields]
 
     def vhdl(self, config: str) -> str:
         """The text of the VHDL bench."""
@@ -52,14 +57,11 @@ class Ports:
             "PORT_SIGNALS": "\n".join(self._signal(port) for port in self.kind.ports),
             "PORT_MAP": ",\n      ".join(f"{port.name} => {port.name}" for port in self.kind.ports),
             "FIELD_VARIABLES": "\n".join(
-                f"    variable {port.name}_field : {rtl.port_type(port, self.pixels, self.disparity_bits)};"
+                f"    variable {port.name}_field : std_logic_vector({self._field_bits(port) - 1} downto 0);"
                 for port in self.fields
             ),
             "FLAG_BITS": str(4 * self.flag_digits),
-            "READ_FIELDS": "\n".join(
-                f"      hread(stimulus_line, {port.name}_field);\n      {port.name} <= {port.name}_field;"
-                for port in self.fields
-            ),
+            "READ_FIELDS": "\n".join(map(self._read, self.fields)),
             "SET_FLAGS": "\n".join(f"      {name} <= flags({bit});" for bit, name in enumerate(self.flags)),
             "VALID": self.kind.valid,
             "WORD": " & ".join(port.name for port in self.word),
@@ -67,9 +69,13 @@ class Ports:
         }
         return _filled(VHDL.read_text(), stands_for)
 
+    def _read(self, port: Port) -> str:
+        field = f"{port.name}_field"
+        return f"      hread(stimulus_line, {field});\n      {port.name} <= {field}({self.bits(port) - 1} downto 0);"
+
     def _signal(self, port: Port) -> str:
         kind = rtl.port_type(port, self.pixels, self.disparity_bits)
-        zero = "" if port.direction == "out" else " := '0'" if port.lane_bits is None else " := (others => '0')"
+        zero = "" if port.direction == "out" else " := '0'" if port.is_flag else " := (others => '0')"
         return f"  signal {port.name} : {kind}{zero};"
 
     def cpp(self) -> str:

@@ -112,7 +112,7 @@ def _pair(job: Job, directory: Path, parameters: Parameters) -> tuple[Path, Path
         return job.left, job.right
     scene = directory / "scene"
     command: list[Word] = [find_stereo_hls(), "scene", "--seed", job.seed, "--out", scene]
-    if _kind(parameters) is rtl.CORE:
+    if not rtl.is_stage(parameters):
         command += ["--config", job.config]
     else:
         command += ["--width", parameters["width_px"], "--height", parameters["height_px"]]
@@ -233,7 +233,7 @@ def _check_wave(job: Job) -> None:
 
 
 def _kind(parameters: Parameters) -> rtl.Kind:
-    return rtl.kind_of(parameters["family"])
+    return rtl.kind_of(parameters)
 
 
 def _vhdl_files(job: Job, kind: rtl.Kind) -> tuple[list[Path], list[str]]:

@@ -115,7 +115,7 @@ def explain(
     except FlowError as error:
         (folder / DUMP).unlink(missing_ok=True)
         lines.append(f"  no waveform of the mismatch: {error}")
-    if rtl.kind_of(parameters["family"]) is not rtl.CORE:  # a page shows maps
+    if rtl.is_stage(parameters):  # a page shows maps
         if (folder / DUMP).is_file():
             files.write(folder / SAVE, waveform.save_file(folder / DUMP, first.clock))
             lines.append(f"  waveform around the mismatch: {_gtkwave(folder)}")

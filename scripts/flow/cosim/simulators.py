@@ -57,7 +57,7 @@ class Simulator:
     def build(self) -> bool:
         """Whether it had to be built; not, where the same was built before."""
         makers = [*self._bench_files(), *bench.makers(), Path(__file__), Path(ghdl.__file__)]
-        options = (self.config, self.kind.prefix, self.pixels, self.disparity_bits, self.trace, self.tools())
+        options = (self.config, self.kind.ports, self.pixels, self.disparity_bits, self.trace, self.tools())
         self._built = builds.build_once(self.root, self.vhdl_files, makers, options, self._build)
         return self._built.is_new
 
@@ -187,15 +187,23 @@ class Original(Ghdl):
                 copy.write_text(path.read_text().rpartition("end package body;")[2])
                 sources.append(copy)
         template = (BENCH / "bambu_read_port.vhd").read_text()
-        for port in [port.name for port in rtl.PORTS if port.direction == "in"]:
+        for port in [port.name for port in self.kind.ports if port.direction == "in"]:
             copy = library / f"{port}.vhd"
             copy.write_text(template.replace("PORT", port))
             sources.append(copy)
         log = work / "library.log"
         run([find_ghdl(), "-a", ghdl.STANDARD, "--work=bambu", *sources], cwd=work, log=log)
         original = work / "bambu_original.vhd"
-        original.write_text(bench.ORIGINAL.read_text().replace(rtl.core_entity("NAME"), rtl.core_entity(self.config)))
+        original.write_text(self._original_text())
         self._elaborate(work, [original, self._bench(work)])
+
+    def _original_text(self) -> str:
+        """The tool's design for this configuration's core, with the ports of its settings."""
+        text = bench.ORIGINAL.read_text().replace(rtl.core_entity("NAME"), rtl.core_entity(self.config))
+        settings = [port.name for port in self.kind.ports if port.bits is not None]
+        declared = "".join(f"    {name} : in std_logic_vector;\n" for name in settings)
+        joined = "".join(f"      {name} => {name},\n" for name in settings)
+        return text.replace("    -- ports of settings\n", declared).replace("      -- settings\n", joined)
 
 
 class Verilator(Simulator):
@@ -233,7 +241,8 @@ def verilate(
     verilator = find_verilator()
     source = work / f"{top}.v"
     source.write_text(ghdl.to_verilog(vhdl_files, work, top))
-    command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *options, "-CFLAGS", "-O2"]
+    command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *options]
+    command += ["-CFLAGS", "-O2 -std=c++20"]
     command += [
         "--top-module",
         top,

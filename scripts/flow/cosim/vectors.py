@@ -69,7 +69,7 @@ def _read_header(path: Path, lines: list[str], kind: str, count_key: str) -> tup
 
 def row_bits(parameters: Parameters) -> int:
     """Of what a row shows in the word of an output, disparity_bits= in the files."""
-    kind = rtl.kind_of(parameters["family"])
+    kind = rtl.kind_of(parameters)
     ports = [port for port in kind.ports if port.name in kind.word]
     return sum(port.lane_bits or option(parameters, "disparity_bits") for port in ports)
 

@@ -140,7 +140,7 @@ def run_job(job: Job) -> int:
 
 def summary(entity: str, target: str, parameters: Parameters, result: record.Result) -> str:
     luts, name = figures.lut_count(result), TARGETS[target].lut_name
-    matches = rtl.kind_of(parameters["family"]) is rtl.CORE  # a stage has no disparities
+    matches = not rtl.is_stage(parameters)  # a stage has no disparities
     evaluations = f", {figures.evaluations_per_clock(parameters):g} disparity evaluations a clock" if matches else ""
     text = [
         f"{entity} on {target}: {luts} {name}, {result['ffs']} flip-flops, {result['memory_bits']} memory bits in "

@@ -5,8 +5,7 @@ from ..base.errors import FlowError
 from ..shell.registers import Field, Register
 
 READ, WRITE, CLEAR = "read-only", "read-write", "write 1 to clear"
-_OF_REGISTER = {"read": READ, "read, write": WRITE}
-_ERRORS_CLEAR = "read; errors: write 1 to clear"
+_WORDS = {"read": READ, "read, write": WRITE, "write 1 to clear": CLEAR}
 
 
 def fields(register: Register) -> list[Field]:
@@ -16,10 +15,14 @@ def fields(register: Register) -> list[Field]:
 
 
 def of(register: Register, field: Field) -> str:
-    if register["access"] == _ERRORS_CLEAR:
-        return CLEAR if field["text"].startswith("error:") else READ
+    """The access of the register, then "; NAME: access" for each field that has another; `errors`: all of them."""
+    words, *others = register["access"].split("; ")
+    for other in others:
+        name, _, of_these = other.partition(": ")
+        if name == field["name"] or (name == "errors" and field["text"].startswith("error:")):
+            words = of_these
     try:
-        return _OF_REGISTER[register["access"]]
+        return _WORDS[words]
     except KeyError:
         raise FlowError(f"register {register['name']}: a kit does not know the access '{register['access']}'") from None
 

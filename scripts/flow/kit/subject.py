@@ -12,6 +12,7 @@ from ..shell.template import Port
 from ..synthesis import manifest
 
 CLOCK, RESET = "aclk", "aresetn"
+INTERRUPT = "irq"
 GENERIC = "enabled_at_reset"
 STREAM, REGISTERS = "AXI4-Stream", "AXI4-Lite"
 _INTERFACES = {"s_axis": (STREAM, False), "m_axis": (STREAM, True), "s_axil": (REGISTERS, False)}
@@ -52,13 +53,13 @@ class Subject:
 
 
 def _interfaces(ports: list[Port]) -> list[Interface]:
-    """Every port belongs to one, but for clock and reset."""
+    """Every port belongs to one, but for clock, reset and interrupt."""
     found = {name: Interface(name, *what, {}) for name, what in _INTERFACES.items()}
     for port in ports:
         name, _, signal = port.name.rpartition("_")
         if name in found:
             found[name].signals[signal] = port
-        elif port.name not in (CLOCK, RESET):
+        elif port.name not in (CLOCK, RESET, INTERRUPT):
             raise FlowError(f"a kit does not know to which interface the port {port.name} belongs")
     return list(found.values())
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import ghdl
+from ..base import ghdl, rtl
 from ..base.configurations import configuration
 from ..base.errors import FlowError
 from ..base.tools import ROOT, Word, find_stereo_hls, run
@@ -106,11 +106,11 @@ class Core:
         run(command, passes_errors=True)
         stimulus = folder / "stimulus.txt"
         expected, _ = vectors.read_expected(folder / "expected.txt")
-        return _Cosimulation(stimulus, len(vectors.read_stimulus(stimulus)), expected)
+        return _Cosimulation(stimulus, len(vectors.read_stimulus(stimulus, rtl.kind_of(self.parameters))), expected)
 
     def noticed(self, core: list[Path], shell: list[Path], folder: Path) -> str:
         lanes, bits = self.parameters["pixels_per_clock"], self.parameters["disparity_bits"]
-        simulator = Ghdl(self.config, core, folder / "core", lanes, bits)
+        simulator = Ghdl(self.config, core, folder / "core", lanes, bits, kind=rtl.kind_of(self.parameters))
         simulator.build()
         for number, (stimulus, clocks, expected) in enumerate(self.runs):
             observed_path = folder / "observed.txt"

@@ -22,6 +22,7 @@ class Frame:
     groups: tuple[int, ...]  # s_axis, W*H/P words
     results: tuple[int, ...]  # m_axis
     needs: tuple[int, ...]  # for each result: how many of the groups it depends on
+    settings: tuple[int, ...] = ()  # of a core that takes them from ports, in their order
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,20 @@ def make_pool(
         out = folder / f"vectors_{number}"
         images: list[Word] = ["--left", names[0], "--right", names[1]]
         run(
-            [find_stereo_hls(), "vectors", "--config", config, *images, "--frames", 2, "--out", out], passes_errors=True
+            [
+                find_stereo_hls(),
+                "vectors",
+                "--config",
+                config,
+                *images,
+                "--frames",
+                2,
+                "--seed",
+                number + 1,
+                "--out",
+                out,
+            ],
+            passes_errors=True,
         )
         frames += _read_frames(out, parameters)
     return frames
@@ -95,5 +109,6 @@ def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
             raise FlowError(f"the C++ core gave {len(outputs)} outputs instead of {geometry.results}", EXIT_TOOL_FAILED)
         results = tuple((output.flags >> 2) << map_bits | output.disparity for output in outputs)
         needs = tuple(min(output.clock - latency - start + 1, geometry.groups) for output in outputs)
-        frames.append(Frame(groups, results, needs))
+        settings = tuple(int(word, 16) for word in words[start][3:])
+        frames.append(Frame(groups, results, needs, settings))
     return frames

@@ -14,7 +14,7 @@ PACKAGE = ROOT / "hls" / "rtl" / "stereo_register_map.vhd"
 DOCUMENT = ROOT / "docs" / "integration.md"
 TABLE_BEGIN, TABLE_END = "<!-- registers: made by scripts/registers.py -->", "<!-- end of registers -->"
 ID = 0x53544552  # "STER"
-VERSION = (1, 0, 0)
+VERSION = (1, 1, 0)
 
 
 class Field(TypedDict):
@@ -56,6 +56,15 @@ def version_value() -> int:
     return major << 16 | minor << 8 | patch
 
 
+def settings() -> list[str]:
+    """The registers that hold a setting of the core, in the order of their words, which follow one another."""
+    return [
+        register["name"]
+        for register in description()
+        if any(f["name"] == "largest" for f in register.get("fields", []))
+    ]
+
+
 def vhdl_package() -> str:
     lines = [
         "-- SPDX-License-Identifier: Apache-2.0",
@@ -79,6 +88,13 @@ def vhdl_package() -> str:
                 lines.append(f"  constant {name}_{field['name']} : natural := {field['low']};")
             else:
                 lines.append(f"  constant {name}_{field['name']}_bits : positive := {bits};")
+    count = len(settings())
+    lines += [
+        f"  constant setting_count : positive := {count};",
+        f"  constant first_setting_word : natural := {settings()[0]}_word;",
+        "  type setting_words is array (0 to setting_count - 1) of std_logic_vector(15 downto 0);",
+        "  type setting_values is array (0 to setting_count - 1) of natural;",
+    ]
     return "\n".join([*lines, "end package;", ""])
 
 

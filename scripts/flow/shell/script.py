@@ -6,12 +6,17 @@
 ("rates", source, sink)   from now on in percent: chance that a beat waits another clock, that the sink takes nothing
 ("reset", clocks)         aresetn low for so long, without regard to anything in progress
 ("drain",)                wait until nothing has come out for a while
+("write", address, value) a register; Verilator only, as the next two
+("query", address, value, mask)   what a register must read
+("level", value)          what the output `irq` must be
 """
 
 from collections.abc import Iterable, Sequence
 from random import Random
 from typing import Literal
 
+from ..base.rtl import Setting
+from . import registers
 from .broken import CASES, beats_of
 from .contract import Beat
 from .pool import Frame, Geometry
@@ -22,6 +27,9 @@ Step = (
     | tuple[Literal["rates"], int, int]
     | tuple[Literal["reset"], int]
     | tuple[Literal["drain"]]
+    | tuple[Literal["write"], int, int]
+    | tuple[Literal["query"], int, int, int]
+    | tuple[Literal["level"], int]
 )
 
 RATES = ((0, 0), (0, 0), (50, 0), (0, 50), (30, 30), (80, 20), (20, 80), (5, 0), (0, 5), (90, 0), (0, 90))
@@ -81,6 +89,52 @@ def mixture(rng: Random, pool: Sequence[Frame], geometry: Geometry, count: int) 
             good += 1
         else:
             steps += reset_within(rng, pool, geometry)
+    return steps
+
+
+def changed_settings(rng: Random, pool: Sequence[Frame], geometry: Geometry, settings: Sequence[Setting]) -> list[Step]:
+    """Each frame of the pool with its own settings, which are written while the frame before it comes in. Some writes
+    are beyond the limits: the old value stays. Begins and ends with the interrupts."""
+    map_ = registers.by_name()
+    offset = {setting.name: map_[setting.name]["offset"] for setting in settings}
+    interrupt, status = map_["interrupt"]["offset"], map_["status"]["offset"]
+    refused = 1 << map_["status"]["fields"]["setting_refused"]["low"]
+    done = 1 << map_["interrupt"]["fields"]["frame_done"]["low"]
+    largest_low = map_[settings[0].name]["fields"]["largest"]["low"]
+
+    def written(frame: Frame) -> list[list[Step]]:
+        """A list for each register."""
+        lists: list[list[Step]] = []
+        for setting, value in zip(settings, frame.settings):
+            whole = setting.largest << largest_low | value
+            steps: list[Step] = [("write", offset[setting.name], value)]
+            if rng.random() < 0.3:
+                beyond = rng.choice((setting.largest + 1, 0xFFFF, rng.randrange(setting.largest + 1, 0x10000)))
+                steps += [("write", offset[setting.name], beyond), ("query", status, refused, refused)]
+                steps += [("write", status, refused), ("query", status, 0, refused)]
+            lists.append([*steps, ("query", offset[setting.name], whole, 0xFFFFFFFF)])
+        rng.shuffle(lists)
+        return lists
+
+    steps: list[Step] = []
+    for setting in settings:
+        start = setting.largest << largest_low | setting.start
+        steps.append(("query", offset[setting.name], start, 0xFFFFFFFF))
+    steps += [step for part in written(pool[0]) for step in part]
+    steps += [("level", 0), ("write", interrupt, 1)]
+    for frame, following in zip(pool, [*pool[1:], pool[0]]):
+        sent = send(beats_of(frame, geometry))
+        # The start is in the core when so many beats are taken: what stands in front of it holds less.
+        places = sorted(rng.randrange(8, len(sent) + 1) for _ in settings)
+        for place, part in zip(reversed(places), written(following)):
+            sent[place:place] = part
+        steps += rates(rng) if rng.random() < 0.3 else []
+        steps += sent
+        if frame is pool[0]:
+            steps += [("drain",), ("level", 1), ("query", interrupt, done | 1, 0xFFFF), ("write", interrupt, done | 2)]
+            steps += [("idle", 4), ("level", 0), ("query", interrupt, 2, 0xFFFF)]
+            steps += [("write", offset[settings[0].name], 0xFFFF), ("idle", 4), ("level", 1)]
+            steps += [("write", status, refused), ("idle", 4), ("level", 0)]
     return steps
 
 

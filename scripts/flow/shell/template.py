@@ -54,14 +54,18 @@ def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None 
     """The text of stereo_ip_CONFIG. `of_the_shell`: generics that are not those of the core, for tests."""
     values = design.generics(entry)
     name, outside = rtl.ip_entity(config), ports(values)
-    to_core = [port for port in _shell_ports() if port.name.startswith("core_")]
+    settings = rtl.settings_of(entry["parameters"])
     widths = {
-        port.name: rtl.port_type(port, values["pixels_per_clock"], values["disparity_bits"]) for port in rtl.PORTS
+        port.name: rtl.port_type(port, values["pixels_per_clock"], values["disparity_bits"])
+        for port in rtl.ports_with(settings)
     }
+    of_the_core = {"reset", *widths}
+    to_core = [port for port in _shell_ports() if port.name.removeprefix("core_") in of_the_core]
     shell = {
         **values,
         "core_id": f'x"{core_id(entry)}"',
         "enabled_at_reset": "enabled_at_reset",
+        **{f"{setting.name}_{what}": getattr(setting, what) for setting in settings for what in ("largest", "start")},
         **(of_the_shell or {}),
     }
     inside = {port.name: port.name.removeprefix("core_") for port in to_core}

@@ -10,6 +10,7 @@ from dataclasses import asdict, dataclass, field
 from itertools import pairwise
 from pathlib import Path
 
+from ..base import rtl
 from ..base.configurations import Parameters, configuration
 from ..base.errors import EXIT_MISMATCH, EXIT_OK
 from ..base.tools import ROOT, Say
@@ -34,9 +35,19 @@ FRAMES = {
     "tiny_all_recursive": 150,
     "tiny_all_p4": 150,
     "ambrosch2007": 26,
+    # each frame with its own settings
+    "tiny_settings": 200,
+    "tiny_settings_all": 200,
 }
 LARGEST_FOR_CASES = 10000  # groups of a frame: larger ones meet the broken streams in the mixture only
-SHORT_FRAMES = {"tiny": 60, "tiny_p2": 20, "tiny_p4": 20, "tiny_all_recursive": 20, "tiny_all_p4": 20}
+SHORT_FRAMES = {
+    "tiny": 60,
+    "tiny_p2": 20,
+    "tiny_p4": 20,
+    "tiny_all_recursive": 20,
+    "tiny_all_p4": 20,
+    "tiny_settings_all": 200,
+}
 _LANES = ("full_speed", "sink_waits_then_takes_all", "mixture", "reset_at_any_clock")
 _GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
 _SHORT_STREAMS = (
@@ -116,6 +127,9 @@ class Verification:
         """`count` correct frames with everything that can stand between them, all broken streams, and the full
         speed."""
         parameters = configuration(config)
+        if rtl.settings_of(parameters):
+            self._run_settings(config, count)
+            return
         geometry = Geometry.of(parameters)
         suite = f"verilator {config}"
         frames = make_pool(config, parameters, 6, self.seed, self.out / suite / "pool")
@@ -135,6 +149,23 @@ class Verification:
                 before = script.broken(rng, frames, geometry, name)
                 player.play(name, [*before, ("rates", 30, 40), *script.broken(rng, frames, geometry, name)], self.seed)
             self._full_speed(player, parameters)
+        self._summarise(suite, self.cases[first:])
+
+    def _run_settings(self, config: str, count: int) -> None:
+        """`count` frames, each with settings that were written during the one before it."""
+        parameters = configuration(config)
+        geometry = Geometry.of(parameters)
+        suite = f"verilator {config}"
+        frames = make_pool(config, parameters, (count + 1) // 2, self.seed, self.out / suite / "pool")
+        simulation = Verilated(config, WORK / "verilator" / config)
+        self.say(f"{suite}: building ...")
+        simulation.build()
+        player = _Player(self, simulation, suite, geometry, frames)
+        first = len(self.cases)
+        steps = script.changed_settings(
+            random.Random(f"{self.seed} {config}"), frames, geometry, rtl.settings_of(parameters)
+        )
+        player.play("settings", steps, self.seed)
         self._summarise(suite, self.cases[first:])
 
     def _full_speed(self, player: "_Player", parameters: Parameters) -> None:

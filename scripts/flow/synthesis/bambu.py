@@ -47,9 +47,9 @@ class ToolRun:
 def synthesize(config: str, row: Configuration) -> ToolRun:
     """Synthesises one configuration in an empty working directory, unless the last run there had the same inputs."""
     bambu = find_bambu()
-    directory, top = WORK / config, rtl.kind_of(row["family"]).function
-    options = top_options(config, row["family"], row["source_folder"])
-    options += ["--compiler=I386_CLANG16", f"--top-fname={top}", *OPTIONS]
+    directory, kind = WORK / config, rtl.kind_of(row)
+    options = top_options(config, row["family"], row["source_folder"], kind.top)
+    options += ["--compiler=I386_CLANG16", f"--top-fname={kind.function}", *OPTIONS]
     command = shlex.join(["bambu", *options])
     version = tool_version(bambu)
     inputs = json.dumps([version, command, parameters_of(row), hardware_digests(row)], indent=1, sort_keys=True)
@@ -60,10 +60,12 @@ def synthesize(config: str, row: Configuration) -> ToolRun:
         for folder in dict.fromkeys(("hls", row["source_folder"])):
             shutil.copytree(ROOT / folder, directory / folder, ignore=shutil.ignore_patterns("rtl"))
         run([bambu, *options], cwd=directory, log=log)
-        if not (directory / f"{top}.vhd").is_file():
-            raise FlowError(f"Bambu wrote no {top}.vhd; see {log}", EXIT_TOOL_FAILED)
+        if not (directory / f"{kind.function}.vhd").is_file():
+            raise FlowError(f"Bambu wrote no {kind.function}.vhd; see {log}", EXIT_TOOL_FAILED)
         stamp.write_text(inputs)
-    return ToolRun(vhdl=directory / f"{top}.vhd", version=version, command=command, report=read_log(log.read_text()))
+    return ToolRun(
+        vhdl=directory / f"{kind.function}.vhd", version=version, command=command, report=read_log(log.read_text())
+    )
 
 
 def tool_version(bambu: str) -> str:

@@ -26,7 +26,7 @@ TRACE_ROWS = 4
 
 def header(config: str, row: Configuration, tool: str) -> str:
     """`tool`: its name and version."""
-    family, kind = row["family"].replace("_", " "), rtl.kind_of(row["family"])
+    family, kind = row["family"].replace("_", " "), rtl.kind_of(row)
     pairs = row["pixels_per_clock"]
     what = f"{row['description']}, {pairs} pixel pair{'s' if pairs > 1 else ''} a clock"
     options = ", ".join(row["options"]) or "none"
@@ -55,7 +55,7 @@ def _cpp_trace(config: str, row: Configuration, work: Path) -> Trace:
 def generate(config: str, say: Callable[[str], None] = print, out: Path | None = None) -> manifest.Manifest:
     """Writes the folder of one configuration, all of it or nothing. Returns its manifest."""
     row = configuration(config, designs())
-    kind = rtl.kind_of(row["family"])
+    kind = rtl.kind_of(row)
     say(f"{config}: Bambu ...")
     tool_run = bambu.synthesize(config, row)
     say(f"{config}: lowering ...")
@@ -80,7 +80,7 @@ def _write(
     target: Path, config: str, row: Configuration, text: str, tool_run: bambu.ToolRun, report: manifest.ToolReport
 ) -> manifest.Manifest:
     """VHDL and manifest together, or nothing."""
-    file = f"{rtl.kind_of(row['family']).entity(config)}.vhd"
+    file = f"{rtl.kind_of(row).entity(config)}.vhd"
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent) as name:
         temporary = Path(name)

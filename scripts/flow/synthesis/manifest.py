@@ -74,12 +74,12 @@ def _digests(paths: Iterable[Path]) -> Digests:
     return {path.relative_to(ROOT).as_posix(): digest(path) for path in paths}
 
 
-def top_options(config: str, family: str, source_folder: str) -> list[str]:
+def top_options(config: str, family: str, source_folder: str, top: str) -> list[str]:
     """What a compiler needs to compile the hardware top, in the project's root."""
     folders = dict.fromkeys((source_folder, "hls"))
     macros = {"STEREO_FAMILY": family, "STEREO_CONFIGURATION": config}
     return [
-        rtl.kind_of(family).top,
+        top,
         "--std=c++20",
         *(f"-I{folder}" for folder in folders),
         *(f"-D{name}={value}" for name, value in macros.items()),
@@ -87,10 +87,10 @@ def top_options(config: str, family: str, source_folder: str) -> list[str]:
 
 
 @cache
-def _included(source_folder: str, family: str) -> tuple[Path, ...]:
+def _included(source_folder: str, family: str, top: str) -> tuple[Path, ...]:
     """The hardware top and all that it includes, as the compiler finds it: the same for every row of a family."""
     compiler = find_tool("c++", "CXX", "on Debian: apt-get install g++")
-    rule = run([compiler, *top_options("any", family, source_folder), "-MM"], cwd=ROOT)
+    rule = run([compiler, *top_options("any", family, source_folder, top), "-MM"], cwd=ROOT)
     return tuple(sorted(ROOT / name for name in rule.replace("\\\n", " ").split(":", 1)[1].split()))
 
 
@@ -98,7 +98,9 @@ def hardware_digests(row: Configuration) -> Digests:
     """The C++ of the core. The family's table of configurations is left out: a manifest holds the one row that counts,
     so that a new configuration does not make the others stale."""
     table = ROOT / row["source_folder"] / row["family"] / "configurations.hpp"
-    return _digests(path for path in _included(row["source_folder"], row["family"]) if path != table)
+    return _digests(
+        path for path in _included(row["source_folder"], row["family"], rtl.kind_of(row).top) if path != table
+    )
 
 
 def source_digests(row: Configuration) -> Digests:
@@ -215,7 +217,7 @@ def stale_reasons(name: str, row: Configuration) -> list[str]:
     well."""
     directory = rtl.folder(name)
     manifest = read(directory)
-    reasons, core = [], f"{rtl.kind_of(row['family']).entity(name)}.vhd"
+    reasons, core = [], f"{rtl.kind_of(row).entity(name)}.vhd"
     if manifest["configuration"] != name or set(manifest["files"]) != {core}:
         reasons.append(f"its manifest does not name {core} as its VHDL")
     if cast(dict[str, object], manifest).get("seal") != _seal(manifest):

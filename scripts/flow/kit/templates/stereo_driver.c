@@ -90,6 +90,28 @@ uint32_t stereo_broken_frames(const stereo_device *device) { return get(device, 
 
 uint32_t stereo_frame_clocks(const stereo_device *device) { return get(device, STEREO_FRAME_CLOCKS_OFFSET); }
 
+uint32_t stereo_largest(const stereo_device *device, uint32_t offset) { return get(device, offset) >> 16; }
+
+uint32_t stereo_setting(const stereo_device *device, uint32_t offset) { return get(device, offset) & 0xffffu; }
+
+int stereo_set(const stereo_device *device, uint32_t offset, uint32_t value) {
+   if (value > stereo_largest(device, offset)) return 0;
+   set(device, offset, value);
+   return 1;
+}
+
+void stereo_interrupts(const stereo_device *device, uint32_t mask) {
+   set(device, STEREO_INTERRUPT_OFFSET,
+       mask & (STEREO_INTERRUPT_FRAME_DONE_ENABLE_MASK | STEREO_INTERRUPT_ANY_ERROR_ENABLE_MASK));
+}
+
+int stereo_take_frame_done(const stereo_device *device) {
+   const uint32_t value = get(device, STEREO_INTERRUPT_OFFSET);
+   if ((value & STEREO_INTERRUPT_FRAME_DONE_MASK) == 0) return 0;
+   set(device, STEREO_INTERRUPT_OFFSET, value);
+   return 1;
+}
+
 uint32_t stereo_take_errors(const stereo_device *device) {
    const uint32_t errors = get(device, STEREO_STATUS_OFFSET) & STEREO_STATUS_CLEARED_BY_1;
    if (errors != 0) set(device, STEREO_STATUS_OFFSET, errors);

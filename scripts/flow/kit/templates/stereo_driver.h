@@ -50,6 +50,18 @@ uint32_t stereo_frames(const stereo_device *device);        /* whole ones, modul
 uint32_t stereo_broken_frames(const stereo_device *device); /* modulo 2^32 */
 uint32_t stereo_frame_clocks(const stereo_device *device);  /* of the last frame */
 
+/* A setting of the next frames, such as STEREO_TEXTURE_THRESHOLD_OFFSET. stereo_set: 0 when the value is above
+   stereo_largest; the old one then stays. To change several at once, stop before and start behind them. */
+uint32_t stereo_largest(const stereo_device *device, uint32_t offset); /* 0: the core has no such setting */
+uint32_t stereo_setting(const stereo_device *device, uint32_t offset);
+int stereo_set(const stereo_device *device, uint32_t offset, uint32_t value);
+
+/* The output `irq` rises with what `mask` names: STEREO_INTERRUPT_FRAME_DONE_ENABLE_MASK,
+   STEREO_INTERRUPT_ANY_ERROR_ENABLE_MASK. stereo_take_frame_done: has a frame left since the last call? Lowers the
+   output. Errors lower it with stereo_take_errors. */
+void stereo_interrupts(const stereo_device *device, uint32_t mask);
+int stereo_take_frame_done(const stereo_device *device);
+
 /* The bits STEREO_STATUS_..._MASK of the errors since the last call, and clears them. */
 uint32_t stereo_take_errors(const stereo_device *device);
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Settings that a core takes from ports at each start of frame, where its configuration has run_time_settings.
+#pragma once
+
+#include <cstdint>
+
+#include "support/ports.hpp"
+#include "support/registers.hpp"
+
+namespace stereo {
+
+/// Whether the configuration's settings come from ports; its own are what they are after a reset.
+template <const auto& C>
+inline constexpr bool kSetAtRunTime = [] {
+   if constexpr (requires { C.run_time_settings; }) return C.run_time_settings;
+   else return false;
+}();
+
+/// One setting of a core, as those around it must know it.
+struct Setting {
+   const char* name;  ///< of the option and of the port
+   int bits;          ///< of the port
+   int largest;       ///< it is 0 ... largest; 0: the core has nothing that it sets
+   int start;         ///< the option in the configuration
+};
+
+/// All of a core, in the order of their ports.
+struct SettingList {
+   static constexpr int kMost = 8;
+   Setting setting[kMost] = {};
+   int count = 0;
+
+   constexpr void operator()(const char* name, int bits, int largest, int start) {
+      setting[count++] = {name, bits, largest, start};
+   }
+   constexpr const Setting* begin() const { return setting; }
+   constexpr const Setting* end() const { return setting + count; }
+};
+
+/// The thresholds of the checks. A frame is matched with those that its start of frame brings.
+struct CheckSettings {
+   uint16_t texture_threshold = 0;
+   uint8_t uniqueness_percent = 0;
+   uint8_t left_right_threshold = 0;  ///< D-1 lets every disparity pass
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("texture_threshold", texture_threshold);
+      visit("uniqueness_percent", uniqueness_percent);
+      visit("left_right_threshold", left_right_threshold);
+   }
+};
+
+/// Keeps the settings of the frame that comes in. The checks take them over when its first disparity reaches them:
+/// until then they have those of the frame that leaves. Config::problem() says which images are too low for that.
+template <const auto& C>
+struct FrameSettings {
+   uint16_t texture_threshold;
+   uint8_t uniqueness_percent;
+   uint8_t left_right_threshold;
+
+   HLS_INLINE FrameSettings() { start(*this); }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("texture_threshold", texture_threshold, C.texture_threshold);
+      visit("uniqueness_percent", uniqueness_percent, C.uniqueness_percent);
+      visit("left_right_threshold", left_right_threshold, C.has_left_right_check() ? C.left_right_threshold : 0);
+   }
+
+   HLS_INLINE void clock(const StereoInput& in, const CheckSettings& now) {
+      const bool starts = in.valid & in.start_of_frame;
+      texture_threshold = select<uint16_t>(starts, now.texture_threshold, texture_threshold);
+      uniqueness_percent = select<uint8_t>(starts, now.uniqueness_percent, uniqueness_percent);
+      left_right_threshold = select<uint8_t>(starts, now.left_right_threshold, left_right_threshold);
+   }
+};
+
+/// Stands for it where the settings are the configuration's.
+struct NoSettings {
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor&) {}
+};
+
+/// Whether what this tag belongs to is the first disparity of a frame.
+template <class Tag>
+HLS_INLINE bool is_first_of_frame(const Tag& tag) {
+   return tag.valid & tag.output_column & tag.start_of_frame;
+}
+
+}  // namespace stereo
