@@ -8,6 +8,7 @@ import xml.etree.ElementTree as xml
 import pytest
 
 from conftest import where_reachable
+from flow.base import rtl
 from flow.base.configurations import configuration
 from flow.shell import cocotb_runs, design, judge, pool, script, template, verilated
 from flow.shell.broken import beats_of
@@ -100,6 +101,42 @@ def test_fault_is_found_in_verilator(ghdl, verilator, rng, tmp_path, fault):
         steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "mixture"), geometry, frames
     ).problems
     assert any(word in problem for problem in problems), problems[:5]
+
+
+SETTING_FAULTS = {
+    "no limit": ("stereo_registers", "written <= settings_largest(i)", "true", "register "),
+    "no interrupt": ("stereo_registers", "(frame_done and frame_done_enabled)", "'0'", "irq is not 1"),
+    "the setting of the frame behind": (
+        "stereo_core_tiny_settings",
+        "refinement_percent <= settings_uniqueness_percent",
+        "refinement_percent <= in_uniqueness_percent",
+        "expected",
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", [None, *SETTING_FAULTS])
+def test_each_frame_has_its_settings(ghdl, verilator, rng, tmp_path, fault):
+    config = "tiny_settings"
+    parameters = configuration(config)
+    files = design.vhdl_files(config)
+    if fault:
+        name, text, instead, _ = SETTING_FAULTS[fault]
+        place = next(place for place, path in enumerate(files) if path.stem == name)
+        assert files[place].read_text().count(text) == 1
+        changed = tmp_path / files[place].name
+        changed.write_text(files[place].read_text().replace(text, instead))
+        files[place] = changed
+    simulation = verilated.Verilated(config, tmp_path / "model", files)
+    simulation.build()
+    geometry = pool.Geometry.of(parameters)
+    frames = pool.make_pool(config, parameters, 10, 1, tmp_path / "pool")
+    steps = script.changed_settings(rng, frames, geometry, rtl.settings_of(parameters))
+    verdict = judge.judge(steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "play"), geometry, frames)
+    if fault:
+        assert any(SETTING_FAULTS[fault][3] in problem for problem in verdict.problems), verdict.problems[:5]
+    else:
+        assert verdict.problems == [] and verdict.exact_frames == len(frames)
 
 
 def test_fault_is_found_under_cocotb(ghdl, cocotb, tmp_path):

@@ -38,7 +38,7 @@ entity stereo_ip_tiny_settings is
     s_axil_rresp : out std_logic_vector(1 downto 0);
     s_axil_rvalid : out std_logic;
     s_axil_rready : in std_logic;
-    interrupt : out std_logic
+    irq : out std_logic
   );
 end entity;
 
@@ -108,7 +108,7 @@ begin
       s_axil_rresp => s_axil_rresp,
       s_axil_rvalid => s_axil_rvalid,
       s_axil_rready => s_axil_rready,
-      interrupt => interrupt,
+      irq => irq,
       core_reset => reset,
       core_left_pixel => left_pixel,
       core_right_pixel => right_pixel,
