@@ -74,7 +74,7 @@ struct Core {
    static constexpr int kCheckMemory = kTextureMemory + TextureBlock::kMemories;
    static constexpr int kMapMemory = kCheckMemory + CheckBlock::kMemories;
 
-   SettingsBlock settings;
+   [[no_unique_address]] SettingsBlock settings;
    TransformBlock transform;
    Raster<C> raster;
    PairDelay<C> delay;
@@ -101,7 +101,7 @@ struct Core {
    /// listed too, though the hardware has only wires there.
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
-      visit.block("settings", settings);
+      if constexpr (C.run_time_settings) visit.block("settings", settings);
       visit.block("transform", transform);
       visit.block("raster", raster);
       visit.block("delay", delay);

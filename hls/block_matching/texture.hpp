@@ -45,7 +45,7 @@ struct Texture {
    Column cost;
    Window window;
    bool passes[kWait][kPixels];  ///< [age][p]
-   uint16_t least;               ///< only with run-time settings
+   [[no_unique_address]] TakenOver<C, uint16_t> least;
 
    template <class Source, int First>
    HLS_INLINE Texture(Source& memories, MemoryId<First> first)
@@ -59,7 +59,7 @@ struct Texture {
       visit.block("cost", cost);
       visit.block("window", window);
       visit("passes", passes);
-      if constexpr (kSetAtRunTime<C>) visit("least", least, C.texture_threshold);
+      if constexpr (kSetAtRunTime<C>) visit("least", least.value, C.texture_threshold);
    }
 
    HLS_INLINE bool passed(int p) const { return passes[kWait - 1][p]; }
@@ -70,12 +70,13 @@ struct Texture {
       for (int p = 0; p < kPixels; ++p) {
          HLS_UNROLL
          for (int age = kWait - 1; age > 0; --age) passes[age][p] = passes[age - 1][p];
-         if constexpr (kSetAtRunTime<C>) passes[0][p] = window.sum[p][0] >= least;
+         if constexpr (kSetAtRunTime<C>) passes[0][p] = window.sum[p][0] >= least.value;
          else passes[0][p] = window.sum[p][0] >= C.texture_threshold;
       }
       // The column comes in of which the window is the next sum: none of the frame before is still to come.
       if constexpr (kSetAtRunTime<C>)
-         least = select<uint16_t>(is_first_of_frame(window.newest(cost)), settings.texture_threshold, least);
+         least.value =
+             select<uint16_t>(is_first_of_frame(window.newest(cost)), settings.texture_threshold, least.value);
       window.clock(cost);
       cost.clock(taps);
       HLS_UNROLL

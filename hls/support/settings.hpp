@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "support/ports.hpp"
 #include "support/registers.hpp"
@@ -77,10 +78,15 @@ struct FrameSettings {
 };
 
 /// Stands for it where the settings are the configuration's.
-struct NoSettings {
-   template <class Visitor>
-   HLS_INLINE void registers(Visitor&) {}
+struct NoSettings {};
+
+/// A setting that a check has taken over: a register that is there only where settings come from ports.
+template <class T>
+struct TakenSetting {
+   T value;
 };
+template <const auto& C, class T>
+using TakenOver = std::conditional_t<kSetAtRunTime<C>, TakenSetting<T>, NoSettings>;
 
 /// Whether what this tag belongs to is the first disparity of a frame.
 template <class Tag>

@@ -43,7 +43,7 @@ struct LeftRightCheck {
    // clock 3
    uint8_t found[kPixels];
    Winners<C> answered;
-   uint8_t threshold;  ///< only with run-time settings
+   [[no_unique_address]] TakenOver<C, uint8_t> threshold;
    // clock 4
    Winners<C> checked;
 
@@ -66,7 +66,7 @@ struct LeftRightCheck {
       visit("asking", asking);
       visit("found", found);
       visit("answered", answered);
-      if constexpr (kSetAtRunTime<C>) visit("threshold", threshold, C.left_right_threshold);
+      if constexpr (kSetAtRunTime<C>) visit("threshold", threshold.value, C.left_right_threshold);
       visit("checked", checked);
    }
 
@@ -76,7 +76,8 @@ struct LeftRightCheck {
                          const Settings& settings = Settings()) {
       compare();
       if constexpr (kSetAtRunTime<C>)
-         threshold = select<uint8_t>(is_first_of_frame(asking.tag), settings.left_right_threshold, threshold);
+         threshold.value =
+             select<uint8_t>(is_first_of_frame(asking.tag), settings.left_right_threshold, threshold.value);
       others.read_each(address, found);
       answered = asking;
       asking = unpacked(held[0]);
@@ -143,7 +144,8 @@ struct LeftRightCheck {
       for (int p = 0; p < kPixels; ++p) {
          const int16_t difference = int16_t(answered.disparity[p] - found[p]);
          if constexpr (kSetAtRunTime<C>) {
-            const bool consistent = (difference <= int16_t(threshold)) & (difference >= int16_t(-threshold));
+            const bool consistent =
+                (difference <= int16_t(threshold.value)) & (difference >= int16_t(-threshold.value));
             checked.passed[p] = answered.passed[p] & consistent;
          } else {
             const bool consistent = difference <= C.left_right_threshold && difference >= -C.left_right_threshold;

@@ -29,10 +29,10 @@ struct Refinement {
    bool passed[kStages][kPixels];
    PixelTag tag[kStages];
    // Uniqueness: 100 * gap > percent * cost, or gap > distance - 1. The losers come in stage 0.
-   bool alone[2][kPixels];                              ///< stages 1 and 2: there is no second
-   Value gap[kPixels], lowest[kPixels];                 // stage 1: second - cost; cost
-   uint32_t scaled_gap[kPixels], scaled_cost[kPixels];  // stage 2
-   uint8_t percent;  ///< only with run-time settings: of the winner in stage 1; 0: no check
+   bool alone[2][kPixels];                               ///< stages 1 and 2: there is no second
+   Value gap[kPixels], lowest[kPixels];                  // stage 1: second - cost; cost
+   uint32_t scaled_gap[kPixels], scaled_cost[kPixels];   // stage 2
+   [[no_unique_address]] TakenOver<C, uint8_t> percent;  ///< of the winner in stage 1; 0: no check
    // Subpixel: u and v are what the costs below and above have more than the winner's.
    Value cost[kPixels], below[kPixels], above[kPixels];  // stage 0
    Value u[kPixels], v[kPixels];                         // stage 1
@@ -55,7 +55,7 @@ struct Refinement {
       visit("lowest", lowest);
       visit("scaled_gap", scaled_gap);
       visit("scaled_cost", scaled_cost);
-      if constexpr (kHasPercent) visit("percent", percent, C.uniqueness_percent);
+      if constexpr (kHasPercent) visit("percent", percent.value, C.uniqueness_percent);
       visit("cost", cost);
       visit("below", below);
       visit("above", above);
@@ -109,7 +109,7 @@ struct Refinement {
          }
          if constexpr (C.has_uniqueness_check()) take_second(last);
          if constexpr (kHasPercent)
-            percent = select<uint8_t>(is_first_of_frame(tag[0]), settings.uniqueness_percent, percent);
+            percent.value = select<uint8_t>(is_first_of_frame(tag[0]), settings.uniqueness_percent, percent.value);
          if constexpr (C.subpixel) find_distances(last);
          HLS_UNROLL
          for (int p = 0; p < kPixels; ++p) {
@@ -145,9 +145,9 @@ struct Refinement {
       for (int p = 0; p < kPixels; ++p) {
          alone[1][p] = alone[0][p];
          if constexpr (kHasPercent) {
-            alone[1][p] = alone[0][p] | (percent == 0);
+            alone[1][p] = alone[0][p] | (percent.value == 0);
             scaled_gap[p] = uint32_t(gap[p]) * 100u;
-            scaled_cost[p] = uint32_t(lowest[p]) * percent;
+            scaled_cost[p] = uint32_t(lowest[p]) * percent.value;
          } else if constexpr (requires { C.uniqueness_distance; }) {
             scaled_gap[p] = gap[p];
             scaled_cost[p] = uint32_t(C.uniqueness_distance - 1);
