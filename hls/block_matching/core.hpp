@@ -116,9 +116,8 @@ struct Core {
    /// What the registers show in this clock. Does not depend on this clock's input.
    HLS_INLINE StereoOutput output() const { return shown(map()); }
 
-   /// The clock edge. Last block first: each reads what the block before it held until now. `now`: what the ports show;
-   /// only counts where the configuration has run-time settings, in the clock of a start of frame.
-   HLS_INLINE void clock(const StereoInput& in, const Settings& now = Settings()) {
+   /// The clock edge. Last block first: each reads what the block before it held until now.
+   HLS_INLINE void clock(const StereoInput& in) {
       if constexpr (kHasMapBlock) map_block.clock(checked());
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(slices.last(), texture, settings);
@@ -132,7 +131,13 @@ struct Core {
       } else {
          raster.clock(grey_values<C>(in));
       }
-      if constexpr (C.run_time_settings) settings.clock(in, now);
+   }
+
+   /// The same where the configuration has run-time settings. `now`: what the ports show; it counts in the clock of a
+   /// start of frame.
+   HLS_INLINE void clock(const StereoInput& in, const Settings& now) {
+      clock(in);
+      settings.clock(in, now);
    }
 
   private:
