@@ -21,7 +21,7 @@ RECTIFICATION = rtl.STAGES["rectification"]
 FAULTS = {
     "counter: a frame one row higher": (r"(counter_next_frame_is_equal_2 := counter_group = )11;", r"\g<1>10;"),
     "delay: a register bypassed": (r"(delay_held_5_left <= )delay_held_4_left;", r"\1delay_held_3_left;"),
-    "grid: the next node": (r"(grid_node_column <= counter_column) / 8;", r"\1 / 16;"),
+    "grid: the next node": (r"(grid_node_column <= counter_column) / 4;", r"\1 / 8;"),
     "grid: a weight in the wrong clock": (
         r"(grid_weight_y_held_3 <= )grid_weight_y_held_2;",
         r"\1grid_weight_y_held_1;",
@@ -78,7 +78,7 @@ def test_vhdl_is_the_core(request, pair, tmp_path, simulator, stream):
 @pytest.mark.parametrize("fault", FAULTS)
 def test_fault_is_caught(ghdl, pair, tmp_path, fault):
     made = altered_rtl(tmp_path / "rtl", TINY, *FAULTS[fault])
-    process = cosim(pair, tmp_path / "out", "--frames", 3, "--stall-percent", 10, "--rtl", made)
+    process = cosim(pair, tmp_path / "out", "--frames", 12, "--stall-percent", 10, "--rtl", made)
     assert process.returncode in (1, 4), f"{fault} was not caught: {process.stdout}"
 
 

@@ -42,7 +42,8 @@ class NodeWriter {
   private:
    void begin_table() {
       const int most = config_.largest_offset();
-      reach_ = random_.percent(50) ? most : std::min(most, 3 << config_.offset_fraction_bits);
+      const int small = std::max(config_.rows_above, config_.rows_below) + 2;  // some beyond the rows that are kept
+      reach_ = random_.percent(50) ? most : std::min(most, small << config_.offset_fraction_bits);
    }
    uint16_t below(int limit) { return uint16_t(random_.below(limit)); }
    int16_t offset() { return int16_t(random_.below(2 * reach_ + 2) - reach_ - 1); }

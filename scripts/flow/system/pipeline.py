@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..base.configurations import Configuration, configuration, designs, option
-from ..base.tools import find_stereo_hls, run
+from ..base.tools import Word, find_stereo_hls, run
 from ..cosim import vectors
 from .template import System
 
@@ -75,7 +75,7 @@ def write_pgm(path: Path, image: Image) -> Path:
 
 def depth_frame(system: System, left: Path, right: Path, depths: Sequence[int], work: Path) -> list[int]:
     """The words of m_axis for a rectified pair: depth, above it whether the disparity has passed the core's checks."""
-    command = [
+    command: list[Word] = [
         find_stereo_hls(),
         "vectors",
         "--config",
