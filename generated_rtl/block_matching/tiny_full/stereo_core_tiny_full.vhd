@@ -101,9 +101,9 @@ architecture rtl of stereo_core_tiny_full is
   signal delay_delayed_0 : unsigned(7 downto 0);
   signal delay_column : natural range 0 to 31;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_output_column : boolean;
-  signal delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line, delay_search_inside_0 : boolean;
-  signal delay_search_inside_1, delay_search_inside_2, delay_inside_before_0, delay_inside_before_1 : boolean;
-  signal delay_inside_before_2, delay_whole_before : boolean;
+  signal delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line, delay_split_search_inside_0 : boolean;
+  signal delay_split_search_inside_1, delay_split_search_inside_2, delay_split_inside_before_0 : boolean;
+  signal delay_split_inside_before_1, delay_split_inside_before_2, delay_split_whole_before : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
@@ -281,12 +281,13 @@ begin
     variable delay_row_inside_0_is_less, delay_row_inside_1_all, delay_row_inside_1_is_not_less : boolean;
     variable delay_row_inside_1_is_less, delay_row_inside_1_all_2, delay_row_inside_2_all : boolean;
     variable delay_row_inside_2_any, delay_tag_output_column_all, delay_tag_output_column_choice : boolean;
-    variable delay_tag_output_column_is_less, delay_tag_first_column_is_equal, delay_inside_before_0_all : boolean;
-    variable slice0mask_inside_0_choice, slice0mask_inside_1_choice, slice0mask_inside_2_choice : boolean;
-    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_four_0_0_is_less, slice1mask_inside_0_choice : boolean;
-    variable slice1mask_inside_1_choice, slice1mask_inside_2_choice, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_0_is_less, slice1_best_cost_0_0_is_less, slice2mask_inside_0_choice : boolean;
-    variable slice2mask_inside_1_choice, slice2winner1_best_cost_0_0_is_less : boolean;
+    variable delay_tag_output_column_is_less, delay_tag_first_column_is_equal : boolean;
+    variable delay_split_inside_before_0_all, slice0mask_inside_0_choice, slice0mask_inside_1_choice : boolean;
+    variable slice0mask_inside_2_choice, slice0winner1_of_pair_0_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice1mask_inside_0_choice, slice1mask_inside_1_choice, slice1mask_inside_2_choice : boolean;
+    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice2mask_inside_0_choice, slice2mask_inside_1_choice : boolean;
+    variable slice2winner1_best_cost_0_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable slice0winner1_of_pair_0_0_choice, slice0winner1_of_pair_0_0_any : natural range 0 to 4095;
@@ -334,25 +335,25 @@ begin
       delay_row_inside_0_choice := (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
       delay_row_inside_0_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_0;
+        delay_split_inside_before_0;
       delay_row_inside_0_is_less := (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2))
         < 12;
       delay_row_inside_1_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_1;
+        delay_split_inside_before_1;
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
       delay_row_inside_1_is_less := raster_place_group < 13;
       delay_row_inside_1_all_2 := delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_whole_before;
+        delay_split_whole_before;
       delay_row_inside_2_any := (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_output_column_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_2;
+        delay_split_inside_before_2;
       delay_tag_output_column_choice := (not delay_row_inside_0_choice) and (not delay_row_inside_1_all_2) when
         delay_row_inside_1_all else delay_row_inside_0_choice or (not delay_row_inside_1_all_2);
       delay_tag_output_column_is_less := (((((raster_place_column / 8) + 8191) mod 8192) * 8) + (raster_place_column
         mod 8)) < 65534;
       delay_tag_first_column_is_equal := raster_place_column = 8;
-      delay_inside_before_0_all := raster_place_group_is_equal_2 and raster_features_valid;
+      delay_split_inside_before_0_all := raster_place_group_is_equal_2 and raster_features_valid;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_all when delay_row_inside_0_choice else delay_row_inside_0_is_less;
@@ -368,16 +369,17 @@ begin
       delay_tag_first_column <= delay_tag_first_column_is_equal;
       delay_tag_start_of_frame <= (raster_place_group = 1) and delay_tag_first_column_is_equal;
       delay_tag_end_of_line <= (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_2 and (raster_place_column = 5);
-      delay_search_inside_0 <= delay_row_inside_0_is_less;
-      delay_search_inside_1 <= delay_row_inside_1_all_2;
-      delay_search_inside_2 <= delay_row_inside_2_any;
-      delay_inside_before_0 <= delay_row_inside_0_is_less when delay_inside_before_0_all else delay_row_inside_0_all;
-      delay_inside_before_1 <= (not delay_inside_before_0_all) or delay_row_inside_1_all_2 when delay_row_inside_1_all
-        else raster_place_group_is_equal_2 and raster_features_valid and delay_row_inside_1_is_not_less and
-        delay_row_inside_1_is_less;
-      delay_inside_before_2 <= delay_tag_output_column_all or delay_inside_before_0_all;
-      delay_whole_before <= (not delay_inside_before_0_all) or (not ((raster_place_group / 8) = 1)) or (not
+        delay_split_inside_before_2 and (raster_place_column = 5);
+      delay_split_search_inside_0 <= delay_row_inside_0_is_less;
+      delay_split_search_inside_1 <= delay_row_inside_1_all_2;
+      delay_split_search_inside_2 <= delay_row_inside_2_any;
+      delay_split_inside_before_0 <= delay_row_inside_0_is_less when delay_split_inside_before_0_all else
+        delay_row_inside_0_all;
+      delay_split_inside_before_1 <= (not delay_split_inside_before_0_all) or delay_row_inside_1_all_2 when
+        delay_row_inside_1_all else raster_place_group_is_equal_2 and raster_features_valid and
+        delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_split_inside_before_2 <= delay_tag_output_column_all or delay_split_inside_before_0_all;
+      delay_split_whole_before <= (not delay_split_inside_before_0_all) or (not ((raster_place_group / 8) = 1)) or (not
         (((raster_place_group / 4) mod 2) = 1)) when delay_row_inside_2_all else raster_place_group_is_equal_2 and
         raster_features_valid and delay_row_inside_2_any;
       -- rows
@@ -396,9 +398,9 @@ begin
       rows_read_tag_first_column <= delay_tag_first_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
-      rows_read_search_inside_0 <= delay_search_inside_0;
-      rows_read_search_inside_1 <= delay_search_inside_1;
-      rows_read_search_inside_2 <= delay_search_inside_2;
+      rows_read_search_inside_0 <= delay_split_search_inside_0;
+      rows_read_search_inside_1 <= delay_split_search_inside_1;
+      rows_read_search_inside_2 <= delay_split_search_inside_2;
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
       rows_ready_inside_1 <= rows_read_inside_1;
@@ -762,8 +764,8 @@ begin
         delay_tag_output_column <= false;
         delay_tag_start_of_frame <= false;
         delay_tag_end_of_line <= false;
-        delay_inside_before_1 <= false;
-        delay_inside_before_2 <= false;
+        delay_split_inside_before_1 <= false;
+        delay_split_inside_before_2 <= false;
         rows_read_column <= 0;
         rows_read_tag_valid <= false;
         rows_read_tag_output_column <= false;

@@ -131,8 +131,9 @@ architecture rtl of stereo_core_tiny_full_all is
   signal delay_column : natural range 0 to 31;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_map_column : boolean;
   signal delay_tag_output_column, delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
-  signal delay_search_inside_0, delay_search_inside_1, delay_search_inside_2, delay_inside_before_0 : boolean;
-  signal delay_inside_before_1, delay_inside_before_2, delay_whole_before : boolean;
+  signal delay_split_search_inside_0, delay_split_search_inside_1, delay_split_search_inside_2 : boolean;
+  signal delay_split_inside_before_0, delay_split_inside_before_1, delay_split_inside_before_2 : boolean;
+  signal delay_split_whole_before : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(13 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 127;
@@ -515,7 +516,7 @@ begin
     variable delay_row_inside_0_is_less, delay_row_inside_1_all, delay_row_inside_1_all_2 : boolean;
     variable delay_row_inside_1_choice, delay_row_inside_2_all, delay_row_inside_2_differs : boolean;
     variable delay_tag_map_column_is_less, delay_tag_output_column_all, delay_tag_first_column_is_equal : boolean;
-    variable delay_inside_before_0_all, slice0mask_inside_0_choice, slice0mask_inside_1_choice : boolean;
+    variable delay_split_inside_before_0_all, slice0mask_inside_0_choice, slice0mask_inside_1_choice : boolean;
     variable slice0other_cost_0_0_choice, slice0other_cost_0_1_choice, slice0other_cost_0_2_all : boolean;
     variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
     variable slice1mask_inside_0_choice, slice1mask_inside_1_choice, slice1mask_inside_2_choice : boolean;
@@ -756,22 +757,22 @@ begin
       end if;
       delay_row_inside_0_is_equal := (raster_place_column / 4) = 0;
       delay_row_inside_0_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_0;
+        delay_split_inside_before_0;
       delay_row_inside_0_is_less := (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2))
         < 12;
       delay_row_inside_1_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_1;
+        delay_split_inside_before_1;
       delay_row_inside_1_all_2 := (raster_place_group >= 1) and (raster_place_group < 13);
       delay_row_inside_1_choice := delay_row_inside_1_all when delay_row_inside_0_is_equal else
         delay_row_inside_1_all_2;
       delay_row_inside_2_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_2;
+        delay_split_inside_before_2;
       delay_row_inside_2_differs := (raster_place_group / 4) /= 3;
       delay_tag_map_column_is_less := ((raster_place_column + 65531) mod 65536) < 65534;
       delay_tag_output_column_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_whole_before;
+        delay_split_whole_before;
       delay_tag_first_column_is_equal := raster_place_column = 5;
-      delay_inside_before_0_all := raster_place_group_is_equal_2 and raster_features_valid;
+      delay_split_inside_before_0_all := raster_place_group_is_equal_2 and raster_features_valid;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_all when delay_row_inside_0_is_equal else delay_row_inside_0_is_less;
@@ -779,7 +780,7 @@ begin
       delay_row_inside_2 <= delay_row_inside_2_all when delay_row_inside_0_is_equal else delay_row_inside_2_differs;
       delay_tag_valid <= raster_features_valid;
       delay_tag_map_column <= (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_tag_map_column_is_less and delay_whole_before when delay_row_inside_0_is_equal else
+        delay_tag_map_column_is_less and delay_split_whole_before when delay_row_inside_0_is_equal else
         delay_tag_map_column_is_less;
       delay_tag_output_column <= delay_row_inside_1_choice and delay_tag_map_column_is_less when
         delay_tag_output_column_all else delay_row_inside_1_choice and ((raster_place_column / 4) /= 0) and
@@ -787,14 +788,18 @@ begin
       delay_tag_first_column <= delay_tag_first_column_is_equal;
       delay_tag_start_of_frame <= (raster_place_group = 1) and delay_tag_first_column_is_equal;
       delay_tag_end_of_line <= (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_whole_before and (raster_place_column = 2);
-      delay_search_inside_0 <= delay_row_inside_0_is_less;
-      delay_search_inside_1 <= delay_row_inside_1_all_2;
-      delay_search_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
-      delay_inside_before_0 <= delay_row_inside_0_is_less when delay_inside_before_0_all else delay_row_inside_0_all;
-      delay_inside_before_1 <= delay_row_inside_1_all_2 when delay_inside_before_0_all else delay_row_inside_1_all;
-      delay_inside_before_2 <= delay_row_inside_2_differs when delay_inside_before_0_all else delay_row_inside_2_all;
-      delay_whole_before <= delay_inside_before_0_all or delay_tag_output_column_all;
+        delay_split_whole_before and (raster_place_column = 2);
+      delay_split_search_inside_0 <= delay_row_inside_0_is_less;
+      delay_split_search_inside_1 <= delay_row_inside_1_all_2;
+      delay_split_search_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) =
+        1));
+      delay_split_inside_before_0 <= delay_row_inside_0_is_less when delay_split_inside_before_0_all else
+        delay_row_inside_0_all;
+      delay_split_inside_before_1 <= delay_row_inside_1_all_2 when delay_split_inside_before_0_all else
+        delay_row_inside_1_all;
+      delay_split_inside_before_2 <= delay_row_inside_2_differs when delay_split_inside_before_0_all else
+        delay_row_inside_2_all;
+      delay_split_whole_before <= delay_split_inside_before_0_all or delay_tag_output_column_all;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -812,9 +817,9 @@ begin
       rows_read_tag_first_column <= delay_tag_first_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
-      rows_read_search_inside_0 <= delay_search_inside_0;
-      rows_read_search_inside_1 <= delay_search_inside_1;
-      rows_read_search_inside_2 <= delay_search_inside_2;
+      rows_read_search_inside_0 <= delay_split_search_inside_0;
+      rows_read_search_inside_1 <= delay_split_search_inside_1;
+      rows_read_search_inside_2 <= delay_split_search_inside_2;
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
       rows_ready_inside_1 <= rows_read_inside_1;
@@ -1919,13 +1924,13 @@ begin
         delay_tag_first_column <= false;
         delay_tag_start_of_frame <= false;
         delay_tag_end_of_line <= false;
-        delay_search_inside_0 <= false;
-        delay_search_inside_1 <= false;
-        delay_search_inside_2 <= false;
-        delay_inside_before_0 <= false;
-        delay_inside_before_1 <= false;
-        delay_inside_before_2 <= false;
-        delay_whole_before <= false;
+        delay_split_search_inside_0 <= false;
+        delay_split_search_inside_1 <= false;
+        delay_split_search_inside_2 <= false;
+        delay_split_inside_before_0 <= false;
+        delay_split_inside_before_1 <= false;
+        delay_split_inside_before_2 <= false;
+        delay_split_whole_before <= false;
         rows_search_rows_read_newest_0 <= 0;
         rows_search_rows_ready_words_0 <= 0;
         rows_search_rows_ready_newest_0 <= 0;

@@ -104,8 +104,9 @@ architecture rtl of stereo_core_tiny_full_p2 is
   signal delay_column : natural range 0 to 31;
   signal delay_row_inside_0, delay_row_inside_2, delay_row_inside_4, delay_tag_valid, delay_tag_map_column : boolean;
   signal delay_tag_output_column, delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
-  signal delay_search_inside_0, delay_search_inside_2, delay_search_inside_3, delay_search_inside_4 : boolean;
-  signal delay_inside_before_0, delay_inside_before_2, delay_inside_before_4 : boolean;
+  signal delay_split_search_inside_0, delay_split_search_inside_2, delay_split_search_inside_3 : boolean;
+  signal delay_split_search_inside_4, delay_split_inside_before_0, delay_split_inside_before_2 : boolean;
+  signal delay_split_inside_before_4 : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
@@ -420,27 +421,29 @@ begin
     variable raster_place_group_choice_2, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
     variable delay_row_inside_0_value, delay_row_inside_0_any, delay_row_inside_2_any : boolean;
     variable delay_row_inside_2_choice, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
-    variable delay_tag_first_column_is_equal, delay_search_inside_0_all, delay_search_inside_0_all_2 : boolean;
-    variable delay_search_inside_0_is_equal, delay_search_inside_0_differs, delay_search_inside_3_choice : boolean;
-    variable delay_search_inside_4_differs, delay_search_inside_4_choice, delay_inside_before_0_all : boolean;
-    variable delay_inside_before_2_choice, delay_inside_before_4_choice, slice0cost_pair_1_0_is_less : boolean;
-    variable slice0cost_pair_1_1_is_less, slice0cost_pair_1_2_is_less, slice0mask_inside_0_all : boolean;
-    variable slice0mask_inside_0_choice, slice0mask_inside_1_choice, slice0mask_inside_2_choice : boolean;
-    variable slice0other_cost_0_0_all, slice0other_cost_0_1_all, slice0other_cost_0_1_all_2 : boolean;
-    variable slice0other_cost_0_1_choice, slice0other_cost_1_1_choice, slice0other_cost_0_2_choice : boolean;
-    variable slice0other_cost_1_2_choice, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_1_0_is_less, slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less : boolean;
-    variable slice1cost_pair_1_2_is_less, slice1mask_inside_0_choice, slice1other_cost_0_0_choice : boolean;
-    variable slice1other_cost_0_1_all, slice1other_cost_0_1_choice, slice1other_cost_0_2_choice : boolean;
-    variable slice1other_cost_1_1_choice, slice1other_cost_1_2_choice, slice1other_cost_1_0_choice : boolean;
-    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_pair_1_0_is_less : boolean;
-    variable slice1winner1_of_four_0_0_is_less, slice1winner1_of_four_1_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice2cost_pair_1_0_is_less : boolean;
-    variable slice2cost_pair_1_1_is_less, slice2mask_inside_0_choice, slice2other_cost_0_0_choice : boolean;
-    variable slice2other_winner_0_1_choice, slice2other_winner_1_1_choice, slice2other_cost_1_0_choice : boolean;
-    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
-    variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, leftright_holds_winners_all : boolean;
+    variable delay_tag_first_column_is_equal, delay_split_search_inside_0_all : boolean;
+    variable delay_split_search_inside_0_all_2, delay_split_search_inside_0_is_equal : boolean;
+    variable delay_split_search_inside_0_differs, delay_split_search_inside_3_choice : boolean;
+    variable delay_split_search_inside_4_differs, delay_split_search_inside_4_choice : boolean;
+    variable delay_split_inside_before_0_all, delay_split_inside_before_2_choice : boolean;
+    variable delay_split_inside_before_4_choice, slice0cost_pair_1_0_is_less, slice0cost_pair_1_1_is_less : boolean;
+    variable slice0cost_pair_1_2_is_less, slice0mask_inside_0_all, slice0mask_inside_0_choice : boolean;
+    variable slice0mask_inside_1_choice, slice0mask_inside_2_choice, slice0other_cost_0_0_all : boolean;
+    variable slice0other_cost_0_1_all, slice0other_cost_0_1_all_2, slice0other_cost_0_1_choice : boolean;
+    variable slice0other_cost_1_1_choice, slice0other_cost_0_2_choice, slice0other_cost_1_2_choice : boolean;
+    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_1_0_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_1_0_is_less : boolean;
+    variable slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less, slice1cost_pair_1_2_is_less : boolean;
+    variable slice1mask_inside_0_choice, slice1other_cost_0_0_choice, slice1other_cost_0_1_all : boolean;
+    variable slice1other_cost_0_1_choice, slice1other_cost_0_2_choice, slice1other_cost_1_1_choice : boolean;
+    variable slice1other_cost_1_2_choice, slice1other_cost_1_0_choice, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice2cost_pair_1_0_is_less, slice2cost_pair_1_1_is_less, slice2mask_inside_0_choice : boolean;
+    variable slice2other_cost_0_0_choice, slice2other_winner_0_1_choice, slice2other_winner_1_1_choice : boolean;
+    variable slice2other_cost_1_0_choice, slice2winner1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_1_0_is_less, slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less : boolean;
+    variable leftright_holds_winners_all : boolean;
     variable raster_place_group_choice, slice1other_winner_0_0_choice : natural range 0 to 3;
     variable slice1other_winner_0_0_choice_2, slice1other_winner_0_0_choice_3 : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
@@ -527,20 +530,20 @@ begin
       delay_tag_map_column_is_not_less := raster_place_column >= 1;
       delay_tag_map_column_is_less := raster_place_column < 30;
       delay_tag_first_column_is_equal := raster_place_column = 1;
-      delay_search_inside_0_all := (not other_4) and raster_features_valid and (raster_place_column = 0);
-      delay_search_inside_0_all_2 := (not delay_search_inside_0_all) and delay_inside_before_0;
-      delay_search_inside_0_is_equal := (raster_place_column / 2) = 0;
-      delay_search_inside_0_differs := (raster_place_column / 2) /= 0;
-      delay_search_inside_3_choice := delay_search_inside_0_differs when delay_search_inside_0_all else
-        delay_search_inside_0_differs or delay_inside_before_2;
-      delay_search_inside_4_differs := (raster_place_group / 2) /= 3;
-      delay_search_inside_4_choice := delay_inside_before_4 when delay_search_inside_0_is_equal else
-        delay_search_inside_4_differs;
-      delay_inside_before_0_all := raster_place_group_is_equal and raster_features_valid;
-      delay_inside_before_2_choice := delay_inside_before_0_all when delay_search_inside_0_all else
-        delay_inside_before_0_all or delay_inside_before_2;
-      delay_inside_before_4_choice := delay_search_inside_4_differs when delay_inside_before_0_all else
-        delay_inside_before_4;
+      delay_split_search_inside_0_all := (not other_4) and raster_features_valid and (raster_place_column = 0);
+      delay_split_search_inside_0_all_2 := (not delay_split_search_inside_0_all) and delay_split_inside_before_0;
+      delay_split_search_inside_0_is_equal := (raster_place_column / 2) = 0;
+      delay_split_search_inside_0_differs := (raster_place_column / 2) /= 0;
+      delay_split_search_inside_3_choice := delay_split_search_inside_0_differs when delay_split_search_inside_0_all
+        else delay_split_search_inside_0_differs or delay_split_inside_before_2;
+      delay_split_search_inside_4_differs := (raster_place_group / 2) /= 3;
+      delay_split_search_inside_4_choice := delay_split_inside_before_4 when delay_split_search_inside_0_is_equal else
+        delay_split_search_inside_4_differs;
+      delay_split_inside_before_0_all := raster_place_group_is_equal and raster_features_valid;
+      delay_split_inside_before_2_choice := delay_split_inside_before_0_all when delay_split_search_inside_0_all else
+        delay_split_inside_before_0_all or delay_split_inside_before_2;
+      delay_split_inside_before_4_choice := delay_split_search_inside_4_differs when delay_split_inside_before_0_all
+        else delay_split_inside_before_4;
       delay_ahead_0 <= raster_features_reference_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_any;
@@ -553,21 +556,22 @@ begin
       delay_tag_first_column <= delay_tag_first_column_is_equal;
       delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 29;
-      delay_search_inside_0 <= delay_search_inside_0_is_equal or ((raster_place_group / 4) = 1) or
-        delay_row_inside_0_value when delay_search_inside_0_all_2 else delay_search_inside_0_differs and
+      delay_split_search_inside_0 <= delay_split_search_inside_0_is_equal or ((raster_place_group / 4) = 1) or
+        delay_row_inside_0_value when delay_split_search_inside_0_all_2 else delay_split_search_inside_0_differs and
         delay_row_inside_0_any;
-      delay_search_inside_2 <= rows_read_inside_2;
-      delay_search_inside_3 <= delay_search_inside_3_choice when delay_row_inside_2_choice else (not
-        delay_search_inside_0_all) and delay_search_inside_0_is_equal and delay_inside_before_2;
-      delay_search_inside_4 <= delay_search_inside_0_differs and delay_search_inside_4_differs when
-        delay_search_inside_0_all else delay_search_inside_4_choice;
-      delay_inside_before_0 <= (not delay_inside_before_0_all) or ((raster_place_group / 4) = 1) or
-        delay_row_inside_0_value when delay_search_inside_0_all_2 else raster_place_group_is_equal and
+      delay_split_search_inside_2 <= rows_read_inside_2;
+      delay_split_search_inside_3 <= delay_split_search_inside_3_choice when delay_row_inside_2_choice else (not
+        delay_split_search_inside_0_all) and delay_split_search_inside_0_is_equal and delay_split_inside_before_2;
+      delay_split_search_inside_4 <= delay_split_search_inside_0_differs and delay_split_search_inside_4_differs when
+        delay_split_search_inside_0_all else delay_split_search_inside_4_choice;
+      delay_split_inside_before_0 <= (not delay_split_inside_before_0_all) or ((raster_place_group / 4) = 1) or
+        delay_row_inside_0_value when delay_split_search_inside_0_all_2 else raster_place_group_is_equal and
         raster_features_valid and delay_row_inside_0_any;
-      delay_inside_before_2 <= delay_inside_before_2_choice when delay_row_inside_2_choice else (not
-        delay_search_inside_0_all) and (not delay_inside_before_0_all) and delay_inside_before_2;
-      delay_inside_before_4 <= raster_place_group_is_equal and raster_features_valid and delay_search_inside_4_differs
-        when delay_search_inside_0_all else delay_inside_before_4_choice;
+      delay_split_inside_before_2 <= delay_split_inside_before_2_choice when delay_row_inside_2_choice else (not
+        delay_split_search_inside_0_all) and (not delay_split_inside_before_0_all) and delay_split_inside_before_2;
+      delay_split_inside_before_4 <= raster_place_group_is_equal and raster_features_valid and
+        delay_split_search_inside_4_differs when delay_split_search_inside_0_all else
+        delay_split_inside_before_4_choice;
       -- rows
       rows_search_rows_read_newest_0 <= to_integer(delay_delayed_0(7 downto 0));
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
@@ -586,9 +590,9 @@ begin
       rows_read_tag_first_column <= delay_tag_first_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
-      rows_read_search_inside_0 <= delay_search_inside_0;
-      rows_read_search_inside_2 <= delay_search_inside_3;
-      rows_read_search_inside_4 <= delay_search_inside_4;
+      rows_read_search_inside_0 <= delay_split_search_inside_0;
+      rows_read_search_inside_2 <= delay_split_search_inside_3;
+      rows_read_search_inside_4 <= delay_split_search_inside_4;
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
       rows_ready_inside_4 <= rows_read_inside_4;
@@ -608,8 +612,10 @@ begin
       rows_search_4 <= rows_search_rows_ready_newest mod 256 when rows_ready_search_inside_4 else 0;
       rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
       rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_0 else 0;
-      rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when delay_search_inside_2 else 0;
-      rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when delay_search_inside_2 else 0;
+      rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when delay_split_search_inside_2
+        else 0;
+      rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when delay_split_search_inside_2
+        else 0;
       rows_reference_4 <= rows_reference_rows_ready_newest mod 256 when rows_ready_inside_4 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_map_column <= rows_ready_tag_map_column;
@@ -1476,13 +1482,13 @@ begin
         delay_tag_first_column <= false;
         delay_tag_start_of_frame <= false;
         delay_tag_end_of_line <= false;
-        delay_search_inside_0 <= false;
-        delay_search_inside_2 <= false;
-        delay_search_inside_3 <= false;
-        delay_search_inside_4 <= false;
-        delay_inside_before_0 <= false;
-        delay_inside_before_2 <= false;
-        delay_inside_before_4 <= false;
+        delay_split_search_inside_0 <= false;
+        delay_split_search_inside_2 <= false;
+        delay_split_search_inside_3 <= false;
+        delay_split_search_inside_4 <= false;
+        delay_split_inside_before_0 <= false;
+        delay_split_inside_before_2 <= false;
+        delay_split_inside_before_4 <= false;
         rows_search_rows_read_newest_0 <= 0;
         rows_search_rows_ready_words_0 <= to_unsigned(0, 32);
         rows_search_rows_ready_newest <= 0;
