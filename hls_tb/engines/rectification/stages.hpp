@@ -70,7 +70,7 @@ Stage stage_entry(std::string name, std::string use, std::string family, std::st
            std::move(family),
            std::move(source_folder),
            C,
-           {C, C.width_px, 16, 1, Core::kSchedule},
+           {C, C.width_px, 16, 1, Core::kSchedule, {}},
            option_values(C),
            changed_options(C),
            [](HeapMemories& memories) -> std::unique_ptr<ClockedRectification> {
