@@ -158,8 +158,9 @@ architecture rtl of stereo_core_tiny_sgm_full is
   signal delay_column : natural range 0 to 63;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_map_column : boolean;
   signal delay_tag_output_column, delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
-  signal delay_search_inside_0, delay_search_inside_1, delay_search_inside_2, delay_inside_before_0 : boolean;
-  signal delay_inside_before_1, delay_inside_before_2, delay_whole_before : boolean;
+  signal delay_split_search_inside_0, delay_split_search_inside_1, delay_split_search_inside_2 : boolean;
+  signal delay_split_inside_before_0, delay_split_inside_before_1, delay_split_inside_before_2 : boolean;
+  signal delay_split_whole_before : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
@@ -561,8 +562,8 @@ architecture rtl of stereo_core_tiny_sgm_full is
   signal sums_cost_1_2, sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6 : natural range 0 to 15;
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 15;
   signal sums_right_smallest : natural range 0 to 15;
-  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_turn_first_waits_0, sums_turn_first_waits_1 : boolean;
-  signal sums_turn_first_waits_2, sums_turn_first_waits_3, sums_right_first_0, sums_right_first_1 : boolean;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_turn_waiting_first_0, sums_turn_waiting_first_1 : boolean;
+  signal sums_turn_waiting_first_2, sums_turn_waiting_first_3, sums_right_first_0, sums_right_first_1 : boolean;
   signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
   signal sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
   signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
@@ -584,27 +585,27 @@ architecture rtl of stereo_core_tiny_sgm_full is
   signal sums_tags_held_13_end_of_line, sums_tags_moved : boolean;
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 63;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 63;
-  signal sums_turn_place_8, sums_turn_write_place, sums_turn_read_place, sums_right_pair_0 : natural range 0 to 63;
-  signal sums_right_pair_1, sums_right_pair_2, sums_right_pair_3, sums_right_pair_4 : natural range 0 to 63;
-  signal sums_right_pair_5, sums_right_tree_smallest_0, sums_right_tree_smallest_1 : natural range 0 to 63;
-  signal sums_right_tree_smallest_2, sums_right_tree_next_smallest_0 : natural range 0 to 63;
-  signal sums_right_tree_next_smallest_1, sums_right_tree_next_next_smallest_0 : natural range 0 to 63;
-  signal sums_right_smallest_less, sums_right_g_copy_0, sums_right_g_less_copy_0 : natural range 0 to 63;
-  signal sums_right_stay_change_0, sums_right_stay_change_1, sums_right_stay_change_2 : natural range 0 to 63;
-  signal sums_right_stay_change_3, sums_right_stay_change_4, sums_right_stay_change_5 : natural range 0 to 63;
-  signal sums_right_stay_change_6, sums_right_stay_change_7, sums_right_stay_change_8 : natural range 0 to 63;
-  signal sums_right_stay_change_9, sums_right_stay_change_10, sums_right_stay_change_11 : natural range 0 to 63;
-  signal sums_right_step_change_0, sums_right_step_change_1, sums_right_step_change_2 : natural range 0 to 63;
-  signal sums_right_step_change_3, sums_right_step_change_4, sums_right_step_change_5 : natural range 0 to 63;
-  signal sums_right_step_change_6, sums_right_step_change_7, sums_right_step_change_8 : natural range 0 to 63;
-  signal sums_right_step_change_9, sums_right_step_change_10, sums_right_step_change_11 : natural range 0 to 63;
-  signal sums_right_cost_0, sums_right_cost_1, sums_right_cost_2, sums_right_cost_3 : natural range 0 to 63;
-  signal sums_right_cost_4, sums_right_cost_5, sums_right_cost_6, sums_right_cost_7 : natural range 0 to 63;
-  signal sums_right_cost_8, sums_right_cost_9, sums_right_cost_10, sums_right_cost_11 : natural range 0 to 63;
-  signal sums_right_arrived_0, sums_right_arrived_1, sums_right_arrived_2, sums_right_arrived_3 : natural range 0 to 63;
-  signal sums_right_arrived_4, sums_right_arrived_5, sums_right_arrived_6, sums_right_arrived_7 : natural range 0 to 63;
-  signal sums_right_arrived_8, sums_right_arrived_9, sums_right_arrived_10 : natural range 0 to 63;
-  signal sums_right_arrived_11 : natural range 0 to 63;
+  signal sums_turn_place_8, sums_turn_write_place, sums_turn_waiting_read_place : natural range 0 to 63;
+  signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 63;
+  signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 63;
+  signal sums_right_tree_smallest_1, sums_right_tree_smallest_2 : natural range 0 to 63;
+  signal sums_right_tree_next_smallest_0, sums_right_tree_next_smallest_1 : natural range 0 to 63;
+  signal sums_right_tree_next_next_smallest_0, sums_right_smallest_less, sums_right_g_copy_0 : natural range 0 to 63;
+  signal sums_right_g_less_copy_0, sums_right_stay_change_0, sums_right_stay_change_1 : natural range 0 to 63;
+  signal sums_right_stay_change_2, sums_right_stay_change_3, sums_right_stay_change_4 : natural range 0 to 63;
+  signal sums_right_stay_change_5, sums_right_stay_change_6, sums_right_stay_change_7 : natural range 0 to 63;
+  signal sums_right_stay_change_8, sums_right_stay_change_9, sums_right_stay_change_10 : natural range 0 to 63;
+  signal sums_right_stay_change_11, sums_right_step_change_0, sums_right_step_change_1 : natural range 0 to 63;
+  signal sums_right_step_change_2, sums_right_step_change_3, sums_right_step_change_4 : natural range 0 to 63;
+  signal sums_right_step_change_5, sums_right_step_change_6, sums_right_step_change_7 : natural range 0 to 63;
+  signal sums_right_step_change_8, sums_right_step_change_9, sums_right_step_change_10 : natural range 0 to 63;
+  signal sums_right_step_change_11, sums_right_cost_0, sums_right_cost_1, sums_right_cost_2 : natural range 0 to 63;
+  signal sums_right_cost_3, sums_right_cost_4, sums_right_cost_5, sums_right_cost_6 : natural range 0 to 63;
+  signal sums_right_cost_7, sums_right_cost_8, sums_right_cost_9, sums_right_cost_10 : natural range 0 to 63;
+  signal sums_right_cost_11, sums_right_arrived_0, sums_right_arrived_1, sums_right_arrived_2 : natural range 0 to 63;
+  signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5, sums_right_arrived_6 : natural range 0 to 63;
+  signal sums_right_arrived_7, sums_right_arrived_8, sums_right_arrived_9 : natural range 0 to 63;
+  signal sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 63;
   signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : natural range 0 to 266321790;
   signal sums_turn_write_smallest_0 : natural range 0 to 13;
   signal sums_right_start_cost_0, sums_right_start_cost_1, sums_right_start_cost_2 : natural range 0 to 255;
@@ -763,7 +764,7 @@ begin
     generic map (depth => 38, width => 28)
     port map (
       clock => clock, read_enable => true,
-      read_address => sums_turn_read_place, read_data => sums_turn_read_sums_2,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_2,
       write_address => sums_turn_write_place, write_data => sums_turn_read_sums_2_memory_write_data);
 
   sums_turn_read_sums_1_memory_write_data <= to_unsigned(sums_turn_write_sums_1, 28);
@@ -771,7 +772,7 @@ begin
     generic map (depth => 38, width => 28)
     port map (
       clock => clock, read_enable => true,
-      read_address => sums_turn_read_place, read_data => sums_turn_read_sums_1,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_1,
       write_address => sums_turn_write_place, write_data => sums_turn_read_sums_1_memory_write_data);
 
   sums_turn_read_sums_0_memory_write_data <= to_unsigned(sums_turn_write_sums_0, 28);
@@ -779,7 +780,7 @@ begin
     generic map (depth => 38, width => 28)
     port map (
       clock => clock, read_enable => true,
-      read_address => sums_turn_read_place, read_data => sums_turn_read_sums_0,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_0,
       write_address => sums_turn_write_place, write_data => sums_turn_read_sums_0_memory_write_data);
 
   sums_turn_read_costs_1_memory_write_data <= to_unsigned(sums_turn_write_costs_1, 16);
@@ -787,7 +788,7 @@ begin
     generic map (depth => 38, width => 16)
     port map (
       clock => clock, read_enable => true,
-      read_address => sums_turn_read_place, read_data => sums_turn_read_costs_1,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_costs_1,
       write_address => sums_turn_write_place, write_data => sums_turn_read_costs_1_memory_write_data);
 
   sums_turn_read_costs_0_memory_write_data <= sums_turn_write_costs_0;
@@ -795,7 +796,7 @@ begin
     generic map (depth => 38, width => 32)
     port map (
       clock => clock, read_enable => true,
-      read_address => sums_turn_read_place, read_data => sums_turn_read_costs_0,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_costs_0,
       write_address => sums_turn_write_place, write_data => sums_turn_read_costs_0_memory_write_data);
 
   sums_turn_read_smallest_0_memory_write_data <= to_unsigned(sums_turn_write_smallest_0, 4);
@@ -803,7 +804,7 @@ begin
     generic map (depth => 38, width => 4)
     port map (
       clock => clock, read_enable => true,
-      read_address => sums_turn_read_place, read_data => sums_turn_read_smallest_0,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_smallest_0,
       write_address => sums_turn_write_place, write_data => sums_turn_read_smallest_0_memory_write_data);
 
   forward_above_read_words_1_memory_write_data <= forward_above_write_words_1;
@@ -1120,7 +1121,7 @@ begin
     variable delay_row_inside_0_all_2, delay_row_inside_0_is_less, delay_row_inside_1_all : boolean;
     variable delay_row_inside_1_all_2, delay_row_inside_1_choice, delay_row_inside_2_all : boolean;
     variable delay_row_inside_2_differs, delay_tag_map_column_all, delay_tag_map_column_is_less : boolean;
-    variable delay_tag_first_column_is_equal, delay_inside_before_0_all : boolean;
+    variable delay_tag_first_column_is_equal, delay_split_inside_before_0_all : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
     variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
     variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
@@ -1361,8 +1362,8 @@ begin
     variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 63;
     variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 63;
     variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 63;
-    variable sums_right_arrived_11_choice, sums_turn_read_place_choice : natural range 0 to 63;
-    variable sums_turn_read_place_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_11_choice, sums_turn_waiting_read_place_choice : natural range 0 to 63;
+    variable sums_turn_waiting_read_place_choice_2 : natural range 0 to 63;
     variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 255;
     variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : natural range 0 to 255;
     variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 68;
@@ -2802,22 +2803,22 @@ begin
       delay_row_inside_0_all := (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2) =
         1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_row_inside_0_all_2 := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_0;
+        delay_split_inside_before_0;
       delay_row_inside_0_is_less := (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2))
         < 12;
       delay_row_inside_1_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_1;
+        delay_split_inside_before_1;
       delay_row_inside_1_all_2 := (raster_place_group >= 1) and (raster_place_group < 13);
       delay_row_inside_1_choice := delay_row_inside_1_all when delay_row_inside_0_all else delay_row_inside_1_all_2;
       delay_row_inside_2_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_inside_before_2;
+        delay_split_inside_before_2;
       delay_row_inside_2_differs := (raster_place_group / 4) /= 3;
       delay_tag_map_column_all := (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_whole_before;
+        delay_split_whole_before;
       delay_tag_map_column_is_less := (((((raster_place_column / 4) + 16381) mod 16384) * 4) + (raster_place_column mod
         4)) < 65534;
       delay_tag_first_column_is_equal := raster_place_column = 12;
-      delay_inside_before_0_all := raster_place_group_is_equal_2 and raster_features_valid;
+      delay_split_inside_before_0_all := raster_place_group_is_equal_2 and raster_features_valid;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_all_2 when delay_row_inside_0_all else delay_row_inside_0_is_less;
@@ -2832,14 +2833,18 @@ begin
       delay_tag_first_column <= delay_tag_first_column_is_equal;
       delay_tag_start_of_frame <= (raster_place_group = 1) and delay_tag_first_column_is_equal;
       delay_tag_end_of_line <= (not ((not other_0) and raster_features_valid and (raster_place_column = 0))) and
-        delay_whole_before and (raster_place_column = 9);
-      delay_search_inside_0 <= delay_row_inside_0_is_less;
-      delay_search_inside_1 <= delay_row_inside_1_all_2;
-      delay_search_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
-      delay_inside_before_0 <= delay_row_inside_0_is_less when delay_inside_before_0_all else delay_row_inside_0_all_2;
-      delay_inside_before_1 <= delay_row_inside_1_all_2 when delay_inside_before_0_all else delay_row_inside_1_all;
-      delay_inside_before_2 <= delay_row_inside_2_differs when delay_inside_before_0_all else delay_row_inside_2_all;
-      delay_whole_before <= delay_tag_map_column_all or delay_inside_before_0_all;
+        delay_split_whole_before and (raster_place_column = 9);
+      delay_split_search_inside_0 <= delay_row_inside_0_is_less;
+      delay_split_search_inside_1 <= delay_row_inside_1_all_2;
+      delay_split_search_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) =
+        1));
+      delay_split_inside_before_0 <= delay_row_inside_0_is_less when delay_split_inside_before_0_all else
+        delay_row_inside_0_all_2;
+      delay_split_inside_before_1 <= delay_row_inside_1_all_2 when delay_split_inside_before_0_all else
+        delay_row_inside_1_all;
+      delay_split_inside_before_2 <= delay_row_inside_2_differs when delay_split_inside_before_0_all else
+        delay_row_inside_2_all;
+      delay_split_whole_before <= delay_tag_map_column_all or delay_split_inside_before_0_all;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -2859,9 +2864,9 @@ begin
       rows_read_tag_first_column <= delay_tag_first_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
-      rows_read_search_inside_0 <= delay_search_inside_0;
-      rows_read_search_inside_1 <= delay_search_inside_1;
-      rows_read_search_inside_2 <= delay_search_inside_2;
+      rows_read_search_inside_0 <= delay_split_search_inside_0;
+      rows_read_search_inside_1 <= delay_split_search_inside_1;
+      rows_read_search_inside_2 <= delay_split_search_inside_2;
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
       rows_ready_inside_1 <= rows_read_inside_1;
@@ -4902,14 +4907,14 @@ begin
         forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
           (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
           forward_left_tree_next_smallest_0;
-        forward_left_start_cost_0 <= 22 when sums_turn_first_waits_3 else forward_left_start_cost_0_choice_2;
-        forward_left_start_cost_1 <= 0 when sums_turn_first_waits_3 else forward_left_start_cost_0;
-        forward_left_start_cost_2 <= 0 when sums_turn_first_waits_3 else forward_left_start_cost_1;
-        forward_left_start_cost_3 <= 0 when sums_turn_first_waits_3 else forward_left_start_cost_2;
-        forward_left_start_cost_4 <= 0 when sums_turn_first_waits_3 else forward_left_start_cost_3;
-        forward_left_start_cost_5 <= 0 when sums_turn_first_waits_3 else forward_left_start_cost_4;
-        forward_left_start_cost_6 <= 0 when sums_turn_first_waits_3 else forward_left_start_cost_5;
-        forward_left_room <= 0 when sums_turn_first_waits_3 else (forward_left_room_choice_2 +
+        forward_left_start_cost_0 <= 22 when sums_turn_waiting_first_3 else forward_left_start_cost_0_choice_2;
+        forward_left_start_cost_1 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_0;
+        forward_left_start_cost_2 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_1;
+        forward_left_start_cost_3 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_2;
+        forward_left_start_cost_4 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_3;
+        forward_left_start_cost_5 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_4;
+        forward_left_start_cost_6 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_5;
+        forward_left_room <= 0 when sums_turn_waiting_first_3 else (forward_left_room_choice_2 +
           forward_left_start_cost_6) mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 59) mod 64;
@@ -5135,7 +5140,7 @@ begin
         forward_first_1 <= forward_first_0;
         forward_first_2 <= forward_first_1;
         forward_first_3 <= forward_first_2;
-        forward_first_4 <= sums_turn_first_waits_3;
+        forward_first_4 <= sums_turn_waiting_first_3;
         forward_first_5 <= forward_first_4;
         forward_first_6 <= forward_first_5;
         forward_first_7 <= forward_left_first_2;
@@ -5351,10 +5356,10 @@ begin
         sums_turn_place_6 <= sums_turn_place_5;
         sums_turn_place_7 <= sums_turn_place_6;
         sums_turn_place_8 <= sums_turn_place_7;
-        sums_turn_first_waits_0 <= entry_tag_first_column;
-        sums_turn_first_waits_1 <= sums_turn_first_waits_0;
-        sums_turn_first_waits_2 <= sums_turn_first_waits_1;
-        sums_turn_first_waits_3 <= sums_turn_first_waits_2;
+        sums_turn_waiting_first_0 <= entry_tag_first_column;
+        sums_turn_waiting_first_1 <= sums_turn_waiting_first_0;
+        sums_turn_waiting_first_2 <= sums_turn_waiting_first_1;
+        sums_turn_waiting_first_3 <= sums_turn_waiting_first_2;
         sums_cost_0_0 <= to_integer(sums_turn_ready_costs_0(3 downto 0));
         sums_cost_0_1 <= to_integer(sums_turn_ready_costs_0(7 downto 0)) / 16;
         sums_cost_0_2 <= to_integer(sums_turn_ready_costs_0(11 downto 8));
@@ -5515,10 +5520,11 @@ begin
         sums_tags_held_13_end_of_line <= sums_tags_held_12_end_of_line;
       end if;
       sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
-      sums_turn_read_place_choice := sums_turn_place_6 when entry_tag_valid else sums_turn_place_7;
-      sums_turn_read_place_choice_2 := sums_turn_place_7 when entry_tag_valid else sums_turn_place_8;
+      sums_turn_waiting_read_place_choice := sums_turn_place_6 when entry_tag_valid else sums_turn_place_7;
+      sums_turn_waiting_read_place_choice_2 := sums_turn_place_7 when entry_tag_valid else sums_turn_place_8;
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
-      sums_turn_read_place <= sums_turn_read_place_choice when entry_next_tag_valid else sums_turn_read_place_choice_2;
+      sums_turn_waiting_read_place <= sums_turn_waiting_read_place_choice when entry_next_tag_valid else
+        sums_turn_waiting_read_place_choice_2;
       sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0)) mod 128;
       sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(27 downto 7))) mod 128;
       sums_sum_0_2 <= (sums_right_cost_2 + to_integer(sums_sum_delay_held_0(27 downto 14))) mod 128;
@@ -6128,8 +6134,8 @@ begin
         delay_tag_first_column <= false;
         delay_tag_start_of_frame <= false;
         delay_tag_end_of_line <= false;
-        delay_inside_before_1 <= false;
-        delay_whole_before <= false;
+        delay_split_inside_before_1 <= false;
+        delay_split_whole_before <= false;
         rows_read_column <= 0;
         rows_read_tag_valid <= false;
         rows_read_tag_map_column <= false;
@@ -6267,7 +6273,7 @@ begin
         sums_turn_place_8 <= 0;
         sums_turn_writes_copy_0 <= false;
         sums_turn_write_place <= 0;
-        sums_turn_read_place <= 0;
+        sums_turn_waiting_read_place <= 0;
         sums_sum_delay_ring_read_address <= 1;
         sums_sum_delay_ring_write_address <= 0;
         sums_tag_valid <= false;

@@ -37,7 +37,8 @@ entity stereo_ip_tiny_sgm_full is
     s_axil_rdata : out std_logic_vector(31 downto 0);
     s_axil_rresp : out std_logic_vector(1 downto 0);
     s_axil_rvalid : out std_logic;
-    s_axil_rready : in std_logic
+    s_axil_rready : in std_logic;
+    irq : out std_logic
   );
 end entity;
 
@@ -64,7 +65,7 @@ begin
       latency_clocks => 34,
       flush_groups => 226,
       gap_groups => 0,
-      core_id => x"e2ddc995",
+      core_id => x"51c05b1c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -98,6 +99,7 @@ begin
       s_axil_rresp => s_axil_rresp,
       s_axil_rvalid => s_axil_rvalid,
       s_axil_rready => s_axil_rready,
+      irq => irq,
       core_reset => reset,
       core_left_pixel => left_pixel,
       core_right_pixel => right_pixel,
