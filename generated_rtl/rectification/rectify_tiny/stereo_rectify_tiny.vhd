@@ -846,8 +846,8 @@ begin
       righttaps_taps_row <= (sample_taken_row + righttaps_taps_row_choice) mod 8;
       righttaps_weight_x <= righttaps_source_x mod 32;
       righttaps_weight_y <= righttaps_offset_y mod 32;
-      righttaps_column_shown_0 <= righttaps_taps_column_is_equal and sample_leaves;
-      righttaps_column_shown_1 <= sample_leaves and ((((righttaps_source_x / 32) + 1) / 32) = 16);
+      righttaps_column_shown_0 <= sample_leaves and ((((righttaps_source_x / 32) + 1) / 32) = 16);
+      righttaps_column_shown_1 <= righttaps_taps_column_is_equal and sample_leaves;
       righttaps_row_shown_0 <= ((righttaps_offset_y / 32) >= 509) and ((righttaps_offset_y / 32) < 516) and
         (((sample_row + (righttaps_offset_y / 32) + 65024) mod 65536) < 12);
       righttaps_row_shown_1 <= (righttaps_taps_row_sum < 7) and (((sample_row + (righttaps_offset_y / 32) + 65025) mod
@@ -968,8 +968,8 @@ begin
       rightsampler_rows_even_even_read_address_value_2 := ((righttaps_taps_column + 1) mod 256) / 2;
       rightsampler_rows_odd_even_read_address_value := (righttaps_taps_row / 2) * 16;
       if righttaps_row_shown_0 then
-        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown_1) * 2) +
-          as_number(righttaps_column_shown_0);
+        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown_0) * 2) +
+          as_number(righttaps_column_shown_1);
       else
         rightsampler_shown_held_0_choice := 0;
       end if;
@@ -1023,8 +1023,8 @@ begin
       rightsampler_weight_y_held_0 <= righttaps_weight_y;
       rightsampler_weight_y_held_1 <= rightsampler_weight_y_held_0;
       rightsampler_weight_y_held_2 <= rightsampler_weight_y_held_1;
-      rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_0) * 4) +
-        (as_number(righttaps_column_shown_1) * 8) when righttaps_row_shown_1 else rightsampler_shown_held_0_choice;
+      rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_1) * 4) +
+        (as_number(righttaps_column_shown_0) * 8) when righttaps_row_shown_1 else rightsampler_shown_held_0_choice;
       rightsampler_shown_held_1 <= rightsampler_shown_held_0;
       rightsampler_shown_held_2 <= rightsampler_shown_held_1;
       rightsampler_pixel_upper_0 <= rightsampler_pixel_upper_0_choice_4;
