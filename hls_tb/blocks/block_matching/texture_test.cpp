@@ -88,7 +88,7 @@ struct TextureBench {
 
    void clock() {
       pipeline.push_back(random_column());
-      block.clock(rows);
+      block.clock(rows, NoSettings());
       const Step now = pipeline.front();
       pipeline.pop_front();
       if (!now.valid) return;
