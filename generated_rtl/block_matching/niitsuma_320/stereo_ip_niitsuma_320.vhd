@@ -37,7 +37,8 @@ entity stereo_ip_niitsuma_320 is
     s_axil_rdata : out std_logic_vector(31 downto 0);
     s_axil_rresp : out std_logic_vector(1 downto 0);
     s_axil_rvalid : out std_logic;
-    s_axil_rready : in std_logic
+    s_axil_rready : in std_logic;
+    irq : out std_logic
   );
 end entity;
 
@@ -98,6 +99,7 @@ begin
       s_axil_rresp => s_axil_rresp,
       s_axil_rvalid => s_axil_rvalid,
       s_axil_rready => s_axil_rready,
+      irq => irq,
       core_reset => reset,
       core_left_pixel => left_pixel,
       core_right_pixel => right_pixel,

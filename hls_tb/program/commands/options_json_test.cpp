@@ -43,7 +43,7 @@ TEST(Options, EveryNameOfTheJsonCanBeSet) {
                                          .subpixel = true,
                                          .median = true};
    const nlohmann::json wanted = options_json(algorithm(others)->options()), plain = options_json(kPlain->options());
-   ASSERT_EQ(wanted.size(), 15u);
+   ASSERT_EQ(wanted.size(), 16u);
    std::vector<std::string> settings;
    for (const auto& [name, value] : wanted.items()) {
       EXPECT_NE(value, plain[name]) << name << " must differ for this test to see it";
