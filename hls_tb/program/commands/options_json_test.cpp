@@ -41,7 +41,8 @@ TEST(Options, EveryNameOfTheJsonCanBeSet) {
                                          .uniqueness_percent = 8,
                                          .texture_threshold = 4,
                                          .subpixel = true,
-                                         .median = true};
+                                         .median = true,
+                                         .full_width = true};
    const nlohmann::json wanted = options_json(algorithm(others)->options()), plain = options_json(kPlain->options());
    ASSERT_EQ(wanted.size(), 16u);
    std::vector<std::string> settings;

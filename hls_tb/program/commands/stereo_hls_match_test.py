@@ -74,6 +74,7 @@ def test_match_writes_its_facts(tmp_path, match, pair):
         "texture_threshold": 0,
         "subpixel": False,
         "median": False,
+        "full_width": False,
         "output_width_px": WIDTH - DISPARITIES,
         "output_height_px": HEIGHT,
         "output_first_column": 0,
