@@ -18,6 +18,7 @@ ROLES = {
     "arready rdata rresp rvalid rready",
     "clock": "clk",
     "reset": "reset_n",
+    "interrupt": "irq",
 }
 
 

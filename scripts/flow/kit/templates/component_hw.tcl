@@ -29,4 +29,10 @@ set_interface_property reset associatedClock clock
 set_interface_property reset synchronousEdges BOTH
 add_interface_port reset aresetn reset_n Input 1
 
+add_interface interrupt interrupt end
+set_interface_property interrupt associatedClock clock
+set_interface_property interrupt associatedReset reset
+set_interface_property interrupt associatedAddressablePoint s_axil
+add_interface_port interrupt irq irq Output 1
+
 @{interfaces}
