@@ -8,6 +8,7 @@ import pytest
 
 from conftest import need
 from flow.base.configurations import option
+from flow.base.errors import FlowError
 from flow.base.tools import find_stereo_hls, run
 from flow.system import pipeline, play, template
 from flow_commands import call, refused
@@ -180,9 +181,12 @@ def test_fault_is_caught(verilator, scene, tmp_path, fault):
     (tmp_path / path.name).write_text(text)
     files = [tmp_path / path.name if file == path else file for file in template.vhdl_files(TINY)]
     tables, pairs, frames = scene
-    seen = play.Verilated(TINY, files).play(
-        play.table_writes(tables, DEPTHS), *streams(pairs[:3], random.Random(1)), tmp_path
-    )
+    faulty = play.Verilated(TINY, files)
+    try:
+        seen = faulty.play(play.table_writes(tables, DEPTHS), *streams(pairs[:3], random.Random(1)), tmp_path)
+    except FlowError as error:
+        assert "a beat before the first start of frame" in str(error)
+        return
     assert [frame.words for frame in seen.frames if not frame.error] != frames[:3]
 
 
