@@ -152,7 +152,7 @@ class Ghdl:
     def _write_pool(self, out: Path, filled: Path | None, seed: int) -> None:
         folder = filled or out / "pool"
         frames = pool.make_pool(self.config, self.parameters, PAIRS, seed, folder, reuse=filled is not None)
-        clocks = clocks_of_one_frame(folder)
+        clocks = clocks_of_one_frame(folder, rtl.kind_of(self.parameters))
         content = {
             "frames": [dataclasses.asdict(frame) for frame in frames],
             "seed": seed,
@@ -161,9 +161,9 @@ class Ghdl:
         (out / "pool.json").write_text(json.dumps(content))
 
 
-def clocks_of_one_frame(folder: Path) -> int:
+def clocks_of_one_frame(folder: Path, kind: rtl.Kind) -> int:
     """From the first pair in to the last disparity out, both counted, in the C++ core when a flush follows: frame 1."""
-    stimulus = vectors.read_stimulus(folder / "vectors_0" / "stimulus.txt")
+    stimulus = vectors.read_stimulus(folder / "vectors_0" / "stimulus.txt", kind)
     expected, _ = vectors.read_expected(folder / "vectors_0" / "expected.txt")
     return expected[-1].clock - [clock for clock, (_, start) in enumerate(stimulus) if start][1] + 1
 

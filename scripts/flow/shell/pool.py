@@ -5,6 +5,7 @@ import random
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..base import rtl
 from ..base.configurations import Parameters
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Word, find_stereo_hls, run
@@ -95,7 +96,7 @@ def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
     geometry = Geometry.of(parameters)
     pixel_bits = 8 * parameters["pixels_per_clock"]
     map_bits = parameters["disparity_bits"] * parameters["pixels_per_clock"]
-    stimulus = vectors.read_stimulus(folder / "stimulus.txt")
+    stimulus = vectors.read_stimulus(folder / "stimulus.txt", rtl.kind_of(parameters))
     words = [line.split() for line in (folder / "stimulus.txt").read_text().splitlines()[1:]]
     expected, latency = vectors.read_expected(folder / "expected.txt")
     starts = [clock for clock, (_, start) in enumerate(stimulus) if start][:2]
