@@ -39,7 +39,9 @@ def observed(config, folder, wrong=None):
     cell.write_text(text.replace(READ, OTHER.format(wrong)) if wrong else text)
     row = configuration(config)
     files = [cell if path == rtl.MEMORY_CELL else path for path in manifest.core_files(config)]
-    simulator = Ghdl(config, files, folder / "simulation", row["pixels_per_clock"], row["disparity_bits"], kind=rtl.kind_of(row))
+    simulator = Ghdl(
+        config, files, folder / "simulation", row["pixels_per_clock"], row["disparity_bits"], kind=rtl.kind_of(row)
+    )
     simulator.build()
     simulator.run(folder / "stimulus.txt", folder / "observed.txt", lambda clock: None, 100)
     return (folder / "observed.txt").read_text()
