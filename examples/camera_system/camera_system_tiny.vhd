@@ -85,6 +85,8 @@ begin
 
   joiner : entity work.stereo_joiner
     generic map (
+      width_px => 32,
+      height_px => 12,
       depth => 256)
     port map (
       aclk => aclk,

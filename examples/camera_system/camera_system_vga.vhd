@@ -85,6 +85,8 @@ begin
 
   joiner : entity work.stereo_joiner
     generic map (
+      width_px => 640,
+      height_px => 480,
       depth => 5120)
     port map (
       aclk => aclk,

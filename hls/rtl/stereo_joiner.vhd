@@ -8,17 +8,22 @@
 --              last joined frame began to leave
 --   faults     each '1' for one clock: (0) a frame of the left camera was dropped for want of room, (1) one of the right
 --              camera, (2) the frames that were being joined do not have the same lines
--- Whatever a camera loses, pixel, line or frame: that frame does not come out whole, which the stereo_ip behind notices,
--- and the next frame that both cameras send whole is joined again. Pixels of different frames are never joined, as long
--- as `depth` and the distance of the cameras are less than a frame together, and no frame is damaged on both sides: a
--- start of frame that waits for longer than `depth` pixels is dropped with its frame.
--- Size: two camera_queue.
+-- Whatever a camera loses, pixel, line or frame: that frame does not come out whole. A pair of zeros ends it at once, whose
+-- tlast is wrong for its column: from it the stereo_ip behind knows that it must fill the frame up, and has done so when
+-- the next one comes. If it learned that from the next start of frame only, the queues would overflow meanwhile, and the
+-- next frame would be lost, too. The next frame that both cameras send whole is joined again.
+-- Pixels of different frames are never joined, as long as `depth` and the distance of the cameras are less than a frame
+-- together, and no frame is damaged on both sides: a start of frame that waits for longer than `depth` pixels is dropped
+-- with its frame.
+-- Size: two camera_queue, and the place of the next pair.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 entity stereo_joiner is
   generic (
+    width_px : positive;  -- 2 or more
+    height_px : positive;
     depth : positive;  -- pixels that either camera may be ahead: lines * width, 16 or more, less than a frame
     pixel_bits : positive := 8
   );
@@ -53,7 +58,17 @@ architecture rtl of stereo_joiner is
   signal left_lines, right_lines : unsigned(14 downto 0);
   signal both, starts, alike, differs, left_drops, right_drops : std_logic;
   signal skew : signed(15 downto 0) := (others => '0');
+  -- the frame that is being joined
+  signal column : natural range 0 to width_px - 1 := 0;  -- of the next pair, and its row
+  signal row : natural range 0 to height_px - 1 := 0;
+  signal incomplete : std_logic := '0';
+  signal breaks : std_logic := '0';  -- the pair that ends it as a broken one is to leave
+  signal same, cuts, lost, pair_valid, pair_start, pair_end : std_logic;
+  signal pair : std_logic_vector(2 * pixel_bits - 1 downto 0);
 begin
+  assert width_px >= 2
+    report "stereo_joiner: width_px is " & integer'image(width_px) & " but must be 2 or more" severity failure;
+
   reset <= not aresetn;
   s_left_axis_tready <= '1';
   s_right_axis_tready <= '1';
@@ -79,35 +94,68 @@ begin
   both <= left_valid and right_valid;
   starts <= left_start and right_start;
   alike <= starts when left_start = '1' or right_start = '1' else joined;
-  joins <= both and alike and (left_end xnor right_end);
-  differs <= both and not joins;
+  same <= both and alike and (left_end xnor right_end);
+  differs <= both and not same;
+  cuts <= same and starts and joined and incomplete;  -- the next frame begins on both sides
+  lost <= differs or cuts or left_drops or right_drops;
+  joins <= same and not cuts and not breaks;
   left_ready <= (joins and room) or (not joined and left_valid and not left_start) or (differs and starts);
   right_ready <= (joins and room) or (not joined and right_valid and not right_start) or (differs and starts);
+
+  pair_valid <= joins or breaks;
+  pair_start <= left_start and not breaks;
+  pair_end <= left_end when breaks = '0' else '0' when column = width_px - 1 else '1';
+  pair <= right_pixel & left_pixel when breaks = '0' else (others => '0');
 
   pairs_out : entity work.stream_register
     generic map (flag_bits => 2, data_bits => 2 * pixel_bits)
     port map (
-      clock => aclk, reset => reset, in_valid => joins, in_ready => room, in_flags(0) => left_start,
-      in_flags(1) => left_end, in_data => right_pixel & left_pixel, out_valid => m_axis_tvalid,
+      clock => aclk, reset => reset, in_valid => pair_valid, in_ready => room, in_flags(0) => pair_start,
+      in_flags(1) => pair_end, in_data => pair, out_valid => m_axis_tvalid,
       out_ready => m_axis_tready, out_flags(0) => m_axis_tuser(0), out_flags(1) => m_axis_tlast,
       out_data => m_axis_tdata);
 
   skew_lines <= std_logic_vector(skew);
 
   process (aclk)
+    variable at_column : natural range 0 to width_px - 1;
+    variable at_row : natural range 0 to height_px - 1;
   begin
     if rising_edge(aclk) then
-      faults <= (differs and joined) & right_drops & left_drops;
+      faults <= ((differs or cuts) and joined) & right_drops & left_drops;
       if joins = '1' and room = '1' then
         joined <= '1';
         if starts = '1' then
           skew <= signed(resize(left_lines, 16)) - signed(resize(right_lines, 16));
         end if;
-      elsif differs = '1' or left_drops = '1' or right_drops = '1' then
+        at_column := column;
+        at_row := row;
+        if starts = '1' then
+          at_column := 0;
+          at_row := 0;
+          incomplete <= '1';
+        end if;
+        row <= at_row;
+        if left_end = '1' then
+          column <= 0;
+          if at_row = height_px - 1 then
+            incomplete <= '0';
+          else
+            row <= at_row + 1;
+          end if;
+        elsif at_column /= width_px - 1 then
+          column <= at_column + 1;
+        end if;
+      elsif lost = '1' then
         joined <= '0';
+        breaks <= breaks or (joined and incomplete);
+      end if;
+      if breaks = '1' and room = '1' then
+        breaks <= '0';
       end if;
       if reset = '1' then
         joined <= '0';
+        breaks <= '0';
         skew <= (others => '0');
         faults <= "000";
       end if;

@@ -14,6 +14,8 @@ entity tb_stereo_joiner is
   generic (
     stimulus_file : string;
     observed_file : string;
+    width_px : positive;
+    height_px : positive;
     depth : positive
   );
 end entity;
@@ -32,7 +34,7 @@ begin
   reset_n <= not flags(7);
 
   dut : entity work.stereo_joiner
-    generic map (depth => depth, pixel_bits => pixel_bits)
+    generic map (width_px => width_px, height_px => height_px, depth => depth, pixel_bits => pixel_bits)
     port map (
       aclk => clock, aresetn => reset_n,
       s_left_axis_tvalid => flags(0), s_left_axis_tready => left_ready, s_left_axis_tdata => left,

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from flow.base import rtl
+from flow.base import files, rtl
 from flow.base.configurations import configuration, designs
 from flow.base.tools import ROOT, find_stereo_hls
 from flow.synthesis import manifest
@@ -54,7 +54,7 @@ def random_pair(folder, config, levels, seed=1, brightest=255):
             generator.randrange(levels) * brightest // max(levels - 1, 1)
             for _ in range(size["width_px"] * size["height_px"])
         )
-        (folder / f"{name}.pgm").write_bytes(b"P5 %d %d 255\n" % (size["width_px"], size["height_px"]) + pixels)
+        (folder / f"{name}.pgm").write_bytes(files.pgm(size["width_px"], size["height_px"], pixels))
     return folder / "left.pgm", folder / "right.pgm"
 
 

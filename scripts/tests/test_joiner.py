@@ -15,13 +15,14 @@ from flow.base.tools import ROOT, find_ghdl, run
 FILES = ["line_memory", "stream_fifo", "stream_register", "camera_queue", "stereo_joiner"]
 BENCH = ROOT / "hls_tb" / "shell" / "tb_stereo_joiner.vhd"
 WIDTH, HEIGHT, FRAMES, DEPTH = 12, 9, 40, 64  # a frame is more than DEPTH pixels and the distance of the cameras
+SIZE = {"width_px": WIDTH, "height_px": HEIGHT}
 DAMAGES = ("frame", "line", "pixel", "start", "end of line", "last lines", "all but the first lines")
 START, END = 1, 2
 
 
 def code(frame, row, column):
-    """The value of a pixel says where it belongs."""
-    return frame << 12 | row << 6 | column
+    """The value of a pixel says where it belongs; it is never 0, as those of a pair that ends a broken frame."""
+    return (frame + 1) << 12 | row << 6 | column
 
 
 @dataclass
@@ -106,7 +107,7 @@ class Joiner:
             files[-1].write_text(text)
         ghdl.analyse(files, work)
         if netlist:
-            generics = ghdl.options_of({"depth": DEPTH, "pixel_bits": 24})
+            generics = ghdl.options_of({**SIZE, "depth": DEPTH, "pixel_bits": 24})
             text = run([find_ghdl(), "--synth", ghdl.STANDARD, *generics, "--out=vhdl", "stereo_joiner"], cwd=work)
             # GHDL 2.0 converts the bit inside to a vector of one bit, which VHDL does not allow.
             text, count = re.subn(r"\b(m_axis_tuser) <= std_ulogic_vector", r"\1(0) <= std_ulogic", text)
@@ -127,7 +128,7 @@ class Joiner:
             flags = left_flags | right_flags << 3 | ready << 6 | (clock == reset_at) << 7
             lines.append(f"{flags:02x} {left_word:06x} {right_word:06x}")
         (self.work / "stimulus.txt").write_text("\n".join(lines) + "\n")
-        names = {"stimulus_file": "stimulus.txt", "observed_file": "observed.txt", "depth": depth}
+        names = {"stimulus_file": "stimulus.txt", "observed_file": "observed.txt", **SIZE, "depth": depth}
         run([find_ghdl(), "-r", ghdl.STANDARD, "tb_stereo_joiner", *ghdl.options_of(names)], cwd=self.work)
         seen = Seen()
         *observed, end = (self.work / "observed.txt").read_text().splitlines()
@@ -147,13 +148,24 @@ def whole_frames(cameras):
 
 def judge(seen, cameras):
     """What is wrong with the pairs that came out."""
-    frames = {}
+    frames, number, broken, column = {}, None, set(), 0
     for left, right, flags, _ in seen.pairs:
+        if left == right == 0:
+            if number in broken:
+                return f"frame {number} is ended twice"
+            if flags != (0 if column == WIDTH - 1 else END):
+                return f"frame {number} is ended in column {column} by what may belong to it"
+            broken.add(number)
+            continue
         if left >> 12 != right >> 12:
-            return f"frame {left >> 12} of the left camera meets frame {right >> 12} of the right one"
-        frames.setdefault(left >> 12, []).append((left, right, flags))
+            return f"frame {(left >> 12) - 1} of the left camera meets frame {(right >> 12) - 1} of the right one"
+        number = (left >> 12) - 1
+        if number in broken:
+            return f"frame {number} goes on behind its end"
+        frames.setdefault(number, []).append((left, right, flags))
+        column = 0 if flags & END else column + 1
     expected = [
-        (code(0, y, x), code(0, y, x), (x == y == 0) * START | (x == WIDTH - 1) * END)
+        (y << 6 | x, y << 6 | x, (x == y == 0) * START | (x == WIDTH - 1) * END)
         for y in range(HEIGHT)
         for x in range(WIDTH)
     ]
@@ -162,6 +174,9 @@ def judge(seen, cameras):
         if shown != expected:
             return f"frame {number} is whole on both sides but comes out with {len(shown)} pairs, not as it is"
     for number, pairs in frames.items():
+        is_reset = cameras[0][number].damage == "reset"  # with all behind it
+        if not is_reset and (number in broken) == (len(pairs) == WIDTH * HEIGHT):
+            return f"frame {number} is {'' if number in broken else 'not '}ended as a broken one"
         if [flags & START for _, _, flags in pairs].index(START) != 0:
             return f"frame {number} comes out without its start"
         shifted = {a >> 6 & 0x3F for a, b, _ in pairs if (a ^ b) & 0x3F}
@@ -263,6 +278,13 @@ def test_a_reset_begins_anew(joiner):
 
 
 FAULTS = {
+    "a broken frame is not ended": ("stereo_joiner", "breaks or (joined and incomplete)", "'0'"),
+    "a broken frame is ended by what may belong to it": (
+        "stereo_joiner",
+        "'0' when column = width_px - 1",
+        "'1' when false",
+    ),
+    "a whole frame is ended as a broken one": ("stereo_joiner", "incomplete <= '0';", "incomplete <= '1';"),
     "frames are joined without their start": (
         "stereo_joiner",
         "alike <= starts when left_start = '1' or right_start = '1' else joined;",

@@ -29,6 +29,11 @@ def write(path: Path, content: str | bytes) -> None:
             temporary.unlink(missing_ok=True)
 
 
+def pgm(width: int, height: int, pixels: bytes) -> bytes:
+    """A grey image as a file."""
+    return b"P5 %d %d 255\n" % (width, height) + pixels
+
+
 def update(texts: Mapping[Path, str], check: bool, command: str) -> int:
     """For a command that makes committed files. Writes those of {path: text} that differ, or with `check` refuses them;
     returns the exit code. `command` makes them again."""

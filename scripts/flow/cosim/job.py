@@ -139,11 +139,11 @@ def run_job(job: Job) -> Report:
 
 def _run(job: Job, out: Path) -> Report:
     parameters = configuration(job.config, designs())
-    kind = _kind(parameters)
+    kind = rtl.kind_of(parameters)
     if job.rows is not None and re.fullmatch("[1-9][0-9]*", job.rows):
         job = dataclasses.replace(job, rows=middle_rows(parameters, int(job.rows)))
     _check_wave(job)
-    design, edited = _vhdl_files(job, kind)
+    design, edited = _vhdl_files(job, parameters)
     stimulus_path, expected_path = make_vectors(job, out, parameters)
     stimulus = vectors.read_stimulus(stimulus_path, kind)
     expected, _ = vectors.read_expected(expected_path)
@@ -232,14 +232,10 @@ def _check_wave(job: Job) -> None:
         raise FlowError(f"cannot create the folder of --wave {job.wave}: {error.strerror}") from None
 
 
-def _kind(parameters: Parameters) -> rtl.Kind:
-    return rtl.kind_of(parameters)
-
-
-def _vhdl_files(job: Job, kind: rtl.Kind) -> tuple[list[Path], list[str]]:
+def _vhdl_files(job: Job, parameters: Parameters) -> tuple[list[Path], list[str]]:
     """(in compile order, those that are not what their manifest says)"""
     if job.simulator == "original":
-        if kind is not rtl.CORE:
+        if rtl.is_stage(parameters):
             raise FlowError(f"--simulator original is for matching cores; {job.config} is a stage")
         return original_files(job.config), []
     folder = job.rtl.resolve() if job.rtl else rtl.folder(job.config)
@@ -266,7 +262,7 @@ def _simulator(job: Job, design: list[Path], parameters: Parameters) -> Simulato
     folder = SIMULATIONS / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
     lanes, bits = parameters["pixels_per_clock"], vectors.row_bits(parameters)
     return SIMULATORS[job.simulator](
-        job.config, design, folder, lanes, bits, trace=job.wave is not None, kind=_kind(parameters)
+        job.config, design, folder, lanes, bits, trace=job.wave is not None, kind=rtl.kind_of(parameters)
     )
 
 

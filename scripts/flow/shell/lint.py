@@ -101,7 +101,9 @@ def check(config: str, work: Path, shell: Path | None = None, say: Say = print) 
     found += analysis([*written, *joiner, *examples], work)
     if not found:
         found += netlist([memory, *core, *written], rtl.ip_entity(config), work)
-        found += netlist([memory, *shared, *joiner], "stereo_joiner", work, {"depth": 1024})
+        found += netlist(
+            [memory, *shared, *joiner], "stereo_joiner", work, {"width_px": 640, "height_px": 480, "depth": 1024}
+        )
     for sentence in found:
         say(sentence)
     return len(found)

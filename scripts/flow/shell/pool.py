@@ -5,7 +5,7 @@ import random
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..base import rtl
+from ..base import files, rtl
 from ..base.configurations import Parameters
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Word, find_stereo_hls, run
@@ -89,7 +89,7 @@ def write_noise(path: Path, parameters: Parameters, generator: random.Random, le
     """A PGM image of a configuration's size."""
     width, height = parameters["width_px"], parameters["height_px"]
     pixels = bytes(generator.randrange(levels) * distance for _ in range(width * height))
-    path.write_bytes(b"P5 %d %d 255\n" % (width, height) + pixels)
+    path.write_bytes(files.pgm(width, height, pixels))
 
 
 def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from ..base import files
 from ..base.configurations import Configuration, configuration, designs, option
 from ..base.tools import Word, find_stereo_hls, run
 from ..cosim import vectors
@@ -26,7 +27,8 @@ Table = Sequence[Sequence[Node]]  # rows of nodes
 
 
 def depth_table(focal_baseline: int, offset: int = 0) -> list[int]:
-    """docs/depth.md: `focal_baseline` in sixteenths of pixels times millimetres, `offset` in sixteenths of pixels."""
+    """As examples/camera_system/README.md says. `focal_baseline`: in sixteenths of pixels times millimetres; `offset`: in
+    sixteenths of pixels."""
     depths = []
     for disparity in range(256):
         parallax = 16 * disparity - offset
@@ -69,7 +71,7 @@ def rectified(image: Image, table: Table, row: Configuration) -> list[list[int]]
 
 
 def write_pgm(path: Path, image: Image) -> Path:
-    path.write_bytes(b"P5 %d %d 255\n" % (len(image[0]), len(image)) + bytes(value for row in image for value in row))
+    path.write_bytes(files.pgm(len(image[0]), len(image), bytes(value for row in image for value in row)))
     return path
 
 

@@ -136,11 +136,7 @@ def text(system: System) -> str:
         *_TABLES_LITE,
     ]
     same = {name: name for name, _, _ in outside}
-    pairs = {
-        f"{bus}_{name}": f"pair_{name}"
-        for bus in ("s_axis",)
-        for name in ("tvalid", "tready", "tdata", "tuser", "tlast")
-    }
+    pairs = {f"s_axis_{name}": f"pair_{name}" for name in ("tvalid", "tready", "tdata", "tuser", "tlast")}
     clocked = {"aclk": "aclk", "aresetn": "aresetn"}
     to_shell = clocked | pairs | {name: name for name, _, _ in (*_MAP, *_SHELL_LITE)}
     to_shell |= {f"core_{name}": name for name in ("left_pixel", "right_pixel", "start_of_frame", "valid")}
@@ -152,6 +148,7 @@ def text(system: System) -> str:
         "core_disparity_start_of_frame": "depth_start_of_frame",
         "core_disparity_end_of_line": "depth_end_of_line",
     }
+    size = {name: core[name] for name in ("width_px", "height_px")}
     joiner = clocked | {name: same[name] for name, _, _ in _CAMERAS}
     joiner |= {f"m_axis_{name}": f"pair_{name}" for name in ("tvalid", "tready", "tdata", "tuser", "tlast")}
     joiner |= {"skew_lines": "skew_lines", "faults": "faults"}
@@ -202,7 +199,7 @@ def text(system: System) -> str:
         "    end if;",
         "  end process;",
         "",
-        instance("joiner", "stereo_joiner", {"depth": SKEW_LINES * core["width_px"]}, joiner),
+        instance("joiner", "stereo_joiner", size | {"depth": SKEW_LINES * core["width_px"]}, joiner),
         "",
         instance("shell", "stereo_shell", shell, to_shell),
         "",
