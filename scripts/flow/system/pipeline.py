@@ -27,8 +27,8 @@ Table = Sequence[Sequence[Node]]  # rows of nodes
 
 
 def depth_table(focal_baseline: int, offset: int = 0) -> list[int]:
-    """As examples/camera_system/README.md says. `focal_baseline`: in sixteenths of pixels times millimetres; `offset`: in
-    sixteenths of pixels."""
+    """As examples/camera_system/README.md says. `focal_baseline`: in sixteenths of pixels times millimetres; `offset`:
+    in sixteenths of pixels."""
     depths = []
     for disparity in range(256):
         parallax = 16 * disparity - offset
