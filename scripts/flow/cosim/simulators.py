@@ -13,6 +13,8 @@ from ..base.tools import ROOT, Word, find_ghdl, find_verilator, run, run_with_pr
 from . import bench, vcd, waveform
 
 BENCH = ROOT / "hls_tb" / "cosim"
+# Components that Bambu writes in Verilog only.
+READ_PORT, MULTIPLIER = BENCH / "bambu_read_port.vhd", BENCH / "bambu_multiplier.vhd"
 VERILATOR_OPTIONS = ["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "--output-split", "20000", "-Wno-fatal"]
 Clocks = tuple[int, int]  # first and last
 
@@ -114,7 +116,9 @@ class Ghdl(Simulator):
 
     def _elaborate(self, work: Path, files: Iterable[Path]) -> None:
         ghdl.analyse(files, work)
-        run([find_ghdl(), "-e", ghdl.STANDARD, "tb_stereo_core"], cwd=work, log=work / "elaborate.log")
+        # A component without its entity would only be warned of, and its outputs never driven.
+        command = [find_ghdl(), "-e", ghdl.STANDARD, "-Werror=binding", "tb_stereo_core"]
+        run(command, cwd=work, log=work / "elaborate.log")
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         generics = ghdl.options_of(
@@ -170,7 +174,7 @@ class Original(Ghdl):
     name = "original"
 
     def _bench_files(self) -> list[Path]:
-        return [BENCH / "bambu_read_port.vhd", bench.ORIGINAL, *super()._bench_files()]
+        return [READ_PORT, MULTIPLIER, bench.ORIGINAL, *super()._bench_files()]
 
     def _build(self, work: Path, vhdl_files: list[Path]) -> None:
         library = work / "library"
@@ -186,11 +190,12 @@ class Original(Ghdl):
                 copy = library / path.name.replace("\\", "")
                 copy.write_text(path.read_text().rpartition("end package body;")[2])
                 sources.append(copy)
-        template = (BENCH / "bambu_read_port.vhd").read_text()
+        template = READ_PORT.read_text()
         for port in [port.name for port in self.kind.ports if port.direction == "in"]:
             copy = library / f"{port}.vhd"
             copy.write_text(template.replace("PORT", port))
             sources.append(copy)
+        sources.append(MULTIPLIER)
         log = work / "library.log"
         run([find_ghdl(), "-a", ghdl.STANDARD, "--work=bambu", *sources], cwd=work, log=log)
         original = work / "bambu_original.vhd"
