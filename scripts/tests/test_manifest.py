@@ -186,9 +186,12 @@ def test_a_changed_row_of_the_table_makes_only_its_vhdl_stale(project):
 
 
 def test_check_command_needs_no_bambu():
-    process = call("synthesize.py", "--check", environment={"BAMBU": "/nowhere/bambu"})
+    """Of one row of each kind; the test above looks at every row in the same way."""
+    names = ["tiny", "tiny_sgm", "tiny_trellis", "tiny_phase", "rectify_tiny"]
+    rows = [word for name in names for word in ("--config", name)]
+    process = call("synthesize.py", "--check", *rows, environment={"BAMBU": "/nowhere/bambu"})
     assert process.returncode == 0, process.stderr
-    for name in CONFIGURATIONS:
+    for name in names:
         assert f"{name}: up to date" in process.stdout
 
 

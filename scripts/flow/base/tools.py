@@ -6,6 +6,7 @@ import re
 import selectors
 import shutil
 import subprocess
+import tempfile
 import time
 from collections.abc import Callable, Iterable
 from functools import cache
@@ -90,22 +91,33 @@ def first_error(lines: Iterable[str]) -> str | None:
 def run(command: Iterable[Word], cwd: Path | None = None, log: Path | None = None, passes_errors: bool = False) -> str:
     """Runs a program to its end and returns its standard output.
 
-    With `log`, everything it prints goes to that file. With `passes_errors`, the program is one of ours: its own
-    sentence on stderr becomes ours, and so does its exit code, unless it broke off.
+    With `log`, everything it prints goes to that file, its standard output as it comes, so that one can see how far a
+    long run is. With `passes_errors`, the program is one of ours: its own sentence on stderr becomes ours, and so does
+    its exit code, unless it broke off.
     """
     words = [str(word) for word in command]
-    result = subprocess.run(words, cwd=cwd, text=True, errors="replace", capture_output=True, stdin=subprocess.DEVNULL)
-    if log is not None:
-        log.write_text(result.stdout + result.stderr)
+    with log.open("w+", errors="replace") if log else tempfile.TemporaryFile("w+", errors="replace") as said_to:
+        result = subprocess.run(
+            words,
+            cwd=cwd,
+            text=True,
+            errors="replace",
+            stdout=said_to,
+            stderr=subprocess.PIPE,
+            stdin=subprocess.DEVNULL,
+        )
+        said_to.seek(0)
+        output = said_to.read()
+        said_to.write(result.stderr)
     if result.returncode != 0:
-        lines = (result.stderr or result.stdout).strip().splitlines() or ["no message"]
+        lines = (result.stderr or output).strip().splitlines() or ["no message"]
         if passes_errors:
             ours = result.returncode in (EXIT_USAGE, EXIT_MISSING_TOOL)
             raise FlowError(lines[-1].removeprefix("stereo_hls: "), result.returncode if ours else EXIT_TOOL_FAILED)
         name, said = Path(words[0]).name, first_error(lines) or lines[-1]
         where = f"; see {log}" if log is not None else ""
         raise FlowError(f"{name} failed with exit code {result.returncode}: {said}{where}", EXIT_TOOL_FAILED)
-    return result.stdout
+    return output
 
 
 def run_with_progress(
