@@ -70,10 +70,12 @@ architecture rtl of stereo_registers is
   -- '0' in reset and in the clock after it, else the opposite of have_address, have_data and rvalid.
   signal takes_address, takes_data, takes_read : std_logic := '0';
   signal write_address : natural range 0 to 2 ** (address_bits - 2) - 1;  -- in words
-  signal write_data : word;
+  signal write_data : word := (others => '0');
   signal write_bytes : std_logic_vector(3 downto 0);
   signal writes : std_logic;  -- a write is complete: it happens in the next clock, that of the answer
   signal applies : std_logic := '0';  -- it happens in this clock
+  -- It goes to this setting, and is not more than its largest value. From registers: the comparison takes most of a clock.
+  signal setting_written, setting_fits : std_logic_vector(0 to setting_count - 1);
   signal enabled, resetting : std_logic := '0';
   signal sticky : std_logic_vector(5 downto 0) := (others => '0');
   signal frame_done, frame_done_enabled, errors_enabled, any_error : std_logic := '0';
@@ -166,6 +168,16 @@ begin
         write_bytes <= s_axil_wstrb;
       end if;
       applies <= writes;
+      for i in setting_written'range loop
+        setting_written(i) <= '0';
+        if writes = '1' and write_address = first_setting_word + i and write_bytes(1 downto 0) = "11" then
+          setting_written(i) <= '1';
+        end if;
+        setting_fits(i) <= '0';
+        if to_integer(unsigned(write_data(15 downto 0))) <= settings_largest(i) then
+          setting_fits(i) <= '1';
+        end if;
+      end loop;
       if writes = '1' then
         bvalid <= '1';
         have_address <= '0';
@@ -186,6 +198,7 @@ begin
         have_data <= '0';
         bvalid <= '0';
         applies <= '0';
+        setting_written <= (others => '0');
       end if;
     end if;
   end process;
@@ -196,7 +209,6 @@ begin
   control : process (aclk)
     variable cleared, set : std_logic_vector(5 downto 0);
     variable frame_done_cleared : std_logic;
-    variable written : natural range 0 to 2 ** 16 - 1;
   begin
     if rising_edge(aclk) then
       cleared := (others => '0');
@@ -214,14 +226,11 @@ begin
         end if;
         frame_done_cleared := write_bytes(1) and write_data(interrupt_frame_done);
       end if;
-      for i in 0 to setting_count - 1 loop
-        if applies = '1' and write_address = first_setting_word + i and write_bytes(1 downto 0) = "11" then
-          written := to_integer(unsigned(write_data(15 downto 0)));
-          if written <= settings_largest(i) then
-            setting(i) <= write_data(15 downto 0);
-          else
-            set(5) := '1';
-          end if;
+      for i in setting_written'range loop
+        if setting_written(i) = '1' and setting_fits(i) = '0' then
+          set(5) := '1';
+        elsif setting_written(i) = '1' and settings_largest(i) > 0 then
+          setting(i) <= write_data(15 downto 0);
         end if;
       end loop;
       -- What happens in the very clock in which its bit is cleared stays.

@@ -104,7 +104,12 @@ def test_fault_is_found_in_verilator(ghdl, verilator, rng, tmp_path, fault):
 
 
 SETTING_FAULTS = {
-    "no limit": ("stereo_registers", "written <= settings_largest(i)", "true", "register "),
+    "no limit": (
+        "stereo_registers",
+        "to_integer(unsigned(write_data(15 downto 0))) <= settings_largest(i)",
+        "true",
+        "register ",
+    ),
     "no interrupt": ("stereo_registers", "(frame_done and frame_done_enabled)", "'0'", "irq is not 1"),
     "the setting of the frame behind": (
         "stereo_core_tiny_settings",
