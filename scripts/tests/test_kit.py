@@ -101,7 +101,7 @@ def test_a_component_that_does_not_fit_is_noticed():
     for what, instead in (
         (">m_axis_tuser<", ">m_axis_user<"),
         (">ARESETn<", ">ARESETN<"),
-        (">irq</ipxact:name>\n            </ipxact:physicalPort", ">aclk</ipxact:name>\n            </ipxact:physicalPort"),
+        ("<ipxact:name>irq<", "<ipxact:name>aclk<"),
         (">INTERRUPT<", ">IRQ<"),
         ("<ipxact:master />", "<ipxact:slave />"),
         ("<ipxact:left>15<", "<ipxact:left>7<"),
