@@ -73,7 +73,8 @@ stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/name
                       engines/clocked/stimulus_test.cpp engines/rectification/stage_stimulus_test.cpp)
 add_dependencies(cores_named_cores_test cores)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/settings_test.cpp)
-foreach(row tiny_settings tiny_settings_all tiny_settings_left_p2 tiny_settings_recursive)
+foreach(row tiny_settings tiny_settings_all tiny_settings_left_p2 tiny_settings_recursive
+        tiny_sgm_settings tiny_sgm_settings_full)
   add_dependencies(cores_settings_test core_${row})
 endforeach()
 add_dependencies(engines_clocked_stimulus_test cores)

@@ -166,16 +166,19 @@ struct Config : Image, Matching, Structure {
       return {};
    }
 
+   /// Groups from the start of a frame to the last one of the windows around its first pixels.
+   constexpr int groups_to_first_window() const {
+      const int transform = has_transform() ? transform_groups() * width_px + transform_columns() : 0;
+      return transform + delay_groups() * width_px + first_map_column() + columns_after();
+   }
    /// Clocks that are enough from the last group that a disparity depends on to the last check.
    constexpr int clocks_to_last_check() const { return 64 + disparities; }
 
   private:
    /// Whether the first disparity of a frame is checked before the next frame can start.
    constexpr bool holds_settings() const {
-      const int transform = has_transform() ? transform_groups() * width_px + transform_columns() : 0;
       const int check = has_left_right_check() ? disparities - 1 : 0;
-      const int first = transform + delay_groups() * width_px + first_map_column() + columns_after() + check;
-      return first + clocks_to_last_check() < row_groups() * width_px;
+      return groups_to_first_window() + check + clocks_to_last_check() < row_groups() * width_px;
    }
    static constexpr int at_least_0(int value) { return value < 0 ? 0 : value; }
    static constexpr int larger(int a, int b) { return a < b ? b : a; }

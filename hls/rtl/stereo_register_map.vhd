@@ -7,7 +7,7 @@ use ieee.std_logic_1164.all;
 package stereo_register_map is
   constant address_bits : positive := 6;  -- of addresses in bytes
   constant id_value : std_logic_vector(31 downto 0) := x"53544552";
-  constant version_value : std_logic_vector(31 downto 0) := x"00010100";
+  constant version_value : std_logic_vector(31 downto 0) := x"00010200";
   constant id_word : natural := 0;
   constant version_word : natural := 1;
   constant control_word : natural := 2;
@@ -48,7 +48,16 @@ package stereo_register_map is
   constant left_right_threshold_word : natural := 14;
   constant left_right_threshold_value_bits : positive := 16;
   constant left_right_threshold_largest_bits : positive := 16;
-  constant setting_count : positive := 3;
+  constant p1_word : natural := 12;
+  constant p1_value_bits : positive := 16;
+  constant p1_largest_bits : positive := 16;
+  constant uniqueness_distance_word : natural := 13;
+  constant uniqueness_distance_value_bits : positive := 16;
+  constant uniqueness_distance_largest_bits : positive := 16;
+  constant p2_word : natural := 15;
+  constant p2_value_bits : positive := 16;
+  constant p2_largest_bits : positive := 16;
+  constant setting_count : positive := 4;
   constant first_setting_word : natural := texture_threshold_word;
   type setting_words is array (0 to setting_count - 1) of std_logic_vector(15 downto 0);
   type setting_values is array (0 to setting_count - 1) of natural;

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- The registers of the core on an AXI4-Lite slave of 32 bits. Their map: stereo_register_map.vhd, as a table in
 -- docs/integration.md. One transfer of each kind at a time; address and data of a write in any order. Responses are always
--- OKAY; other addresses read 0 and ignore writes.
+-- OKAY.
 --   enable, soft_reset    bits of `control`; soft_reset holds until soft_reset_done, which also clears errors and counters
 --   errors                pulses, set the sticky bits of `status`
 --   settings              the words of the settings, one behind the other, the first in the lowest bits. A write of more
@@ -130,10 +130,10 @@ begin
     interrupt_word => bit_at(frame_done_enabled, interrupt_frame_done_enable) or
       bit_at(errors_enabled, interrupt_any_error_enable) or bit_at(frame_done, interrupt_frame_done) or
       bit_at(any_error, interrupt_any_error),
-    texture_threshold_word => setting_word(setting(0), settings_largest(0)),
-    uniqueness_percent_word => setting_word(setting(1), settings_largest(1)),
-    left_right_threshold_word => setting_word(setting(2), settings_largest(2)),
-    others => (others => '0'));
+    first_setting_word => setting_word(setting(0), settings_largest(0)),
+    first_setting_word + 1 => setting_word(setting(1), settings_largest(1)),
+    first_setting_word + 2 => setting_word(setting(2), settings_largest(2)),
+    first_setting_word + 3 => setting_word(setting(3), settings_largest(3)));
 
   writes <= have_address and have_data and not bvalid;
 

@@ -21,13 +21,10 @@ entity stereo_shell is
     gap_groups : natural;
     core_id : std_logic_vector(31 downto 0);  -- the first digits of the digest of the core's VHDL in manifest.json
     enabled_at_reset : boolean := true;
-    -- of a core with run-time settings: the largest value of each, 0 without it, and the value after a reset
-    texture_threshold_largest : natural := 0;
-    texture_threshold_start : natural := 0;
-    uniqueness_percent_largest : natural := 0;
-    uniqueness_percent_start : natural := 0;
-    left_right_threshold_largest : natural := 0;
-    left_right_threshold_start : natural := 0
+    -- of a core with run-time settings, in the order of their registers: the largest value of each, 0 where there is none,
+    -- and the value after a reset
+    settings_largest : setting_values := (others => 0);
+    settings_start : setting_values := (others => 0)
   );
   port (
     aclk : in std_logic;
@@ -71,9 +68,7 @@ entity stereo_shell is
     core_right_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
     core_start_of_frame : out std_logic;
     core_valid : out std_logic;
-    core_texture_threshold : out std_logic_vector(15 downto 0);
-    core_uniqueness_percent : out std_logic_vector(7 downto 0);
-    core_left_right_threshold : out std_logic_vector(7 downto 0);
+    core_settings : out setting_words;
     core_disparity : in std_logic_vector(disparity_bits * pixels_per_clock - 1 downto 0);
     core_pixel_valid : in std_logic_vector(pixels_per_clock - 1 downto 0);
     core_disparity_valid : in std_logic;
@@ -86,7 +81,6 @@ architecture rtl of stereo_shell is
   signal enable, soft_reset, soft_reset_done, busy, frame_ends, frame_ends_broken : std_logic;
   signal errors : std_logic_vector(4 downto 0);
   signal frame_clocks : unsigned(31 downto 0);
-  signal settings : setting_words;
 begin
   axis : entity work.stereo_axis
     generic map (
@@ -111,8 +105,7 @@ begin
       width_px => width_px, height_px => height_px, disparities => disparities, pixels_per_clock => pixels_per_clock,
       output_width_px => output_width_px, disparity_bits => disparity_bits, core_id => core_id,
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (texture_threshold_largest, uniqueness_percent_largest, left_right_threshold_largest),
-      settings_start => (texture_threshold_start, uniqueness_percent_start, left_right_threshold_start))
+      settings_largest => settings_largest, settings_start => settings_start)
     port map (
       aclk => aclk, aresetn => aresetn,
       s_axil_awaddr => s_axil_awaddr, s_axil_awprot => s_axil_awprot, s_axil_awvalid => s_axil_awvalid,
@@ -124,9 +117,5 @@ begin
       s_axil_rready => s_axil_rready,
       enable => enable, soft_reset => soft_reset, soft_reset_done => soft_reset_done, busy => busy, errors => errors,
       frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks,
-      settings => settings, irq => irq);
-
-  core_texture_threshold <= settings(0);
-  core_uniqueness_percent <= settings(1)(7 downto 0);
-  core_left_right_threshold <= settings(2)(7 downto 0);
+      settings => core_settings, irq => irq);
 end architecture;

@@ -22,6 +22,7 @@ struct WindowConfig : block_matching::Config {
    /// Windows of a single pixel need no block that sums, so that block matching's limit does not hold.
    constexpr Sentence problem() const {
       block_matching::Config checked = *this;
+      checked.run_time_settings = false;  // block matching's are others
       if (window_px == 1 && aggregation == Aggregation::recursive) return "a single pixel has no recursive sum";
       if (window_px == 1) checked.window_px = 2;
       return checked.problem();
@@ -47,6 +48,11 @@ struct Config : Image, Matching, Structure {
       return levels;
    }
 
+   /// Largest penalties: those of the configuration, or all that ports of their bits can bring.
+   constexpr int largest_p1() const { return run_time_settings ? (1 << bits_for(p1)) - 1 : p1; }
+   constexpr int largest_p2() const { return run_time_settings ? (1 << bits_for(p2)) - 1 : p2; }
+   constexpr int smallest_p1() const { return run_time_settings ? 0 : p1; }
+
    // Numbers of the paths; docs/algorithm.md proves the bounds.
    /// Largest cost that a path sees.
    constexpr int largest_cost() const {
@@ -57,14 +63,15 @@ struct Config : Image, Matching, Structure {
    /// The K and A of the row paths are kept with a bias of half their range: then their highest bit says that they are
    /// not below 0.
    constexpr int row_path_bits() const {
-      const int highest = 2 * largest_cost() + p1, lowest = p2 + (largest_cost() > p1 ? largest_cost() - p1 : 0);
+      const int highest = 2 * largest_cost() + largest_p1();
+      const int lowest = largest_p2() + (largest_cost() > smallest_p1() ? largest_cost() - smallest_p1() : 0);
       int bits = 2;
       while (1 << (bits - 1) <= highest || 1 << (bits - 1) < lowest) ++bits;
       return bits;
    }
    constexpr int row_path_bias() const { return 1 << (row_path_bits() - 1); }
    /// Largest K of the path from above, which is never below 0.
-   constexpr int largest_path_above() const { return p2 + largest_cost(); }
+   constexpr int largest_path_above() const { return largest_p2() + largest_cost(); }
    /// Largest sum of the paths that a row is scanned for from its left end on, biases included.
    constexpr int largest_forward_sum() const {
       return (path_left ? row_path_bias() + largest_cost() : 0) + (path_above ? largest_path_above() : 0);
@@ -72,8 +79,30 @@ struct Config : Image, Matching, Structure {
    constexpr int largest_sum() const {
       return largest_forward_sum() + (path_right ? row_path_bias() + largest_cost() : 0);
    }
+   /// Largest distance that ports can bring: no two sums differ by more.
+   constexpr int largest_uniqueness() const {
+      const int reached = largest_sum() < kLargestUniqueness ? largest_sum() : kLargestUniqueness;
+      return reached < uniqueness_distance ? uniqueness_distance : reached;
+   }
    /// Moves behind the last column of a row before its last word is in the memory that turns the row round.
    constexpr int turn_columns() const { return tree_levels() + 7; }
+
+   /// What the ports of a core with run-time settings set; nothing of a check that the core does not have.
+   template <class Visitor>
+   constexpr void settings(Visitor& visit) const {
+      visit("p1", 16, largest_p1(), p1);
+      visit("p2", 16, largest_p2(), p2);
+      visit("uniqueness_distance", 16, has_uniqueness_check() ? largest_uniqueness() : 0, uniqueness_distance);
+      visit("left_right_threshold", 8, has_left_right_check() ? disparities - 1 : 0,
+            has_left_right_check() ? left_right_threshold : 0);
+   }
+   /// Clocks that are enough from the last group that a disparity depends on to the last check.
+   constexpr int clocks_to_last_check() const { return 64 + disparities; }
+   /// Groups that are enough from the start of a frame to the last one that the check of its first disparity needs.
+   constexpr int groups_to_last_check() const {
+      const int turn = path_right ? width_px : 0, moves = tree_levels() + 10;
+      return windows().groups_to_first_window() + turn + moves + (has_left_right_check() ? disparities - 1 : 0);
+   }
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
@@ -89,6 +118,9 @@ struct Config : Image, Matching, Structure {
       if (const Sentence sentence = windows().problem(); !sentence.empty()) return sentence;
       if (pixels_per_clock != 1) return "the semi-global core takes one pixel pair a clock";
       if (disparities < 8) return "the disparity range must be 8 ... 256";
+      if (run_time_settings && groups_to_last_check() + clocks_to_last_check() >= row_groups() * width_px)
+         return "with run-time settings the image must be higher, for a frame's first disparity to leave before the "
+                "next one";
       if (full_width && width_px < turn_columns() + 4) {
          Sentence sentence = "with a map of full width the image must be ";
          return sentence << turn_columns() + 4 << " columns wide or more";

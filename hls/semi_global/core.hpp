@@ -12,6 +12,7 @@
 #include "semi_global/path_entry.hpp"
 #include "semi_global/path_sums.hpp"
 #include "semi_global/path_winners.hpp"
+#include "semi_global/settings.hpp"
 #include "semi_global/winner_turn.hpp"
 #include "support/optional_block.hpp"
 #include "support/schedule.hpp"
@@ -48,6 +49,8 @@ struct Core {
    using MapBlock =
        std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>;
    static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using Settings = semi_global::Settings;
+   using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
 
    //            a pixel pair
    //                 |
@@ -79,6 +82,12 @@ struct Core {
    static constexpr Schedule kSchedule =
        raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput, kWindows.gap_groups());
 
+   static_assert(!C.run_time_settings || kLatency < C.clocks_to_last_check(), "the bound in Config is too low");
+   static_assert(!C.run_time_settings ||
+                     kGroupsToFirstOutput - TurnBlock::kLagGroups - MapBlock::kLagGroups <= C.groups_to_last_check(),
+                 "the bound in Config is too low");
+
+   [[no_unique_address]] SettingsBlock settings;
    TransformBlock transform;
    Raster<kWindowConfig<C>> raster;
    PairDelay<kWindowConfig<C>> delay;
@@ -117,6 +126,7 @@ struct Core {
    /// In data-flow order. Registers of slice number s begin with "slice<s>".
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (C.run_time_settings) visit.block("settings", settings);
       visit.block("transform", transform);
       visit.block("raster", raster);
       visit.block("delay", delay);
@@ -140,11 +150,11 @@ struct Core {
       if constexpr (kHasMapBlock) map_block.clock(turned());
       if constexpr (C.path_right) turn.clock(checked());
       if constexpr (C.has_left_right_check()) check();
-      refinement.clock(winners, NoTexture());
+      refinement.clock(winners, NoTexture(), settings);
       winners.clock(sums);
-      sums.clock(entry, forward);
+      sums.clock(entry, forward, settings);
       winners.follow(sums.tag);
-      forward.clock(entry);
+      forward.clock(entry, settings);
       entry.clock(slices);
       slices.clock(rows.search, rows.reference, rows.tag);
       rows.clock(delay);
@@ -157,12 +167,19 @@ struct Core {
       }
    }
 
+   /// The same where the configuration has run-time settings. `now`: what the ports show; it counts in the clock of a
+   /// start of frame.
+   HLS_INLINE void clock(const StereoInput& in, const Settings& now) {
+      clock(in);
+      settings.clock(in, now);
+   }
+
   private:
    struct NoTexture {};
 
    HLS_INLINE void check() {
       uint8_t other_winner[1] = {winners.other.winner[0][PathWinners<C>::Other::kOldest]};
-      left_right.clock(refinement.output(winners, NoTexture()), other_winner);
+      left_right.clock(refinement.output(winners, NoTexture()), other_winner, settings);
    }
 
    HLS_INLINE Winners<kSumConfig<C>> checked() const {

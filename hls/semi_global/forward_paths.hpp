@@ -11,6 +11,19 @@
 
 namespace stereo::semi_global {
 
+/// Where the first column of a frame is, for paths that take over its settings.
+template <int Moves>
+struct FrameStarts {
+   bool moved[Moves];  ///< [j]: it is the column of j+1 moves ago
+
+   HLS_INLINE FrameStarts() { start(*this); }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("moved", moved);
+   }
+};
+
 /// The paths that go with the stream, from the left and from above, and their sum, kMoves moves behind the costs.
 /// Beside it come the costs and the smallest of them, for the path from the right. Memory: (levels + 1) x D x bits of a
 /// cost, LUT RAM, and that of the path from above.
@@ -38,6 +51,7 @@ struct ForwardPaths {
    // Beside them. [age]: of the column that entered age+1 moves ago, or of the one whose costs left the delay age+1
    // moves ago, or of the one whose smallest cost left its tree then.
    bool first[kMoves];
+   [[no_unique_address]] std::conditional_t<C.run_time_settings, FrameStarts<kPathMoves>, NoSettings> starts;
    PathCost<C> cost[kCostMoves][kCount];
    PathCost<C> smallest_cost[kMoves - kLevels];
 
@@ -55,15 +69,18 @@ struct ForwardPaths {
       if constexpr (C.path_above) visit("above", above);
       visit("sum", sum);
       visit("first", first);
+      if constexpr (C.run_time_settings) visit("starts", starts);
       visit("cost", cost);
       visit("smallest_cost", smallest_cost);
    }
 
-   HLS_INLINE void clock(const PathEntry<C>& entry) {
+   template <class Settings>
+   HLS_INLINE void clock(const PathEntry<C>& entry, const Settings& settings) {
       const bool move = entry.tag.valid;
       add(entry.moves_costs);
       if constexpr (C.path_left) left.clock(entry.moves_left, smallest.root(), first[kLevels - 1], cost[0]);
       if constexpr (C.path_above) above.clock(entry);
+      if constexpr (C.run_time_settings) take(entry.tag, settings);
       if constexpr (kHasSmallest) keep_costs(entry);
       HLS_UNROLL
       for (int age = kMoves - 1; age > 0; --age) first[age] = select<bool>(move, first[age - 1], first[age]);
@@ -71,6 +88,18 @@ struct ForwardPaths {
    }
 
   private:
+   template <class Settings>
+   HLS_INLINE void take(const PixelTag& tag, const Settings& settings) {
+      const bool move = tag.valid;
+      if constexpr (C.path_left) left.take(move & starts.moved[kLevels - 2], settings);
+      if constexpr (C.path_above)
+         above.take(move & tag.start_of_frame, move & starts.moved[PathAbove<C>::kMoves - 1], settings);
+      HLS_UNROLL
+      for (int j = kPathMoves - 1; j > 0; --j)
+         starts.moved[j] = select<bool>(move, starts.moved[j - 1], starts.moved[j]);
+      starts.moved[0] = select<bool>(move, tag.start_of_frame, starts.moved[0]);
+   }
+
    template <class Move>
    HLS_INLINE void add(const Move& moves) {
       HLS_UNROLL

@@ -7,6 +7,8 @@
 
 namespace stereo::semi_global {
 
+inline constexpr int kLargestUniqueness = 4095;
+
 /// What semi-global matching computes: docs/algorithm.md defines each option. Models take it with images of any size.
 struct Matching {
    // The window costs, those of block matching.
@@ -27,7 +29,7 @@ struct Matching {
    bool path_right = true;  ///< along the row, from its right end
    bool path_above = true;  ///< down the column
    int p1 = 5;              ///< penalty of a step by one disparity, 0 ... 4095
-   int p2 = 22;             ///< penalty of any other step, 1 ... 4095
+   int p2 = 22;             ///< penalty of any other step, 0 ... 4095
    // The winner and its checks.
    Ties ties = Ties::smallest;
    int left_right_threshold = -1;  ///< largest difference of a consistent pair of disparities, below D; -1: no check
@@ -86,10 +88,10 @@ struct Matching {
       visit("path_right", self.path_right);
       visit("path_above", self.path_above);
       visit("p1", self.p1, 0, 4095, "the penalty P1");
-      visit("p2", self.p2, 1, 4095, "the penalty P2");
+      visit("p2", self.p2, 0, 4095, "the penalty P2");
       visit("ties", self.ties);
       visit("left_right_threshold", self.left_right_threshold, -1, self.disparities - 1, "the left/right threshold");
-      visit("uniqueness_distance", self.uniqueness_distance, 0, 4095, "the uniqueness distance");
+      visit("uniqueness_distance", self.uniqueness_distance, 0, kLargestUniqueness, "the uniqueness distance");
       visit("subpixel", self.subpixel);
       visit("median", self.median);
       visit("full_width", self.full_width);

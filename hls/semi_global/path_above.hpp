@@ -3,6 +3,7 @@
 
 #include "semi_global/config.hpp"
 #include "semi_global/path_entry.hpp"
+#include "semi_global/settings.hpp"
 #include "support/fan_out.hpp"
 #include "support/memory_bank.hpp"
 #include "support/minimum_tree.hpp"
@@ -17,13 +18,13 @@ template <const Config& C>
 struct PathAbove {
    static constexpr int kCount = C.disparities;
    static constexpr int kWidth = C.output_width_px();
-   static constexpr int kStateBits = bits_for(C.p2);
+   static constexpr int kStateBits = bits_for(C.largest_p2());
    static constexpr int kTotalBits = bits_for(C.largest_path_above());
    using Pack = Packed<kStateBits, kCount>;
    using State = typename Pack::Lane;
    using Word = typename Pack::Word;
    using Value = AbovePathValue<C>;
-   using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.p1)>;
+   using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.largest_p1())>;
    using Tree = MinimumTree<Value, kCount>;
    using Delay = MoveDelay<kTotalBits, kCount, Tree::kLevels + 1>;
    using Memory = MemoryBank<Word, kWidth, Pack::kWords>;
@@ -36,6 +37,7 @@ struct PathAbove {
    Word ready_words[Pack::kWords];
    PathCost<C> ready_cost[kCount];
    bool ready_top;
+   [[no_unique_address]] SecondPenalty<C> top_p2;  ///< of the column here
    // move 2
    Value total[kCount];
    // then the tree, and the totals beside it
@@ -45,7 +47,9 @@ struct PathAbove {
    // move kMoves
    Value cost[kCount];  ///< K
    // then what the row below gets
-   Value beside[kCount], own[kCount];  ///< the smaller of the neighbours' K; K
+   Value beside[kCount], own[kCount];         ///< the smaller of the neighbours' K; K
+   [[no_unique_address]] FirstPenalty<C> p1;  ///< of the column there
+   [[no_unique_address]] SecondPenalty<C> p2;
    Passed step[kCount];
    State stay[kCount];
    bool comes[kMoves + 2];  ///< [j]: the column of j+1 moves ago is one of the map
@@ -66,6 +70,7 @@ struct PathAbove {
       visit("ready_words", ready_words);
       visit("ready_cost", ready_cost);
       visit("ready_top", ready_top);
+      if constexpr (C.run_time_settings) visit("top_p2", top_p2.value, C.p2);
       visit("total", total);
       visit("tree", tree);
       visit("delay", delay);
@@ -73,6 +78,10 @@ struct PathAbove {
       visit("cost", cost);
       visit("beside", beside);
       visit("own", own);
+      if constexpr (C.run_time_settings) {
+         visit("p1", p1.value, C.p1);
+         visit("p2", p2.value, C.p2);
+      }
       visit("step", step);
       visit("stay", stay);
       visit("comes", comes);
@@ -97,7 +106,7 @@ struct PathAbove {
       delay.clock(total, moves);
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
-         const State from_above = select<State>(ready_top, C.p2, Pack::lane(ready_words, d));
+         const State from_above = select<State>(ready_top, top_p2.get(), Pack::lane(ready_words, d));
          total[d] = select<Value>(moves.lane(d), Value(from_above + ready_cost[d]), total[d]);
          ready_cost[d] = select<PathCost<C>>(moves.lane(d), entry.cost[d], ready_cost[d]);
       }
@@ -114,6 +123,17 @@ struct PathAbove {
       HLS_UNROLL
       for (int j = kMoves + 1; j > 0; --j) column[j] = select<uint16_t>(move, column[j - 1], column[j]);
       column[0] = select<uint16_t>(move, entry.column, column[0]);
+   }
+
+   /// Behind clock(), in a move. enters: the column that has just entered is the first of a frame; leaves: that whose K
+   /// was there until now.
+   template <class Settings>
+   HLS_INLINE void take(bool enters, bool leaves, const Settings& settings) {
+      if constexpr (C.run_time_settings) {
+         top_p2.take(enters, settings.p2);
+         p1.take(leaves, settings.p1);
+         p2.take(leaves, settings.p2);
+      }
    }
 
   private:
@@ -133,8 +153,8 @@ struct PathAbove {
       write_column = select<uint16_t>(writes.lane(0), column[kMoves + 1], write_column);
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
-         step[d] = select<Passed>(moves.lane(d), Passed(beside[d] + C.p1), step[d]);
-         stay[d] = select<State>(moves.lane(d), State(select<Value>(own[d] > C.p2, C.p2, own[d])), stay[d]);
+         step[d] = select<Passed>(moves.lane(d), Passed(beside[d] + p1.get()), step[d]);
+         stay[d] = select<State>(moves.lane(d), State(select<Value>(own[d] > p2.get(), p2.get(), own[d])), stay[d]);
          const Value smaller = smaller_of<Value>(cost[d > 0 ? d - 1 : 1], cost[d < kCount - 1 ? d + 1 : kCount - 2]);
          beside[d] = select<Value>(moves.lane(d), smaller, beside[d]);
          own[d] = select<Value>(moves.lane(d), cost[d], own[d]);

@@ -97,7 +97,8 @@ struct ForwardSums {
       visit("tags", tags);
    }
 
-   HLS_INLINE void clock(const PathEntry<C>& entry, const ForwardPaths<C>& forward) {
+   template <class Settings>
+   HLS_INLINE void clock(const PathEntry<C>& entry, const ForwardPaths<C>& forward, const Settings&) {
       HLS_UNROLL
       for (int d = 0; d < C.disparities; ++d) sum[0][d] = forward.sum[d];
       tag = tags.out();
@@ -146,7 +147,8 @@ struct TurnedSums {
       visit("tags", tags);
    }
 
-   HLS_INLINE void clock(const PathEntry<C>& entry, const ForwardPaths<C>& forward) {
+   template <class Settings>
+   HLS_INLINE void clock(const PathEntry<C>& entry, const ForwardPaths<C>& forward, const Settings& settings) {
       const bool move = entry.tag.valid;
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
@@ -155,9 +157,12 @@ struct TurnedSums {
          sum[0][d] = total & kMask;
       }
       tag = tags.out();
+      bool frame_follows = entry.turned.start_of_frame;
+      if constexpr (Turn::kWaits > 0) frame_follows = tags.held[Turn::kWaits - 1].start_of_frame;
       tags.clock(move, entry.turned);
       const auto& moves = entry.moves_right;
       right.clock(moves, turn.ready_smallest[0], turn.ready_first, cost[1]);
+      if constexpr (C.run_time_settings) right.take(move & frame_follows, settings);
       if constexpr (kHasSums) {
          typename SumDelay::Lane lanes[kCount];
          HLS_UNROLL

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "semi_global/config.hpp"
+#include "semi_global/settings.hpp"
 #include "support/fan_out.hpp"
 #include "support/minimum_tree.hpp"
 
@@ -21,7 +22,7 @@ struct RowPath {
    static constexpr int kMoves = 4;
    using Value = RowPathValue<C>;
    static constexpr Value kMask = Value((1 << kBits) - 1);
-   using Start = uint_of_bits<bits_for(C.p2)>;
+   using Start = uint_of_bits<bits_for(C.largest_p2())>;
 
    /// The smaller of K(d-1) and K(d+1) is needed anyway: every other pair of them, and what is left at the end, covers
    /// all disparities.
@@ -33,6 +34,8 @@ struct RowPath {
    Value pair[kPairs];
    Tree tree;
    // move 1
+   [[no_unique_address]] FirstPenalty<C> p1;  ///< of the column that comes in
+   [[no_unique_address]] SecondPenalty<C> p2;
    Start start_cost[kLookBack - 1];  ///< [j]: q of this column and of those before
    Start room;                       ///< P2 less the q of the last kLookBack-1 columns, for the next column
    PathCost<C> smallest;
@@ -51,6 +54,10 @@ struct RowPath {
    HLS_INLINE void registers(Visitor& visit) {
       visit("pair", pair);
       visit("tree", tree);
+      if constexpr (C.run_time_settings) {
+         visit("p1", p1.value, C.p1);
+         visit("p2", p2.value, C.p2);
+      }
       visit("start_cost", start_cost);
       visit("room", room);
       visit("smallest", smallest);
@@ -82,10 +89,19 @@ struct RowPath {
       g_less.move(moves, Value(smallest_less + start_cost[0]) & kMask);
       find_start(move, lowest, first_in);
       smallest = select<PathCost<C>>(move, smallest_in, smallest);
-      smallest_less = select<Value>(move, Value(smallest_in - C.p1) & kMask, smallest_less);
+      smallest_less = select<Value>(move, Value(smallest_in - p1.get()) & kMask, smallest_less);
       HLS_UNROLL
       for (int j = 2; j > 0; --j) first[j] = select<bool>(move, first[j - 1], first[j]);
       first[0] = select<bool>(move, first_in, first[0]);
+   }
+
+   /// Behind clock(). frame_follows: the next column that comes in is the first of a frame.
+   template <class Settings>
+   HLS_INLINE void take(bool frame_follows, const Settings& settings) {
+      if constexpr (C.run_time_settings) {
+         p1.take(frame_follows, settings.p1);
+         p2.take(frame_follows, settings.p2);
+      }
    }
 
   private:
@@ -129,7 +145,7 @@ struct RowPath {
       const Start missing = Start(select<uint32_t>(short_of, reached - kBias, 0));
       const Start wanted = select<Start>(lost, room, missing);
       const Start rest = select<Start>(short_of, Start(kBias - below), room);  // room - q
-      const Start q = select<Start>(first_in, C.p2, wanted);
+      const Start q = select<Start>(first_in, p2.get(), wanted);
       const Start room_left = select<Start>(lost, 0, rest);
       const Start room_after = Start((room_left + start_cost[kLookBack - 2]) & kStartMask);
       room = select<Start>(move, select<Start>(first_in, 0, room_after), room);
@@ -138,7 +154,7 @@ struct RowPath {
          start_cost[j] = select<Start>(move, select<Start>(first_in, 0, start_cost[j - 1]), start_cost[j]);
       start_cost[0] = select<Start>(move, q, start_cost[0]);
    }
-   static constexpr Start kStartMask = Start((uint64_t(1) << bits_for(C.p2)) - 1);
+   static constexpr Start kStartMask = Start((uint64_t(1) << bits_for(C.largest_p2())) - 1);
 };
 
 }  // namespace stereo::semi_global

@@ -57,6 +57,7 @@ struct Config : Image, Matching, Structure {
    /// Why this core cannot be built; empty when it can. Each block relies on it instead of repeating it.
    constexpr Sentence problem() const {
       if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
+      if (run_time_settings) return "run-time settings are for block matching and semi-global matching";
       return costs().problem();
    }
 };

@@ -22,17 +22,19 @@ struct Refinement {
                                                              : 0;
    static constexpr int kStages = kClocks > 0 ? kClocks : 1;
    using Value = WindowCost<C>;
-   static constexpr bool kHasPercent = kSetAtRunTime<C> && C.has_uniqueness_check();
+   static constexpr bool kIsSet = kSetAtRunTime<C> && C.has_uniqueness_check();
+   static constexpr bool kHasDistance = requires { C.uniqueness_distance; };
 
    // [stage][p]
    uint8_t disparity[kStages][kPixels];
    bool passed[kStages][kPixels];
    PixelTag tag[kStages];
    // Uniqueness: 100 * gap > percent * cost, or gap > distance - 1. The losers come in stage 0.
-   bool alone[2][kPixels];                               ///< stages 1 and 2: there is no second
-   Value gap[kPixels], lowest[kPixels];                  // stage 1: second - cost; cost
-   uint32_t scaled_gap[kPixels], scaled_cost[kPixels];   // stage 2
-   [[no_unique_address]] TakenOver<C, uint8_t> percent;  ///< of the winner in stage 1; 0: no check
+   bool alone[2][kPixels];                              ///< stages 1 and 2: there is no second
+   Value gap[kPixels], lowest[kPixels];                 // stage 1: second - cost; cost
+   uint32_t scaled_gap[kPixels], scaled_cost[kPixels];  // stage 2
+   /// Percent or distance of the winner in stage 1; 0: no check.
+   [[no_unique_address]] TakenOver<C, std::conditional_t<kHasDistance, uint16_t, uint8_t>> asked;
    // Subpixel: u and v are what the costs below and above have more than the winner's.
    Value cost[kPixels], below[kPixels], above[kPixels];  // stage 0
    Value u[kPixels], v[kPixels];                         // stage 1
@@ -55,7 +57,8 @@ struct Refinement {
       visit("lowest", lowest);
       visit("scaled_gap", scaled_gap);
       visit("scaled_cost", scaled_cost);
-      if constexpr (kHasPercent) visit("percent", percent.value, C.uniqueness_percent);
+      if constexpr (kIsSet && kHasDistance) visit("distance", asked.value, C.uniqueness_distance);
+      else if constexpr (kIsSet) visit("percent", asked.value, C.uniqueness_percent);
       visit("cost", cost);
       visit("below", below);
       visit("above", above);
@@ -108,8 +111,10 @@ struct Refinement {
             }
          }
          if constexpr (C.has_uniqueness_check()) take_second(last);
-         if constexpr (kHasPercent)
-            percent.value = select<uint8_t>(is_first_of_frame(tag[0]), settings.uniqueness_percent, percent.value);
+         if constexpr (kIsSet && kHasDistance)
+            asked.value = select<uint16_t>(is_first_of_frame(tag[0]), settings.uniqueness_distance, asked.value);
+         else if constexpr (kIsSet)
+            asked.value = select<uint8_t>(is_first_of_frame(tag[0]), settings.uniqueness_percent, asked.value);
          if constexpr (C.subpixel) find_distances(last);
          HLS_UNROLL
          for (int p = 0; p < kPixels; ++p) {
@@ -144,11 +149,14 @@ struct Refinement {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          alone[1][p] = alone[0][p];
-         if constexpr (kHasPercent) {
-            alone[1][p] = alone[0][p] | (percent.value == 0);
+         if constexpr (kIsSet && kHasDistance) {
+            scaled_gap[p] = uint32_t(gap[p]) + 1u;
+            scaled_cost[p] = asked.value;
+         } else if constexpr (kIsSet) {
+            alone[1][p] = alone[0][p] | (asked.value == 0);
             scaled_gap[p] = uint32_t(gap[p]) * 100u;
-            scaled_cost[p] = uint32_t(lowest[p]) * percent.value;
-         } else if constexpr (requires { C.uniqueness_distance; }) {
+            scaled_cost[p] = uint32_t(lowest[p]) * asked.value;
+         } else if constexpr (kHasDistance) {
             scaled_gap[p] = gap[p];
             scaled_cost[p] = uint32_t(C.uniqueness_distance - 1);
          } else {
@@ -165,7 +173,7 @@ struct Refinement {
    /// Smaller factors take fewer additions.
    static constexpr uint32_t kCommonFactor = [] {
       int factor = 1;
-      if constexpr (!requires { C.uniqueness_distance; })
+      if constexpr (!kHasDistance)
          for (int i = 2; i <= 100; ++i)
             if (100 % i == 0 && C.uniqueness_percent % i == 0) factor = i;
       return uint32_t(factor);

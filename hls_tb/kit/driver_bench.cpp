@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMovedPx = 2;     // of the left image: the disparity of every pixel
 constexpr int kPatience = 200;  // clocks; a core that runs lets nobody wait so long
-constexpr int kMostClocks = 100000;
+constexpr int kMostClocks = 200000;
 int failures = 0;
 
 void expect(bool holds, const char* what) {
@@ -80,7 +80,10 @@ class Design {
 
    void clock() {
       model_.eval();
-      if (model_.m_axis_tvalid) map.push_back(model_.m_axis_tdata & 255);
+      if (model_.m_axis_tvalid) {
+         map.push_back(model_.m_axis_tdata & 255);
+         valid += model_.m_axis_tdata >> 8 & 1;
+      }
       model_.aclk = 1;
       model_.eval();
       model_.aclk = 0;
@@ -92,6 +95,7 @@ class Design {
    }
 
    std::vector<int> map;
+   unsigned valid = 0;  ///< pixels of the maps so far
 
   private:
    /// Clocks until the handshake happened.
@@ -108,7 +112,8 @@ class Design {
 };
 
 /// Starts a core that takes nothing, and says how often that was. A broken frame has an end of line too many.
-int send_frame(Design& design, const stereo_device& device, const stereo_size& size, bool broken = false) {
+int send_frame(Design& design, const stereo_device& device, const stereo_size& size, bool broken = false,
+               bool related = true) {
    std::mt19937 random(2007);
    int starts = 0;
    for (unsigned y = 0; y < size.height_px; y++) {
@@ -116,7 +121,8 @@ int send_frame(Design& design, const stereo_device& device, const stereo_size& s
       for (int& pixel : noise) pixel = random() & 255;
       for (unsigned x = 0; x < size.width_px; x++) {
          const bool end = x == size.width_px - 1 || (broken && x == 3);
-         while (!design.send(noise[x + kMovedPx] << 8 | noise[x], x == 0 && y == 0, end)) {
+         const int left = related ? noise[x + kMovedPx] : random() & 255;
+         while (!design.send(left << 8 | noise[x], x == 0 && y == 0, end)) {
             stereo_start(&device);
             starts++;
          }
@@ -127,6 +133,38 @@ int send_frame(Design& design, const stereo_device& device, const stereo_size& s
 
 void wait_until_idle(Design& design, const stereo_device& device) {
    while (stereo_is_busy(&device)) design.clock();
+}
+
+/// Valid pixels of two unrelated images: how many there are is up to the settings.
+unsigned valid_pixels(Design& design, const stereo_device& device, const stereo_size& size) {
+   const unsigned before = design.valid;
+   send_frame(design, device, size, false, false);
+   wait_until_idle(design, device);
+   return design.valid - before;
+}
+
+/// Settings of a core of block matching that has them.
+void use_settings(Design& design, const stereo_device& device, const stereo_size& size) {
+   const uint32_t unique = STEREO_UNIQUENESS_PERCENT_OFFSET, left_right = STEREO_LEFT_RIGHT_THRESHOLD_OFFSET;
+   const unsigned pixels = size.output_width_px * size.height_px;
+   expect(stereo_largest(&device, unique) == 100, "the largest uniqueness");
+   expect(stereo_largest(&device, left_right) == size.disparities - 1, "the largest left/right threshold");
+   expect(stereo_set(&device, unique, 0) && stereo_set(&device, left_right, size.disparities - 1),
+          "a setting is refused");
+   expect(valid_pixels(design, device, size) == pixels, "a check that is off drops pixels");
+   expect(stereo_set(&device, unique, 100), "the largest setting is refused");
+   const unsigned unique_ones = valid_pixels(design, device, size);
+   expect(unique_ones < pixels / 2, "the uniqueness check has no effect");
+   expect(!stereo_set(&device, unique, 101) && stereo_setting(&device, unique) == 100, "a setting beyond its limit");
+   expect(stereo_take_errors(&device) == 0, "a setting that the driver refuses reaches the core");
+   device.write(device.context, unique, 101);
+   expect(stereo_take_errors(&device) == STEREO_STATUS_SETTING_REFUSED_MASK, "a refused setting is no error");
+   expect(valid_pixels(design, device, size) == unique_ones, "a refused setting has an effect");
+   expect(stereo_set(&device, unique, 0) && stereo_set(&device, left_right, 0), "0 is refused");
+   const unsigned consistent = valid_pixels(design, device, size);
+   expect(consistent > 0 && consistent < pixels, "the left/right check has no effect");
+   expect(stereo_set(&device, left_right, size.disparities - 1), "a setting is refused");
+   expect(valid_pixels(design, device, size) == pixels, "settings do not come back");
 }
 
 uint32_t read_design(void* context, uint32_t offset) { return static_cast<Design*>(context)->read(offset); }
@@ -167,6 +205,7 @@ int main() {
    expect(send_frame(design, device, size) == 0, "a reset stops the core");
    wait_until_idle(design, device);
    expect(stereo_frames(&device) == 1, "no frame comes after a reset");
+   if (stereo_largest(&device, STEREO_UNIQUENESS_PERCENT_OFFSET) > 0) use_settings(design, device, size);
    std::printf("%u of %u disparities right, %d wrong\n", right, pixels, failures);
    return failures != 0;
 }

@@ -8,6 +8,9 @@
 
 #define WORDS 32
 #define CLOCKS_OF_A_RESET 3 /* counted in reads */
+/* The words of the settings; their names are those of the family. */
+#define FIRST_SETTING 0x30u
+#define LAST_SETTING 0x3cu
 
 typedef struct {
    uint32_t word[WORDS];
@@ -43,6 +46,14 @@ static void model_write(void *context, uint32_t offset, uint32_t value) {
       }
    } else if (offset == STEREO_STATUS_OFFSET) {
       *at(registers, offset) &= ~(value & STEREO_STATUS_CLEARED_BY_1);
+   } else if (offset == STEREO_INTERRUPT_OFFSET) {
+      const uint32_t enables = STEREO_INTERRUPT_FRAME_DONE_ENABLE_MASK | STEREO_INTERRUPT_ANY_ERROR_ENABLE_MASK;
+      const uint32_t left = *at(registers, offset) & ~(value & STEREO_INTERRUPT_CLEARED_BY_1);
+      *at(registers, offset) = (left & ~enables) | (value & enables);
+   } else if (offset >= FIRST_SETTING && offset <= LAST_SETTING) {
+      const uint32_t largest = *at(registers, offset) >> 16;
+      expect(value <= largest, "a setting beyond its limit is written");
+      *at(registers, offset) = largest << 16 | value;
    } else {
       expect(0, "a register is written that cannot be");
    }
@@ -115,6 +126,42 @@ static void test_use(void) {
    expect(*at(&registers, STEREO_CONTROL_OFFSET) == 0, "stop does not disable");
 }
 
+static void test_settings(void) {
+   model registers = fresh();
+   stereo_device device = {model_read, model_write, 0};
+   uint32_t offset;
+   device.context = &registers;
+   for (offset = FIRST_SETTING; offset <= LAST_SETTING; offset += 4)
+      *at(&registers, offset) = (offset + 300u) << 16 | offset;
+   for (offset = FIRST_SETTING; offset <= LAST_SETTING; offset += 4) {
+      expect(stereo_largest(&device, offset) == offset + 300u, "the largest value of a setting");
+      expect(stereo_setting(&device, offset) == offset, "the value of a setting");
+      expect(stereo_set(&device, offset, offset + 300u), "the largest value is refused");
+      expect(stereo_setting(&device, offset) == offset + 300u, "a setting is not written");
+      expect(!stereo_set(&device, offset, offset + 301u), "a value beyond the limit is taken");
+      expect(stereo_setting(&device, offset) == offset + 300u, "a refused setting has changed");
+      expect(stereo_set(&device, offset, 0) && stereo_setting(&device, offset) == 0, "a setting of 0");
+   }
+   *at(&registers, STEREO_LEFT_RIGHT_THRESHOLD_OFFSET) = 0;
+   expect(stereo_set(&device, STEREO_LEFT_RIGHT_THRESHOLD_OFFSET, 0), "0 is refused");
+   expect(!stereo_set(&device, STEREO_LEFT_RIGHT_THRESHOLD_OFFSET, 1), "a core without a setting takes one");
+}
+
+static void test_interrupts(void) {
+   const uint32_t both = STEREO_INTERRUPT_FRAME_DONE_ENABLE_MASK | STEREO_INTERRUPT_ANY_ERROR_ENABLE_MASK;
+   model registers = fresh();
+   stereo_device device = {model_read, model_write, 0};
+   uint32_t *interrupt = at(&registers, STEREO_INTERRUPT_OFFSET);
+   device.context = &registers;
+   *interrupt = STEREO_INTERRUPT_FRAME_DONE_MASK;
+   stereo_interrupts(&device, 0xffffffffu);
+   expect(*interrupt == (both | STEREO_INTERRUPT_FRAME_DONE_MASK), "interrupts are not enabled, or one is lost");
+   expect(stereo_take_frame_done(&device) && *interrupt == both, "a frame that is done is not seen, or not cleared");
+   expect(!stereo_take_frame_done(&device), "a frame is done twice");
+   stereo_interrupts(&device, 0);
+   expect(*interrupt == 0, "interrupts are not disabled");
+}
+
 static void test_memory(void) {
    static volatile uint32_t memory[WORDS];
    const stereo_device device = stereo_at(memory);
@@ -129,6 +176,8 @@ static void test_memory(void) {
 int main(void) {
    test_check();
    test_use();
+   test_settings();
+   test_interrupts();
    test_memory();
    printf("%d wrong\n", failures);
    return failures != 0;

@@ -18,7 +18,8 @@ struct Difference : std::runtime_error {
 /// Sets the options of an algorithm that it has; those of the images and the structure are none of it.
 class Setter : public OptionSink {
   public:
-   explicit Setter(std::shared_ptr<const Algorithm> start) : algorithm(std::move(start)), known_(algorithm->options()) {}
+   explicit Setter(std::shared_ptr<const Algorithm> start)
+       : algorithm(std::move(start)), known_(algorithm->options()) {}
 
    void number(const char* name, int value) override { word(name, std::to_string(value).c_str()); }
    void word(const char* name, const char* value) override {
@@ -131,9 +132,27 @@ class Checker {
       for (int i = 0; i < of_frame; ++i) to.record(whole.clocks[std::size_t(i)]);
       to.random_records(records - of_frame);
    }
-   std::vector<CoreOutput> run(StimulusWriter& stream, HeapMemories& memories) const {
+   /// Each frame with settings of its own, where the core takes any.
+   std::vector<CoreOutput> run(StimulusWriter& stream, HeapMemories& memories) {
       stream.drain(schedule_);
-      return run_core(core_, stream.clocks, memories);
+      Stimulus stimulus{core_.name, image_.pixels_per_clock, stream.clocks};
+      chosen_.clear();
+      set_frames(stimulus, core_.shape.settings, random_, [&] {
+         chosen_.push_back(random_settings(core_.shape.settings, random_));
+         return chosen_.back();
+      });
+      return run_core(core_, stimulus, memories);
+   }
+
+   /// With the settings of a frame of the last run, counted from the last one.
+   std::shared_ptr<const Algorithm> algorithm_of_frame(std::size_t from_last) const {
+      std::shared_ptr<const Algorithm> algorithm = algorithm_;
+      const SettingList& ports = core_.shape.settings;
+      for (int i = 0; i < ports.count; ++i)
+         if (ports.setting[i].largest > 0)
+            algorithm = algorithm->with(ports.setting[i].name,
+                                        std::to_string(chosen_.at(chosen_.size() - 1 - from_last)[std::size_t(i)]));
+      return algorithm;
    }
 
    /// Few grey levels, far apart or close together: ties, extremes, sums that differ by little.
@@ -156,7 +175,8 @@ class Checker {
       if (got.size() != sent.size())
          throw Difference(what + ": " + std::to_string(got.size()) + " maps instead of " + std::to_string(sent.size()));
       for (std::size_t i = 0; i < sent.size(); ++i) {
-         const DisparityMap expected = algorithm_->match_reference(sent[i].left, sent[i].right);
+         const DisparityMap expected =
+             algorithm_of_frame(sent.size() - 1 - i)->match_reference(sent[i].left, sent[i].right);
          for (int y = 0; y < expected.height; ++y)
             for (int x = 0; x < expected.width; ++x)
                if (expected.at(x, y) != got[i].at(x, y) || expected.valid_at(x, y) != got[i].valid_at(x, y))
@@ -192,6 +212,7 @@ class Checker {
    const Schedule& schedule_;
    Random random_;
    std::shared_ptr<const Algorithm> algorithm_;
+   std::vector<std::vector<uint32_t>> chosen_;  ///< settings of each frame of the last run
    int maps_ = 0;
 };
 

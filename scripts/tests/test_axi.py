@@ -118,15 +118,37 @@ SETTING_FAULTS = {
         "expected",
     ),
 }
+PENALTY_FAULTS = {
+    "P2 of the frame behind, on the path from the right": (
+        "stereo_core_tiny_sgm_settings",
+        "sums_right_p2 <= settings_p2",
+        "sums_right_p2 <= in_p2 mod 32",
+        "expected",
+    ),
+    "P1 stays": (
+        "stereo_core_tiny_sgm_settings",
+        "forward_above_p1 <= settings_p1",
+        "forward_above_p1 <= forward_above_p1",
+        "expected",
+    ),
+    "P2 in the register of another": (
+        "stereo_ip_tiny_sgm_settings",
+        "p2 => settings(3)",
+        "p2 => settings(2)",
+        "expected",
+    ),
+}
+FAULTS_OF = {"tiny_settings": SETTING_FAULTS, "tiny_sgm_settings": PENALTY_FAULTS}
 
 
-@pytest.mark.parametrize("fault", [None, *SETTING_FAULTS])
-def test_each_frame_has_its_settings(ghdl, verilator, rng, tmp_path, fault):
-    config = "tiny_settings"
+@pytest.mark.parametrize(
+    "config, fault", [(config, fault) for config in FAULTS_OF for fault in (None, *FAULTS_OF[config])]
+)
+def test_each_frame_has_its_settings(ghdl, verilator, rng, tmp_path, config, fault):
     parameters = configuration(config)
     files = design.vhdl_files(config)
     if fault:
-        name, text, instead, _ = SETTING_FAULTS[fault]
+        name, text, instead, said = FAULTS_OF[config][fault]
         place = next(place for place, path in enumerate(files) if path.stem == name)
         assert files[place].read_text().count(text) == 1
         changed = tmp_path / files[place].name
@@ -139,7 +161,7 @@ def test_each_frame_has_its_settings(ghdl, verilator, rng, tmp_path, fault):
     steps = script.changed_settings(rng, frames, geometry, rtl.settings_of(parameters))
     verdict = judge.judge(steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "play"), geometry, frames)
     if fault:
-        assert any(SETTING_FAULTS[fault][3] in problem for problem in verdict.problems), verdict.problems[:5]
+        assert any(said in problem for problem in verdict.problems), verdict.problems[:5]
     else:
         assert verdict.problems == [] and verdict.exact_frames == len(frames)
 

@@ -34,7 +34,11 @@ LOGICAL = {
 
 def check_buses(component, top):
     """Each signal of a bus on the port of its name, with the clock and the reset of all."""
+    interrupts = []
     for bus in component.findall("x:busInterfaces/x:busInterface", SPACE):
+        if bus.find("x:busType", SPACE).attrib["library"] == "signal":
+            interrupts.append(bus)
+            continue
         [name], kind = texts(bus, "x:name"), bus.find("x:busType", SPACE).attrib["name"]
         logical, physical = texts(bus, ".//x:logicalPort/x:name"), texts(bus, ".//x:physicalPort/x:name")
         assert set(logical) <= LOGICAL[kind] and {"ACLK", "ARESETn"} <= set(logical)
@@ -43,6 +47,11 @@ def check_buses(component, top):
         begins = "TVALID" if kind == "AXI4Stream" else "AWVALID"
         is_master = top.ports[physical[logical.index(begins)]][0] == "out"
         assert (bus.find("x:master", SPACE) is not None) == is_master
+    [interrupt] = interrupts
+    assert interrupt.find("x:busType", SPACE).attrib["name"] == "interrupt"
+    assert texts(interrupt, ".//x:logicalPort/x:name") == ["INTERRUPT"]
+    [irq] = texts(interrupt, ".//x:physicalPort/x:name")
+    assert top.ports[irq] == ("out", None) and interrupt.find("x:master", SPACE) is not None
 
 
 def check_component(files, config):
@@ -55,15 +64,16 @@ def check_component(files, config):
         [way], high = texts(port, "x:wire/x:direction"), texts(port, ".//x:left")
         described[texts(port, "x:name")[0]] = (way, int(high[0]) + 1 if high else None)
     assert described == top.ports
-    assert set(texts(component, ".//x:physicalPort/x:name")) == set(top.ports) - {"irq"}
+    assert set(texts(component, ".//x:physicalPort/x:name")) == set(top.ports)
     assert set(texts(component, "x:model//x:moduleParameter/x:name")) == top.generics
     check_buses(component, top)
     assert [Path(name) for name in texts(component, ".//x:file/x:name")][:-1] == [
         Path(name) for name in files[contents.ORDER].split()
     ]
     assert all(Path(name) in files for name in texts(component, ".//x:file/x:name"))
-    assert texts(component, ".//x:register/x:name") == [entry["name"] for entry in registers.description()]
-    for entry, element in zip(registers.description(), component.findall(".//x:register", SPACE)):
+    known = registers.description_of(rtl.folder(config).parent.name)
+    assert texts(component, ".//x:register/x:name") == [entry["name"] for entry in known]
+    for entry, element in zip(known, component.findall(".//x:register", SPACE)):
         fields = access.fields(entry)
         assert texts(element, "x:field/x:name") == [field["name"] for field in fields]
         assert [int(low) for low in texts(element, "x:field/x:bitOffset")] == [field["low"] for field in fields]
@@ -91,6 +101,8 @@ def test_a_component_that_does_not_fit_is_noticed():
     for what, instead in (
         (">m_axis_tuser<", ">m_axis_user<"),
         (">ARESETn<", ">ARESETN<"),
+        ("<ipxact:name>irq<", "<ipxact:name>aclk<"),
+        (">INTERRUPT<", ">IRQ<"),
         ("<ipxact:master />", "<ipxact:slave />"),
         ("<ipxact:left>15<", "<ipxact:left>7<"),
         (">rtl/stereo_axis.vhd<", ">stereo_axis.vhd<"),
@@ -107,7 +119,7 @@ def test_register_values_are_what_the_core_shows():
     """As scripts/verify_axi.py reads them: size, disparities and rows, map."""
     assert Subject("tiny_p2").register_values() == {
         "id": 0x53544552,
-        "version": 0x00010100,
+        "version": 0x00010200,
         "core": int(next(iter(manifest.read(rtl.folder("tiny_p2"))["files"].values()))[:8], 16),
         "size": 12 << 16 | 32,
         "matching": 2 << 24 | 8,

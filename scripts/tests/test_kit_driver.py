@@ -33,7 +33,7 @@ def on_the_model(gcc, kit, folder):
     return subprocess.run([program], capture_output=True, text=True)
 
 
-@pytest.mark.parametrize("config", ["tiny", "tiny_p4", "tiny_sgm", "example"])
+@pytest.mark.parametrize("config", ["tiny", "tiny_p4", "tiny_sgm", "tiny_sgm_settings", "example"])
 def test_driver_on_a_model(gcc, tmp_path, config):
     process = on_the_model(gcc, kits.make(tmp_path / "kit", "vivado", config), tmp_path)
     assert process.returncode == 0 and process.stdout == "0 wrong\n", process.stdout
@@ -47,6 +47,9 @@ FAULTS = [  # (file, what, instead, what the test says)
     ("stereo_driver.c", " & STEREO_STATUS_CLEARED_BY_1", "", "busy is one"),
     ("stereo_driver.c", "OFFSET, control | ", "OFFSET, (control ^ 1u) | ", "changes enable"),
     ("stereo_driver.c", "return STEREO_NO_ANSWER;", "return STEREO_OK;", "does not end is not noticed"),
+    ("stereo_driver.c", "get(device, offset) >> 16", "get(device, offset) >> 8", "the largest value of a setting"),
+    ("stereo_driver.c", "if (value > stereo_largest(device, offset)) return 0;", "", "beyond the limit is taken"),
+    ("stereo_driver.c", "INTERRUPT_OFFSET, value)", "INTERRUPT_OFFSET, 0)", "not cleared"),
     ("stereo_registers.h", "HEIGHT_PX_SHIFT 16", "HEIGHT_PX_SHIFT 8", "size of the image"),
 ]
 
@@ -62,9 +65,10 @@ def test_the_model_notices_a_fault(gcc, tmp_path, file, what, instead, said):
     assert process.returncode == 1 and said in process.stdout, process.stdout
 
 
-def test_driver_on_the_vhdl(gcc, ghdl, verilator, tmp_path):
+@pytest.mark.parametrize("config", ["tiny", "tiny_settings"])
+def test_driver_on_the_vhdl(gcc, ghdl, verilator, tmp_path, config):
     """Frames go through the top of a kit in Verilator meanwhile. Then again with one that does not clear errors."""
-    kit = kits.make(tmp_path / "kit", "vivado", "tiny")
+    kit = kits.make(tmp_path / "kit", "vivado", config)
     driver = compiled(gcc, kit, tmp_path / "driver.o", "-c")
     options = ["-CFLAGS", f"-I{kit.folder / 'software'}"]
     simulators.verilate(tmp_path, kit.sources(), kit.top, [BENCHES / "driver_bench.cpp", driver], options)

@@ -56,7 +56,7 @@ def test_the_component_of_a_kit_is_valid(validate, tmp_path):
 @pytest.mark.parametrize(
     "what, instead, said",
     [
-        ("<ipxact:version>1.1.0</ipxact:version>", "", "version"),
+        ("<ipxact:version>1.2.0</ipxact:version>", "", "version"),
         ("read-only", "read", "access"),
         ('memoryMapRef="registers"', 'memoryMapRef="others"', "memoryMapRef"),
         ("<ipxact:direction>in<", "<ipxact:direction>input<", "direction"),

@@ -9,6 +9,7 @@ import pytest
 import kits
 import vendor_commands
 from conftest import need
+from flow.base import rtl
 from flow.shell import registers
 
 CONFIGURATIONS = ["tiny", "tiny_p4", "tiny_sgm", "example"]
@@ -49,9 +50,11 @@ def check_vivado(kit):
     [[clock, _, reset, _]] = arguments(found, "ipx::associate_bus_interfaces", "-clock")
     assert clock in top.ports and reset in top.ports
     names = [call[0] for call in arguments(found, "ipx::add_register")]
-    assert names == [register["name"] for register in registers.description()]
+    assert names == [register["name"] for register in registers.description_of(rtl.folder(kit.config).parent.name)]
     assert arguments(found, "ipx::remove_memory_map"), "what Vivado guessed stays"
-    fields = sum(len(register.get("fields", [0])) for register in registers.description())
+    fields = sum(
+        len(register.get("fields", [0])) for register in registers.description_of(rtl.folder(kit.config).parent.name)
+    )
     assert len(arguments(found, "ipx::add_field")) == fields
     cleared = [call for call in found if call[:3] == ["set_property", "modified_write_value", "oneToClear"]]
     errors = [f for f in registers.by_name()["status"]["fields"].values() if f["text"].startswith("error:")]

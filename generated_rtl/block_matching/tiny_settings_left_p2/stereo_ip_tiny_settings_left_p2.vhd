@@ -48,9 +48,7 @@ architecture rtl of stereo_ip_tiny_settings_left_p2 is
   signal right_pixel : std_logic_vector(15 downto 0);
   signal start_of_frame : std_logic;
   signal valid : std_logic;
-  signal texture_threshold : std_logic_vector(15 downto 0);
-  signal uniqueness_percent : std_logic_vector(7 downto 0);
-  signal left_right_threshold : std_logic_vector(7 downto 0);
+  signal settings : work.stereo_register_map.setting_words;
   signal disparity : std_logic_vector(31 downto 0);
   signal pixel_valid : std_logic_vector(1 downto 0);
   signal disparity_valid : std_logic;
@@ -70,12 +68,8 @@ begin
       gap_groups => 0,
       core_id => x"c246c833",
       enabled_at_reset => enabled_at_reset,
-      texture_threshold_largest => 279,
-      texture_threshold_start => 30,
-      uniqueness_percent_largest => 100,
-      uniqueness_percent_start => 10,
-      left_right_threshold_largest => 7,
-      left_right_threshold_start => 1)
+      settings_largest => (279, 100, 7, 0),
+      settings_start => (30, 10, 1, 0))
     port map (
       aclk => aclk,
       aresetn => aresetn,
@@ -114,9 +108,7 @@ begin
       core_right_pixel => right_pixel,
       core_start_of_frame => start_of_frame,
       core_valid => valid,
-      core_texture_threshold => texture_threshold,
-      core_uniqueness_percent => uniqueness_percent,
-      core_left_right_threshold => left_right_threshold,
+      core_settings => settings,
       core_disparity => disparity,
       core_pixel_valid => pixel_valid,
       core_disparity_valid => disparity_valid,
@@ -141,12 +133,12 @@ begin
       right_pixel => right_pixel,
       start_of_frame => start_of_frame,
       valid => valid,
-      texture_threshold => texture_threshold,
-      uniqueness_percent => uniqueness_percent,
-      left_right_threshold => left_right_threshold,
       disparity => disparity,
       pixel_valid => pixel_valid,
       disparity_valid => disparity_valid,
       disparity_start_of_frame => disparity_start_of_frame,
-      disparity_end_of_line => disparity_end_of_line);
+      disparity_end_of_line => disparity_end_of_line,
+      texture_threshold => settings(0),
+      uniqueness_percent => settings(1)(7 downto 0),
+      left_right_threshold => settings(2)(7 downto 0));
 end architecture;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "semi_global/configurations.hpp"
+#include "support/settings.hpp"
 
 namespace stereo::test {
 namespace {
@@ -46,10 +47,34 @@ TEST(SemiGlobalConfig, SaysWhatCannotBeBuilt) {
              "with a map of full width the image must be 14 columns wide or more");
    EXPECT_EQ(problem([](Config& c) { c.p1 = -1; }), "the penalty P1 is -1 but must be 0 ... 4095");
    EXPECT_EQ(problem([](Config& c) { c.sign_memory = true; }), "a sign memory is for block matching");
+   EXPECT_EQ(problem([](Config& c) { c.run_time_settings = true; }), "");
+   EXPECT_EQ(
+       problem([](Config& c) {
+          c.run_time_settings = true;
+          c.height_px = 6;
+       }),
+       "with run-time settings the image must be higher, for a frame's first disparity to leave before the next one");
    EXPECT_EQ(problem([](Config& c) { c.winner_group = 1; }),
              "the number of candidates of a winner group is 1 but must be 2 ... 16");
    EXPECT_EQ(problem([](Config& c) { c.path_left = c.path_right = c.path_above = false; }),
              "at least one path must be on");
+}
+
+TEST(SemiGlobalConfig, PortsBringAllNumbersOfTheirBits) {
+   Config config = kGood;
+   config.run_time_settings = true;
+   config.uniqueness_distance = 3;
+   SettingList list;
+   config.settings(list);
+   ASSERT_EQ(list.count, 4);
+   const int largest[] = {7, 31, config.largest_sum(), 0}, start[] = {5, 22, 3, 0};
+   for (int i = 0; i < list.count; ++i) {
+      EXPECT_EQ(list.setting[i].largest, largest[i]) << list.setting[i].name;
+      EXPECT_EQ(list.setting[i].start, start[i]) << list.setting[i].name;
+   }
+   // K and A: -(31 + 13) ... 2*13 + 7.
+   EXPECT_EQ(config.row_path_bits(), 7);
+   EXPECT_EQ(config.largest_path_above(), 44);
 }
 
 TEST(SemiGlobalConfig, AFewDisparitiesDoWhereTheyAreFar) {

@@ -16,6 +16,10 @@ std::vector<CoreOutput> run_core(const CoreModule& module, const std::vector<Ste
 
 std::vector<CoreOutput> run_core(const CoreModule& module, const Stimulus& stimulus) {
    HeapMemories memories;
+   return run_core(module, stimulus, memories);
+}
+
+std::vector<CoreOutput> run_core(const CoreModule& module, const Stimulus& stimulus, HeapMemories& memories) {
    auto core = module.make(memories);
    std::vector<CoreOutput> outputs;
    OutputLocator locator(stimulus.pixels_per_clock);

@@ -28,6 +28,7 @@ std::vector<CoreOutput> run_core(const CoreModule& module, const std::vector<Ste
 std::vector<CoreOutput> run_core(const CoreModule& module, const std::vector<StereoInput>& clocks);
 
 /// The same with the stimulus's resets: the core starts anew, its memories keep their words.
+std::vector<CoreOutput> run_core(const CoreModule& module, const Stimulus& stimulus, HeapMemories& memories);
 std::vector<CoreOutput> run_core(const CoreModule& module, const Stimulus& stimulus);
 
 }  // namespace stereo

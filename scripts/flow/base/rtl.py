@@ -128,7 +128,11 @@ CORE = Kind(
     "disparity_valid",
     ("disparity",),
 )
-SETTINGS_TOP = "hls/top/settings_top.cpp"  # of cores whose settings come from ports
+# Of cores whose settings come from ports, by family: a port has its name in the file.
+SETTINGS_TOPS = {
+    "block_matching": "hls/top/settings_top.cpp",
+    "semi_global": "hls/top/semi_global_settings_top.cpp",
+}
 # By the folder that stands where a matching core has its family.
 STAGES = {
     "rectification": Kind(
@@ -160,7 +164,7 @@ def kind_of(parameters: Mapping[str, Any]) -> Kind:
     """Of a configuration."""
     settings = settings_of(parameters)
     if settings:
-        return CORE._replace(top=SETTINGS_TOP, ports=ports_with(settings))
+        return CORE._replace(top=SETTINGS_TOPS[parameters["family"]], ports=ports_with(settings))
     return STAGES.get(parameters["family"], CORE)
 
 

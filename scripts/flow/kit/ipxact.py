@@ -9,11 +9,13 @@ from ..shell import registers
 from ..shell.registers import Field, Register
 from ..shell.template import Port
 from . import access
-from .subject import CLOCK, GENERIC, LIBRARY, REGISTERS, RESET, STREAM, VENDOR, Interface, Subject, width
+from .subject import CLOCK, GENERIC, INTERRUPT, LIBRARY, REGISTERS, RESET, STREAM, VENDOR, Interface, Subject, width
 
 SPACE = "http://www.accellera.org/XMLSchema/IPXACT/1685-2014"
 # Arm's names of the buses: (name, version) of a bus definition; its abstraction is NAME_rtl.
 BUSES = {STREAM: ("AXI4Stream", "r0p0_1"), REGISTERS: ("AXI4-Lite", "r0p0_0")}
+# A signal of its own, by the name that catalogues know it by; it is level high.
+SIGNAL = {"vendor": "xilinx.com", "library": "signal", "version": "1.0"}
 CLOCK_AND_RESET = {"ACLK": CLOCK, "ARESETn": RESET}  # in Arm's definitions part of each bus: so they are associated
 MAP, FILES, VIEW = "registers", "rtl", "implementation"
 
@@ -41,7 +43,7 @@ def component(subject: Subject, sources: Iterable[Path], constraints: Iterable[P
         _element("library", LIBRARY),
         _element("name", subject.top),
         _element("version", subject.version),
-        _list("busInterfaces", (_bus_interface(interface) for interface in subject.interfaces)),
+        _list("busInterfaces", [*map(_bus_interface, subject.interfaces), _interrupt()]),
         _list("memoryMaps", [_memory_map(subject)]),
         _model(subject),
         _list("fileSets", [_file_set(subject, sources, constraints)]),
@@ -74,6 +76,29 @@ def _bus_interface(interface: Interface) -> xml.Element:
     )
 
 
+def _interrupt() -> xml.Element:
+    abstraction = _element(
+        "abstractionType",
+        _element("abstractionRef", **SIGNAL, name="interrupt_rtl"),
+        _list("portMaps", [_port_map("INTERRUPT", INTERRUPT)]),
+    )
+    level = _element(
+        "parameter",
+        _element("name", "SENSITIVITY"),
+        _element("value", "LEVEL_HIGH"),
+        parameterId="IRQ_SENSITIVITY",
+        type="string",
+    )
+    return _element(
+        "busInterface",
+        _element("name", INTERRUPT),
+        _element("busType", **SIGNAL, name="interrupt"),
+        _element("abstractionTypes", abstraction),
+        _element("master"),
+        _list("parameters", [level]),
+    )
+
+
 def _port_map(logical: str, physical: str) -> xml.Element:
     def named(tag: str, name: str) -> xml.Element:
         return _element(tag, _element("name", name))
@@ -90,7 +115,7 @@ def _memory_map(subject: Subject) -> xml.Element:
         _element("range", 1 << registers.address_bits()),
         _element("width", 32),
         _element("usage", "register"),
-        *(_register(register, values.get(register["name"])) for register in registers.description()),
+        *(_register(register, values.get(register["name"])) for register in subject.registers),
     )
     return _element("memoryMap", _element("name", MAP), block, _element("addressUnitBits", 8))
 

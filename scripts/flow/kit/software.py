@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The registers in C, and the driver on top of them."""
 
-from ..shell import registers
 from . import access
 from .fill import TEMPLATES, fill
 from .subject import Subject
@@ -12,7 +11,7 @@ DRIVER = ("stereo_driver.h", "stereo_driver.c")  # the same for every configurat
 def header(subject: Subject) -> str:
     """stereo_registers.h."""
     lines = []
-    for register in registers.description():
+    for register in subject.registers:
         name = register["name"].upper()
         lines += ["", f"#define STEREO_{name}_OFFSET 0x{register['offset']:02x}u"]
         for field in register.get("fields", []):

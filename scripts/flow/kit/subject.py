@@ -39,13 +39,14 @@ class Subject:
         self.ports = template.ports(self.generics)
         self.interfaces = _interfaces(self.ports)
         self.sources = design.vhdl_files(config)  # below the top
+        self.registers = registers.description_of(self.entry["parameters"]["family"])
         self.version = ".".join(map(str, registers.VERSION))  # as the register says
 
     def register_values(self) -> dict[str, int]:
         """{register: what it always reads}: those that say which core stands here."""
         values = {"id": registers.ID, "version": registers.version_value()}
         values["core"] = int(template.core_id(self.entry), 16)
-        for register in registers.description():
+        for register in self.registers:
             fields = register.get("fields", [])
             if fields and all(field["name"] in self.generics for field in fields):
                 values[register["name"]] = sum(self.generics[field["name"]] << field["low"] for field in fields)

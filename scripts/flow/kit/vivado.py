@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """A kit for AMD's Vivado: a script that packages the core for its IP catalogue."""
 
-from ..shell import registers
 from . import access
 from .fill import fill
 from .subject import LIBRARY, VENDOR, Subject
 
 
-def _register_calls() -> list[str]:
+def _register_calls(subject: Subject) -> list[str]:
     """Calls of the script's procedures `register` and `field`."""
     calls = []
-    for entry in registers.description():
+    for entry in subject.registers:
         calls.append(f"register {entry['name']} 0x{entry['offset']:02X}")
         for field in access.fields(entry):
             allowed = access.of(entry, field)
@@ -39,5 +38,5 @@ def script(subject: Subject, sources: list[str]) -> str:
         version=".".join(subject.version.split(".")[:2]),  # Vivado takes two numbers
         sources="\n".join(f"  {name}" for name in sources),
         buses=" ".join(interface.name for interface in subject.interfaces),
-        registers="\n".join(_register_calls()),
+        registers="\n".join(_register_calls(subject)),
     )

@@ -14,7 +14,8 @@ PACKAGE = ROOT / "hls" / "rtl" / "stereo_register_map.vhd"
 DOCUMENT = ROOT / "docs" / "integration.md"
 TABLE_BEGIN, TABLE_END = "<!-- registers: made by scripts/registers.py -->", "<!-- end of registers -->"
 ID = 0x53544552  # "STER"
-VERSION = (1, 1, 0)
+VERSION = (1, 2, 0)
+PLAIN = "block_matching"  # whose names the settings have in a family without any
 
 
 class Field(TypedDict):
@@ -28,14 +29,23 @@ class Register(TypedDict):
     name: str
     offset: int
     access: str
+    family: NotRequired[str]  # the word has this name in cores of this family only
     text: NotRequired[str]  # of one without fields
     fields: NotRequired[list[Field]]
 
 
 def description() -> list[Register]:
-    """In the order of their addresses."""
+    """Of all families. Two names of a word are two registers."""
     registers: list[Register] = json.loads(DESCRIPTION.read_text())["registers"]
     return registers
+
+
+def description_of(family: str) -> list[Register]:
+    """Those of a family's cores, in the order of their addresses."""
+    known = {register["family"] for register in description() if "family" in register}
+    named = family if family in known else PLAIN
+    found = [register for register in description() if register.get("family", named) == named]
+    return sorted(found, key=lambda register: register["offset"])
 
 
 def by_name() -> dict[str, dict[str, Any]]:
@@ -57,12 +67,19 @@ def version_value() -> int:
 
 
 def settings() -> list[str]:
-    """The registers that hold a setting of the core, in the order of their words, which follow one another."""
+    """The registers that hold a setting of a core."""
     return [
         register["name"]
         for register in description()
         if any(f["name"] == "largest" for f in register.get("fields", []))
     ]
+
+
+def setting_words() -> dict[str, int]:
+    """{setting: which of the words for settings it has}; these words follow one another."""
+    offset = {register["name"]: register["offset"] for register in description()}
+    first = min(offset[name] for name in settings())
+    return {name: (offset[name] - first) // 4 for name in settings()}
 
 
 def vhdl_package() -> str:
@@ -88,10 +105,10 @@ def vhdl_package() -> str:
                 lines.append(f"  constant {name}_{field['name']} : natural := {field['low']};")
             else:
                 lines.append(f"  constant {name}_{field['name']}_bits : positive := {bits};")
-    count = len(settings())
+    words = setting_words()
     lines += [
-        f"  constant setting_count : positive := {count};",
-        f"  constant first_setting_word : natural := {settings()[0]}_word;",
+        f"  constant setting_count : positive := {max(words.values()) + 1};",
+        f"  constant first_setting_word : natural := {min(words, key=words.__getitem__)}_word;",
         "  type setting_words is array (0 to setting_count - 1) of std_logic_vector(15 downto 0);",
         "  type setting_values is array (0 to setting_count - 1) of natural;",
     ]
@@ -100,8 +117,9 @@ def vhdl_package() -> str:
 
 def table() -> str:
     rows = ["| address | register | bits | field | access | meaning |", "|---|---|---|---|---|---|"]
-    for register in description():
-        head = f"| `0x{register['offset']:02X}` | `{register['name']}` "
+    for register in sorted(description(), key=lambda register: register["offset"]):
+        of_family = f", {register['family']}" if "family" in register else ""
+        head = f"| `0x{register['offset']:02X}` | `{register['name']}`{of_family} "
         access = register["access"]
         whole: Field = {"name": "", "high": 31, "low": 0, "text": register.get("text", "")}
         for field in register.get("fields", [whole]):

@@ -3,7 +3,7 @@
 core in generated_rtl/ and follows from the core's manifest: no synthesis tool is needed to make it."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,6 +13,7 @@ from ..synthesis import manifest
 from . import design, registers
 
 Generics = Mapping[str, int | str]
+SETTING_BITS = 16  # of a word of stereo_register_map.setting_words
 
 
 class Port(NamedTuple):
@@ -45,6 +46,15 @@ def ports(values: Mapping[str, int]) -> list[Port]:
     return [port._replace(kind=plain(port.kind)) for port in _shell_ports() if not port.name.startswith("core_")]
 
 
+def _values(settings: Sequence[rtl.Setting], what: str) -> str:
+    """Of all words for settings, as VHDL."""
+    words = registers.setting_words()
+    values = [0] * (max(words.values()) + 1)
+    for setting in settings:
+        values[words[setting.name]] = getattr(setting, what)
+    return f"({', '.join(map(str, values))})"
+
+
 def core_id(entry: manifest.Manifest) -> str:
     """What the register `core` says: the first digits of the digest of the core's VHDL."""
     return next(iter(entry["files"].values()))[:8]
@@ -59,17 +69,21 @@ def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None 
         port.name: rtl.port_type(port, values["pixels_per_clock"], values["disparity_bits"])
         for port in rtl.ports_with(settings)
     }
-    of_the_core = {"reset", *widths}
+    of_the_core = {"reset", *widths} | ({"settings"} if settings else set())
     to_core = [port for port in _shell_ports() if port.name.removeprefix("core_") in of_the_core]
     shell = {
         **values,
         "core_id": f'x"{core_id(entry)}"',
         "enabled_at_reset": "enabled_at_reset",
-        **{f"{setting.name}_{what}": getattr(setting, what) for setting in settings for what in ("largest", "start")},
+        **({f"settings_{what}": _values(settings, what) for what in ("largest", "start")} if settings else {}),
         **(of_the_shell or {}),
     }
     inside = {port.name: port.name.removeprefix("core_") for port in to_core}
-    core_ports = {"clock": "aclk"} | {name: name for name in inside.values()}
+    core_ports = {"clock": "aclk"} | {name: name for name in inside.values() if name != "settings"}
+    for setting in settings:
+        word = f"settings({registers.setting_words()[setting.name]})"
+        core_ports[setting.name] = word if setting.bits == SETTING_BITS else f"{word}({setting.bits - 1} downto 0)"
+    widths["settings"] = "work.stereo_register_map.setting_words"
     lines = [
         "-- SPDX-License-Identifier: Apache-2.0",
         f"-- The core {rtl.core_entity(config)} between AXI4-Streams: docs/integration.md. Do not edit; made by",

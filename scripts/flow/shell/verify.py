@@ -37,6 +37,8 @@ FRAMES = {
     "ambrosch2007": 26,
     # each frame with its own settings
     "tiny_settings": 200,
+    "tiny_sgm_settings": 200,
+    "tiny_sgm_settings_full": 200,
     "tiny_settings_all": 200,
 }
 LARGEST_FOR_CASES = 10000  # groups of a frame: larger ones meet the broken streams in the mixture only

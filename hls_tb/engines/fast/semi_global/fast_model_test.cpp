@@ -50,7 +50,7 @@ Matching random_options(Random& random, int width) {
    m.path_above = random.percent(80);
    if (!m.path_left && !m.path_right) m.path_above = true;
    m.p1 = random.below(random.percent(70) ? 12 : random.percent(70) ? 100 : 4096);
-   m.p2 = 1 + random.below(random.percent(70) ? 60 : random.percent(70) ? 300 : 4095);
+   m.p2 = random.below(random.percent(70) ? 61 : random.percent(70) ? 301 : 4096);
    m.ties = random.percent(50) ? Ties::largest : Ties::smallest;
    if (random.percent(50)) m.left_right_threshold = random.below(std::min(m.disparities, 4));
    if (random.percent(50)) m.uniqueness_distance = random.below(random.percent(80) ? 12 : 4096);
@@ -139,7 +139,7 @@ TEST(SemiGlobalFastModel, IsTheSameForAnyNumberOfThreads) {
 TEST(SemiGlobalFastModel, RejectsWhatTheReferenceRejects) {
    EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);
    EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 9}), std::invalid_argument);
-   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .p2 = 0}),
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .p2 = -1}),
                 std::invalid_argument);
 }
 
