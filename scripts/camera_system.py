@@ -59,21 +59,22 @@ def check(options: Namespace) -> None:
 
 
 def measure(system: System, options: Namespace) -> int:
-    work = WORK / "runs" / system.name
-    if options.implement:
-        implemented = implementation.implement(system, sorted(set(options.seeds)), options.router)
+    work, made_of = WORK / "runs" / system.name, record.design(system)
+
+    def keep(section: str, content: object) -> None:
         if options.record:
-            record.keep(system, "implementation", implemented)
+            record.keep(system, section, content, made_of)
+
+    if options.implement:
+        keep("implementation", implementation.implement(system, sorted(set(options.seeds)), options.router))
         return EXIT_OK
     if options.frame:
         seen = frame.run_frame(system, options.pair, work / "frame")
-        if options.record:
-            record.keep(system, "frame", seen)
+        keep("frame", seen)
         print("\n".join(summary.of_frame(system, seen)))
         return EXIT_OK
     played = streams.run(system, options.streams, work / "streams")
-    if options.record:
-        record.keep(system, "streams", played)
+    keep("streams", played)
     print(summary.of_streams(system, played))
     return EXIT_OK if streams.passed(played) else EXIT_MISMATCH
 

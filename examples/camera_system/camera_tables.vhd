@@ -8,7 +8,7 @@
 --   0x0c  size          read   bits 15 ... 0 columns of a table, 31 ... 16 rows
 --   0x10  cameras       read   bits 15 ... 0 lines by which the right camera is behind, 18 ... 16 faults of the joiner since
 --                              the last write to here
---   0x14  depths        read   bits 15 ... 0 entries of the table of depths, 16: a step from one to the next is a sixteenth of a
+--   0x14  depths        read   bits 15 ... 0 entries of the table of depths, 16: from one to the next it is a sixteenth of a
 --                              pixel, else a pixel
 -- Other addresses answer SLVERR. Strobes are not looked at: words are written whole.
 library ieee;

@@ -96,12 +96,14 @@ def test_tiny_stands_500_frames_of_random_streams():
 
 def test_a_record_of_another_design_does_not_count(monkeypatch, tmp_path):
     monkeypatch.setattr(record, "path", lambda system: tmp_path / "record.json")
-    record.keep(TINY, "streams", {"frames": 1})
-    assert record.read(TINY)["streams"] == {"frames": 1}
     now = record.design(TINY)
+    record.keep(TINY, "streams", {"frames": 1}, now)
+    assert record.read(TINY)["streams"] == {"frames": 1}
     monkeypatch.setattr(record, "design", lambda system: now | {"hls/rtl/stereo_axis.vhd": "0"})
     assert record.read(TINY) is None
-    record.keep(TINY, "frame", {})
+    with pytest.raises(FlowError, match="changed in the meantime"):
+        record.keep(TINY, "frame", {}, now)
+    record.keep(TINY, "frame", {}, record.design(TINY))
     assert "streams" not in record.read(TINY)
 
 

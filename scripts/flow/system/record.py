@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import NotRequired, TypedDict, cast
 
 from ..base import files, json_files, rtl
+from ..base.errors import EXIT_MISMATCH, FlowError
 from ..base.tools import ROOT
 from ..implementation.record import Result
 from ..synthesis import manifest
@@ -80,8 +81,10 @@ def read(system: System) -> Record | None:
     return cast(Record, content) if content["design"] == design(system) else None
 
 
-def keep(system: System, section: str, content: object) -> None:
-    """Adds a section; the others stay when they are of the same design."""
-    record = read(system) or {"format": FORMAT, "system": system.name, "design": design(system)}
+def keep(system: System, section: str, content: object, made_of: manifest.Digests) -> None:
+    """Adds a section; the others stay when they are of the same design. `made_of`: design() when it was begun."""
+    if made_of != design(system):
+        raise FlowError(f"the VHDL of {system.entity} changed in the meantime; nothing recorded", EXIT_MISMATCH)
+    record = read(system) or {"format": FORMAT, "system": system.name, "design": made_of}
     merged = {**record, section: content}
     files.write(path(system), json.dumps(merged, indent=2, sort_keys=True) + "\n")
