@@ -124,9 +124,9 @@ struct QuadMemory {
    }
 
   private:
-   static HLS_INLINE uint16_t line(uint16_t row) {
-      return at_most<kPitch * (Rows / 2 - 1)>(unsigned(row * kPitch));
-   }
+   static constexpr int kLastLine = kPitch * (Rows / 2 - 1);
+
+   static HLS_INLINE uint16_t line(uint16_t row) { return at_most<kLastLine>(unsigned(row * kPitch)); }
    static HLS_INLINE uint16_t address(uint16_t first, uint16_t column) {
       return at_most<kPitch * Rows / 2 - 1>(unsigned(first + column));
    }
