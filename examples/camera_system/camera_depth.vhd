@@ -1,18 +1,22 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Disparities to millimetres by a table, 2 clocks. A pixel whose disparity has not passed the core's checks is 0, unknown.
 --   write_*  the last entry that was written; it is written again in every clock
--- Size: 256 words of 16 bits.
+-- Size: 2**place_bits words of 16 bits.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 entity camera_depth is
+  generic (
+    place_bits : positive;  -- of each disparity that passes the checks
+    disparity_bits : positive
+  );
   port (
     clock : in std_logic;
     reset : in std_logic;
-    write_disparity : in std_logic_vector(7 downto 0);
+    write_disparity : in std_logic_vector(15 downto 0);  -- below 2**place_bits
     write_mm : in std_logic_vector(15 downto 0);
-    disparity : in std_logic_vector(7 downto 0);
+    disparity : in std_logic_vector(disparity_bits - 1 downto 0);
     pixel_valid : in std_logic_vector(0 downto 0);
     disparity_valid : in std_logic;
     disparity_start_of_frame : in std_logic;
@@ -30,10 +34,11 @@ architecture rtl of camera_depth is
   signal known, valid, start, last : std_logic := '0';
 begin
   depths : entity work.line_memory
-    generic map (depth => 256, width => 16)
+    generic map (depth => 2 ** place_bits, width => 16)
     port map (
-      clock => clock, read_enable => true, read_address => to_integer(unsigned(disparity)), read_data => found,
-      write_address => to_integer(unsigned(write_disparity)), write_data => unsigned(write_mm));
+      clock => clock, read_enable => true, read_data => found,
+      read_address => to_integer(unsigned(disparity(place_bits - 1 downto 0))),
+      write_address => to_integer(unsigned(write_disparity(place_bits - 1 downto 0))), write_data => unsigned(write_mm));
 
   process (clock)
   begin

@@ -66,14 +66,14 @@ end entity;
 architecture rtl of camera_system_tiny is
   signal reset, core_reset, pair_tvalid, pair_tready, pair_tlast : std_logic;
   signal pair_tdata, node_column, node_row, node_x, node_y : std_logic_vector(15 downto 0);
-  signal skew_lines, write_mm, depth_mm : std_logic_vector(15 downto 0);
+  signal skew_lines, write_disparity, write_mm, depth_mm : std_logic_vector(15 downto 0);
   signal pair_tuser, pixel_valid, depth_known : std_logic_vector(0 downto 0);
   signal faults : std_logic_vector(2 downto 0);
   signal left_pixel, right_pixel, rectified_left, rectified_right : std_logic_vector(7 downto 0);
-  signal disparity, write_disparity : std_logic_vector(7 downto 0);
   signal start_of_frame, valid, node_valid, node_right, rectified_start_of_frame, rectified_valid : std_logic;
   signal disparity_valid, disparity_start_of_frame, disparity_end_of_line : std_logic;
   signal depth_valid, depth_start_of_frame, depth_end_of_line : std_logic;
+  signal disparity : std_logic_vector(7 downto 0);
 begin
   -- A soft reset leaves the tables as they are.
   process (aclk)
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 36,
+      latency_clocks => 38,
       flush_groups => 160,
       gap_groups => 0,
       core_id => x"912d4ff4",
@@ -168,7 +168,9 @@ begin
   tables : entity work.camera_tables
     generic map (
       table_columns => 9,
-      table_rows => 4)
+      table_rows => 4,
+      depth_entries => 8,
+      subpixel => false)
     port map (
       aclk => aclk,
       aresetn => aresetn,
@@ -206,7 +208,7 @@ begin
       pixels_per_clock => 1,
       table_columns => 9,
       table_rows => 4,
-      latency_clocks => 18,
+      latency_clocks => 20,
       flush_groups => 128)
     port map (
       clock => aclk,
@@ -251,6 +253,9 @@ begin
       disparity_end_of_line => disparity_end_of_line);
 
   depth : entity work.camera_depth
+    generic map (
+      place_bits => 3,
+      disparity_bits => 8)
     port map (
       clock => aclk,
       reset => core_reset,

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Two cameras to depths: rectify_vga, niitsuma_640. Do not edit; made by
+-- Two cameras to depths: rectify_vga, vga_64. Do not edit; made by
 --   scripts/camera_system.py --system vga --write
 -- examples/camera_system/README.md says what the ports are.
 library ieee;
@@ -66,14 +66,14 @@ end entity;
 architecture rtl of camera_system_vga is
   signal reset, core_reset, pair_tvalid, pair_tready, pair_tlast : std_logic;
   signal pair_tdata, node_column, node_row, node_x, node_y : std_logic_vector(15 downto 0);
-  signal skew_lines, write_mm, depth_mm : std_logic_vector(15 downto 0);
+  signal skew_lines, write_disparity, write_mm, depth_mm : std_logic_vector(15 downto 0);
   signal pair_tuser, pixel_valid, depth_known : std_logic_vector(0 downto 0);
   signal faults : std_logic_vector(2 downto 0);
   signal left_pixel, right_pixel, rectified_left, rectified_right : std_logic_vector(7 downto 0);
-  signal disparity, write_disparity : std_logic_vector(7 downto 0);
   signal start_of_frame, valid, node_valid, node_right, rectified_start_of_frame, rectified_valid : std_logic;
   signal disparity_valid, disparity_start_of_frame, disparity_end_of_line : std_logic;
   signal depth_valid, depth_start_of_frame, depth_end_of_line : std_logic;
+  signal disparity : std_logic_vector(15 downto 0);
 begin
   -- A soft reset leaves the tables as they are.
   process (aclk)
@@ -113,14 +113,14 @@ begin
     generic map (
       width_px => 640,
       height_px => 480,
-      disparities => 27,
+      disparities => 64,
       pixels_per_clock => 1,
       disparity_bits => 16,
-      output_width_px => 613,
-      latency_clocks => 41,
-      flush_groups => 12802,
-      gap_groups => 1920,
-      core_id => x"c9b14991",
+      output_width_px => 576,
+      latency_clocks => 76,
+      flush_groups => 14792,
+      gap_groups => 2560,
+      core_id => x"bc083e1e",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -168,7 +168,9 @@ begin
   tables : entity work.camera_tables
     generic map (
       table_columns => 41,
-      table_rows => 31)
+      table_rows => 31,
+      depth_entries => 1024,
+      subpixel => true)
     port map (
       aclk => aclk,
       aresetn => aresetn,
@@ -206,7 +208,7 @@ begin
       pixels_per_clock => 1,
       table_columns => 41,
       table_rows => 31,
-      latency_clocks => 18,
+      latency_clocks => 20,
       flush_groups => 10880)
     port map (
       clock => aclk,
@@ -226,17 +228,17 @@ begin
       rectified_start_of_frame => rectified_start_of_frame,
       rectified_valid => rectified_valid);
 
-  core : entity work.stereo_core_niitsuma_640
+  core : entity work.stereo_core_vga_64
     generic map (
       width_px => 640,
       height_px => 480,
-      disparities => 27,
+      disparities => 64,
       pixels_per_clock => 1,
-      disparity_bits => 8,
-      output_width_px => 613,
-      latency_clocks => 21,
-      flush_groups => 1922,
-      gap_groups => 1920)
+      disparity_bits => 16,
+      output_width_px => 576,
+      latency_clocks => 54,
+      flush_groups => 3912,
+      gap_groups => 2560)
     port map (
       clock => aclk,
       reset => core_reset,
@@ -251,6 +253,9 @@ begin
       disparity_end_of_line => disparity_end_of_line);
 
   depth : entity work.camera_depth
+    generic map (
+      place_bits => 10,
+      disparity_bits => 16)
     port map (
       clock => aclk,
       reset => core_reset,

@@ -3,10 +3,13 @@
 --   0x00  node_place    write  bits 15 ... 0 column, 30 ... 16 row, 31: of the right camera's table
 --   0x04  node_offsets  write  bits 15 ... 0 offset to the right, 31 ... 16 offset down, in two's complement: writes the
 --                              node at node_place. SLVERR, and nothing is written, where the table has no such node
---   0x08  depth         write  bits 15 ... 0 millimetres, 23 ... 16 the disparity that they belong to
+--   0x08  depth         write  bits 15 ... 0 millimetres, 31 ... 16 the disparity that they belong to. SLVERR, and nothing is
+--                              written, where the table has no such entry
 --   0x0c  size          read   bits 15 ... 0 columns of a table, 31 ... 16 rows
 --   0x10  cameras       read   bits 15 ... 0 lines by which the right camera is behind, 18 ... 16 faults of the joiner since
 --                              the last write to here
+--   0x14  depths        read   bits 15 ... 0 entries of the table of depths, 16: from one to the next it is a sixteenth of a
+--                              pixel, else a pixel
 -- Other addresses answer SLVERR. Strobes are not looked at: words are written whole.
 library ieee;
 use ieee.std_logic_1164.all;
@@ -15,7 +18,9 @@ use ieee.numeric_std.all;
 entity camera_tables is
   generic (
     table_columns : positive;
-    table_rows : positive
+    table_rows : positive;
+    depth_entries : positive;
+    subpixel : boolean
   );
   port (
     aclk : in std_logic;
@@ -46,7 +51,7 @@ entity camera_tables is
     node_x : out std_logic_vector(15 downto 0);
     node_y : out std_logic_vector(15 downto 0);
     -- the last depth that was written stands there
-    depth_disparity : out std_logic_vector(7 downto 0);
+    depth_disparity : out std_logic_vector(15 downto 0);
     depth_mm : out std_logic_vector(15 downto 0)
   );
 end entity;
@@ -59,6 +64,7 @@ architecture rtl of camera_tables is
   signal place : std_logic_vector(31 downto 0) := (others => '0');
   signal seen : std_logic_vector(2 downto 0) := "000";
   signal has_node : boolean;
+  signal write_word, read_word : std_logic_vector(2 downto 0);  -- of an address
 begin
   -- An address and its word are taken together, one at a time.
   writes <= s_axil_awvalid and s_axil_wvalid and not answers;
@@ -69,6 +75,8 @@ begin
   s_axil_bvalid <= answers;
   s_axil_rvalid <= shows;
   has_node <= unsigned(place(15 downto 0)) < table_columns and unsigned(place(30 downto 16)) < table_rows;
+  write_word <= s_axil_awaddr(4 downto 2);
+  read_word <= s_axil_araddr(4 downto 2);
   node_right <= place(31);
   node_column <= place(15 downto 0);
   node_row <= '0' & place(30 downto 16);
@@ -84,25 +92,25 @@ begin
       if writes = '1' then
         answers <= '1';
         s_axil_bresp <= okay;
-        case s_axil_awaddr(4 downto 2) is
-          when "000" =>
-            place <= s_axil_wdata;
-          when "001" =>
-            node_x <= s_axil_wdata(15 downto 0);
-            node_y <= s_axil_wdata(31 downto 16);
-            if has_node then
-              node_valid <= '1';
-            else
-              s_axil_bresp <= error;
-            end if;
-          when "010" =>
-            depth_mm <= s_axil_wdata(15 downto 0);
-            depth_disparity <= s_axil_wdata(23 downto 16);
-          when "100" =>
-            seen <= faults;
-          when others =>
+        -- No case: GHDL writes Verilog for it that synthesisers read as a latch.
+        if write_word = "000" then
+          place <= s_axil_wdata;
+        elsif write_word = "001" then
+          node_x <= s_axil_wdata(15 downto 0);
+          node_y <= s_axil_wdata(31 downto 16);
+          if has_node then
+            node_valid <= '1';
+          else
             s_axil_bresp <= error;
-        end case;
+          end if;
+        elsif write_word = "010" and unsigned(s_axil_wdata(31 downto 16)) < depth_entries then
+          depth_mm <= s_axil_wdata(15 downto 0);
+          depth_disparity <= s_axil_wdata(31 downto 16);
+        elsif write_word = "100" then
+          seen <= faults;
+        else
+          s_axil_bresp <= error;
+        end if;
       end if;
       if s_axil_rready = '1' then
         shows <= '0';
@@ -111,15 +119,19 @@ begin
         shows <= '1';
         s_axil_rresp <= okay;
         s_axil_rdata <= (others => '0');
-        case s_axil_araddr(4 downto 2) is
-          when "011" =>
-            s_axil_rdata <=
-              std_logic_vector(to_unsigned(table_rows, 16)) & std_logic_vector(to_unsigned(table_columns, 16));
-          when "100" =>
-            s_axil_rdata(18 downto 0) <= seen & skew_lines;
-          when others =>
-            s_axil_rresp <= error;
-        end case;
+        if read_word = "011" then
+          s_axil_rdata <=
+            std_logic_vector(to_unsigned(table_rows, 16)) & std_logic_vector(to_unsigned(table_columns, 16));
+        elsif read_word = "100" then
+          s_axil_rdata(18 downto 0) <= seen & skew_lines;
+        elsif read_word = "101" then
+          s_axil_rdata(15 downto 0) <= std_logic_vector(to_unsigned(depth_entries, 16));
+          if subpixel then
+            s_axil_rdata(16) <= '1';
+          end if;
+        else
+          s_axil_rresp <= error;
+        end if;
       end if;
       if aresetn = '0' then
         answers <= '0';

@@ -20,7 +20,7 @@ STEREO_ROW(tiny, tiny, Config(), width_px = 32, height_px = 12, disparities = 8,
 STEREO_ROW(tiny_p2, tiny, tiny, pixels_per_clock = 2);
 STEREO_ROW(tiny_p4, tiny, tiny, pixels_per_clock = 4);
 
-// system: those that the paper compares itself with, one pixel pair a clock, and two of today.
+// system: those that the paper compares itself with, one pixel pair a clock, and some of today.
 // Niitsuma and Maruyama.
 STEREO_ROW(niitsuma_640, system, Config(), width_px = 640, height_px = 480, disparities = 27, window_px = 7,
            aggregation = Aggregation::recursive, slice_disparities = 14);
@@ -52,6 +52,9 @@ STEREO_ROW(census_450, system, Config(), width_px = 450, height_px = 375, dispar
            subpixel = true, median = true, aggregation = Aggregation::recursive, slice_disparities = 16);
 
 STEREO_ROW(census_450_full, system, census_450, full_width = true);
+// For two cameras of 640x480 (examples/camera_system): the same with each check that says how far to trust a disparity.
+STEREO_ROW(vga_64, system, census_450, width_px = 640, height_px = 480, disparities = 64, left_right_threshold = 1,
+           uniqueness_percent = 5);
 
 // study: what one option costs; each beside `study`, which has none (docs/features.md).
 STEREO_ROW(study, study, Config(), width_px = 320, height_px = 64, disparities = 16, window_px = 5,

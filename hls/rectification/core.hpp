@@ -22,12 +22,12 @@ struct Core {
    //            |         \.
    //   clocks   counter    delay          1           place in the frame
    //            grid         |            1           place between the nodes
-   //            offsets      |            7           of each camera: to the place in its image
+   //            offsets      |            8           of each camera: to the place in its image
    //            |         /               .
    //            |       sample            3           where the pair is kept; beside it
    //            taps (2)                  .           of each camera: which four pixels
    //            |
-   //            sampler                   7           of each camera: their rows, and the weighted sum
+   //            sampler                   8           of each camera: their rows, and the weighted sum
    //            |
    //            a pixel pair
    static constexpr int kDelay = 1 + GridPlace<C>::kClocks + Offsets<C>::kClocks - 1;

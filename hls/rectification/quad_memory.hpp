@@ -24,7 +24,8 @@ struct QuadPlace {
    }
 };
 
-/// `Columns` x `Rows` words, both even, of which each clock shows any 2x2 neighbours and takes one. 3 clocks.
+/// `Columns` x `Rows` words, both even, of which each clock shows any 2x2 neighbours and takes one. 4 clocks: the first
+/// word of the rows, then those of ParityBank. A row's product and the sum of an address do not fit into one clock.
 /// Memory: Columns x Rows words.
 ///
 /// Words whose rows and columns are even or odd alike share a memory: of any 2x2 neighbours each of the four memories
@@ -34,9 +35,14 @@ struct QuadMemory {
    static_assert(Columns % 2 == 0 && Rows % 2 == 0, "an even number of columns and rows shares four memories");
    static constexpr int kPitch = Columns / 2;
    using Bank = ParityBank<Word, kPitch * Rows / 2>;
-   static constexpr int kClocks = Bank::kClocks;
+   static constexpr int kClocks = 1 + Bank::kClocks;
    static constexpr int kMemories = 4 * Bank::kMemories;
 
+   // clock 1: of the even and the odd row and column of the words that are read, and of the word that is written
+   uint16_t even_line, odd_line, write_line;  ///< where the row begins
+   uint16_t even_column, odd_column, write_column;
+   bool to_even_even, to_even_odd, to_odd_even, to_odd_odd;  ///< which memory takes the word
+   Word written;
    Bank even_even, even_odd, odd_even, odd_odd;  ///< row, column
    bool row_odd[kClocks], column_odd[kClocks];   ///< of the upper left word, [0] newest
 
@@ -51,6 +57,17 @@ struct QuadMemory {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      visit("even_line", even_line);
+      visit("odd_line", odd_line);
+      visit("write_line", write_line);
+      visit("even_column", even_column);
+      visit("odd_column", odd_column);
+      visit("write_column", write_column);
+      visit("to_even_even", to_even_even);
+      visit("to_even_odd", to_even_odd);
+      visit("to_odd_even", to_odd_even);
+      visit("to_odd_odd", to_odd_odd);
+      visit("written", written);
       visit("even_even", even_even);
       visit("even_odd", even_odd);
       visit("odd_even", odd_even);
@@ -83,23 +100,35 @@ struct QuadMemory {
       }
       row_odd[0] = read.row % 2 != 0;
       column_odd[0] = read.column % 2 != 0;
+      const uint16_t write_to = address(write_line, write_column);
+      even_even.clock(address(even_line, even_column), to_even_even, write_to, written);
+      even_odd.clock(address(even_line, odd_column), to_even_odd, write_to, written);
+      odd_even.clock(address(odd_line, even_column), to_odd_even, write_to, written);
+      odd_odd.clock(address(odd_line, odd_column), to_odd_odd, write_to, written);
+
       // The even one of two neighbours may be the second one.
-      const uint16_t odd_column = uint16_t(read.column / 2), even_column = uint16_t((read.column + 1) / 2);
-      const uint16_t odd_row = uint16_t(read.row / 2);
-      const uint16_t even_row = select<uint16_t>(read.row == Rows - 1, 0, (read.row + 1) / 2);
-      const uint16_t write_to = address(uint16_t(write.row / 2), uint16_t(write.column / 2));
+      odd_column = uint16_t(read.column / 2);
+      even_column = uint16_t((read.column + 1) / 2);
+      odd_line = line(uint16_t(read.row / 2));
+      even_line = line(select<uint16_t>(read.row == Rows - 1, 0, (read.row + 1) / 2));
+      write_line = line(uint16_t(write.row / 2));
+      write_column = uint16_t(write.column / 2);
       // Without `&&`, of which the front end makes branches around the memories, and then states.
       const bool to_odd_row = write.row % 2 != 0, to_odd_column = write.column % 2 != 0;
       const bool to_even_rows = writes & !to_odd_row, to_odd_rows = writes & to_odd_row;
-      even_even.clock(address(even_row, even_column), to_even_rows & !to_odd_column, write_to, word);
-      even_odd.clock(address(even_row, odd_column), to_even_rows & to_odd_column, write_to, word);
-      odd_even.clock(address(odd_row, even_column), to_odd_rows & !to_odd_column, write_to, word);
-      odd_odd.clock(address(odd_row, odd_column), to_odd_rows & to_odd_column, write_to, word);
+      to_even_even = to_even_rows & !to_odd_column;
+      to_even_odd = to_even_rows & to_odd_column;
+      to_odd_even = to_odd_rows & !to_odd_column;
+      to_odd_odd = to_odd_rows & to_odd_column;
+      written = word;
    }
 
   private:
-   static HLS_INLINE uint16_t address(uint16_t row, uint16_t column) {
-      return at_most<kPitch * Rows / 2 - 1>(unsigned(row * kPitch + column));
+   static constexpr int kLastLine = kPitch * (Rows / 2 - 1);
+
+   static HLS_INLINE uint16_t line(uint16_t row) { return at_most<kLastLine>(unsigned(row * kPitch)); }
+   static HLS_INLINE uint16_t address(uint16_t first, uint16_t column) {
+      return at_most<kPitch * Rows / 2 - 1>(unsigned(first + column));
    }
 };
 

@@ -10,35 +10,15 @@ from conftest import need
 from flow.base.configurations import option
 from flow.base.errors import FlowError
 from flow.base.tools import find_stereo_hls, run
-from flow.system import pipeline, play, template
+from flow.system import frame, pipeline, play, record, streams, template
 from flow_commands import call, refused
 
-TINY = template.SYSTEMS["tiny"]
+TINY, CHECKED, VGA = (template.SYSTEMS[name] for name in ("tiny", "tiny_checked", "vga"))
 STAGE, CORE = pipeline.rows_of(TINY)
 WIDTH, HEIGHT = CORE["width_px"], CORE["height_px"]
-DEPTHS = pipeline.depth_table(16 * 400)
+DEPTHS = pipeline.depth_table(TINY, streams.FOCAL_BASELINE)
+LEAST_MHZ = 100
 TABLES, DEPTH = template.FOLDER / "camera_tables.vhd", template.FOLDER / "camera_depth.vhd"
-
-
-def random_table(generator, reach):
-    columns, rows = option(STAGE, "table_columns"), option(STAGE, "table_rows")
-    return [
-        [pipeline.Node(generator.randint(-reach, reach), generator.randint(-reach, reach)) for _ in range(columns)]
-        for _ in range(rows)
-    ]
-
-
-def random_image(generator):
-    return [[generator.randrange(256) for _ in range(WIDTH)] for _ in range(HEIGHT)]
-
-
-def expected(pair, tables, folder):
-    folder.mkdir(parents=True)
-    paths = [
-        pipeline.write_pgm(folder / f"{side}.pgm", pipeline.rectified(image, table, STAGE))
-        for side, image, table in zip(("left", "right"), pair, tables)
-    ]
-    return pipeline.depth_frame(TINY, *paths, DEPTHS, folder)
 
 
 @pytest.fixture(scope="module")
@@ -50,37 +30,20 @@ def simulation():
 
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
-    """Tables, pairs, and the frames that must come of them."""
-    generator, folder = random.Random(5), tmp_path_factory.mktemp("frames")
-    tables = [random_table(generator, 160), random_table(generator, 160)]
-    pairs = [(random_image(generator), random_image(generator)) for _ in range(12)]
-    return tables, pairs, [expected(pair, tables, folder / str(at)) for at, pair in enumerate(pairs)]
+    return streams.material(TINY, 5, 12, tmp_path_factory.mktemp("frames"))
 
 
-def streams(pairs, generator, gap_percent=0, skew_clocks=0, blanking_clocks=0):
-    """Both cameras' beats; the same gaps, more before each frame, and the right one some clocks later."""
-    left, right = [], []
-    for pair in pairs:
-        gaps = [generator.randrange(4) if generator.randrange(100) < gap_percent else 0 for _ in range(WIDTH * HEIGHT)]
-        gaps[0] += blanking_clocks
-        for stream, image in ((left, pair[0]), (right, pair[1])):
-            stream += [beat._replace(gap=gap) for beat, gap in zip(play.beats(image), gaps)]
-    late = right if skew_clocks > 0 else left
-    late[0] = late[0]._replace(gap=late[0].gap + abs(skew_clocks))
-    return left, right
-
-
-def lose(stream, at, count):
-    """Beats that a camera does not send; those behind them come when they would have come."""
-    clocks = sum(beat.gap + 1 for beat in stream[at : at + count])
-    del stream[at : at + count]
-    stream[at] = stream[at]._replace(gap=stream[at].gap + clocks)
+def played(simulation, scene, out, pairs=None, **conditions):
+    """Frames without faults; `conditions`: of streams.streams, and `sink`."""
+    sink = conditions.pop("sink", 0)
+    left, right = streams.streams(scene.pairs[:pairs], random.Random(1), **conditions)
+    return simulation.play(play.table_writes(scene.tables, scene.depths), left, right, out, (sink, 3))
 
 
 def check_all_exact(seen, frames):
-    assert [frame.error for frame in seen.frames] == [False] * len(frames)
-    for number, (frame, words) in enumerate(zip(seen.frames, frames)):
-        assert frame.words == words, f"frame {number}"
+    assert [shown.error for shown in seen.frames] == [False] * len(frames)
+    for number, (shown, words) in enumerate(zip(seen.frames, frames)):
+        assert shown.words == words, f"frame {number}"
 
 
 @pytest.mark.parametrize("name", template.SYSTEMS)
@@ -90,75 +53,150 @@ def test_committed_vhdl_follows_from_the_manifests(name):
     assert call("camera_system.py", "--check").returncode == 0
 
 
-def test_bad_names_are_refused():
-    refused(call("camera_system.py", "--system", "huge"), 2, "unknown system 'huge'")
+@pytest.mark.parametrize(
+    "words, sentence",
+    [
+        (["--system", "huge"], "unknown system 'huge'"),
+        (["--implement"], "--implement, --frame and --streams take one --system"),
+        (["--system", "tiny", "--frame"], "--frame is for systems of 640x480; tiny has 32x12"),
+        (["--system", "tiny", "--streams", "0"], "--streams must be 1 or more"),
+        (["--system", "tiny", "--record"], "--record keeps a result of"),
+        (["--system", "vga", "--frame", "--record", "--pair", "x"], "--pair goes with --frame, without --record"),
+        (["--system", "vga", "--frame", "--pair", "no_such_folder"], "no_such_folder/left.png: No such file or directory"),
+        (["--system", "vga", "--implement", "--seeds", "0"], "--seeds must be 1 or more"),
+    ],
+)
+def test_bad_options_are_refused(words, sentence):
+    refused(call("camera_system.py", *words), 2, sentence)
+
+
+def test_vga_reaches_its_clock_and_is_exact():
+    """As recorded; of the VHDL that is here, else there is no record."""
+    found = record.read(VGA)
+    assert found, "run scripts/camera_system.py --system vga --implement --record, then --frame --record"
+    result = found["implementation"]["ecp5"]
+    assert result["fmax_mhz"]["median"] >= LEAST_MHZ and not result["memory_in_flip_flops"]
+    core = pipeline.rows_of(VGA)[1]
+    assert (core["width_px"], core["height_px"], core["disparities"]) == (640, 480, 64)
+    seen = found["frame"]
+    assert seen["mismatches"] == 0 and seen["depths"] == core["output_width_px"] * core["output_height_px"]
+    assert seen["known"] > seen["depths"] // 2
+    shown = call("camera_system.py", "--system", "vga", "--show").stdout
+    lines = seen["latency"]["last_clocks"] / core["width_px"]
+    microseconds = seen["latency"]["last_clocks"] / result["fmax_mhz"]["median"]
+    assert f"{lines:.2f} lines, {microseconds:.1f} us" in shown
+
+
+def test_tiny_stands_500_frames_of_random_streams():
+    """As recorded."""
+    found = record.read(TINY)
+    assert found, "run scripts/camera_system.py --system tiny --streams 500 --record"
+    assert found["streams"]["frames"] >= 500 and streams.passed(found["streams"])
+
+
+def test_a_record_of_another_design_does_not_count(monkeypatch, tmp_path):
+    monkeypatch.setattr(record, "path", lambda system: tmp_path / "record.json")
+    now = record.design(TINY)
+    record.keep(TINY, "streams", {"frames": 1}, now)
+    assert record.read(TINY)["streams"] == {"frames": 1}
+    monkeypatch.setattr(record, "design", lambda system: now | {"hls/rtl/stereo_axis.vhd": "0"})
+    assert record.read(TINY) is None
+    with pytest.raises(FlowError, match="changed in the meantime"):
+        record.keep(TINY, "frame", {}, now)
+    record.keep(TINY, "frame", {}, record.design(TINY))
+    assert "streams" not in record.read(TINY)
+
+
+def test_wrong_depths_are_counted():
+    right = [play.Frame(words=[1, 2, 3])]
+    assert frame.mismatches(right, [1, 2, 3]) == 0
+    assert frame.mismatches(right, [1, 9, 3]) == 1
+    assert frame.mismatches(right, [1, 2]) == 2 and frame.mismatches([], [1, 2, 3]) == 3
+    assert frame.mismatches(2 * right, [1, 2, 3]) == 3, "a frame too much"
+    assert frame.mismatches([play.Frame(words=[1, 2, 3], error=True)], [1, 2, 3]) == 3
 
 
 def test_depths_are_of_whole_numbers():
-    assert DEPTHS[:4] == [0, 400, 200, 133] and DEPTHS[255] == 2
-    assert pipeline.depth_table(16 * 70000)[1] == 0, "farther than 16 bits say"
-    assert pipeline.depth_table(16 * 400, 16)[:3] == [0, 0, 400]
+    assert DEPTHS == [0, 400, 200, 133, 100, 80, 67, 57]
+    assert pipeline.depth_table(TINY, 16 * 70000)[1] == 0, "farther than 16 bits say"
+    assert pipeline.depth_table(TINY, 16 * 400, 16)[:3] == [0, 0, 400]
+
+
+def test_depths_of_subpixel_disparities():
+    depths = pipeline.depth_table(CHECKED, streams.FOCAL_BASELINE)
+    assert len(depths) == 16 * 8 and depths[16::16] == DEPTHS[1:] and depths[24] == 267
 
 
 @pytest.mark.parametrize("gaps, skew, sink", [(0, 0, 0), (30, 0, 20), (20, 100, 20), (20, -150, 10)])
 def test_every_frame_is_that_of_the_software(simulation, scene, tmp_path, gaps, skew, sink):
-    tables, pairs, frames = scene
-    left, right = streams(pairs, random.Random(1), gaps, skew)
-    seen = simulation.play(play.table_writes(tables, DEPTHS), left, right, tmp_path, (sink, 3))
+    seen = played(simulation, scene, tmp_path, gap_percent=gaps, skew_clocks=skew, sink=sink)
     assert set(seen.responses) == {play.OKAY}
-    check_all_exact(seen, frames)
+    check_all_exact(seen, scene.frames)
+
+
+def test_checks_and_subpixel(ghdl, tmp_path):
+    """The same behind a core with every check and subpixel."""
+    made = streams.material(CHECKED, 6, 4, tmp_path / "frames")
+    known = [word >> 16 for words in made.frames for word in words]
+    assert 0 < sum(known) < len(known)
+    seen = played(play.InGhdl(CHECKED), made, tmp_path, gap_percent=20, skew_clocks=40, sink=20)
+    check_all_exact(seen, made.frames)
+
+
+def test_a_frame_in_ghdl(ghdl, scene, tmp_path):
+    """The VHDL as it is, without synthesis before."""
+    seen = played(play.InGhdl(TINY), scene, tmp_path, 1, gap_percent=20, skew_clocks=40, sink=20)
+    assert set(seen.responses) == {play.OKAY}
+    check_all_exact(seen, scene.frames[:1])
 
 
 def test_broken_streams_give_no_wrong_frame(simulation, scene, tmp_path):
     """Pixels and frames that one camera loses: a frame that does not say error is one of those that came in whole, in
     their order, and after each fault frames are exact again."""
-    tables, pairs, frames = scene
-    exact = 0
     for seed in range(10):
-        generator = random.Random(seed)
-        order = [generator.randrange(len(pairs)) for _ in range(12)]
-        left, right = streams([pairs[number] for number in order], generator, 20, generator.randrange(-100, 100), 400)
-        for frame in sorted(generator.sample((1, 4, 7), 2), reverse=True):  # never on both sides of one frame
-            count = generator.choice((1, WIDTH, WIDTH * HEIGHT))
-            at = frame * WIDTH * HEIGHT + generator.randrange(WIDTH * HEIGHT - count + 1)  # of this frame only
-            lose(generator.choice((left, right)), at, count)
-        seen = simulation.play(play.table_writes(tables, DEPTHS), left, right, tmp_path / str(seed), (10, seed))
-        at = 0
-        for frame in seen.frames:
-            assert len(frame.words) == len(frames[0]), "a frame that begins has all its beats"
-            if frame.error:
-                continue
-            while at < len(order) and frames[order[at]] != frame.words:
-                at += 1
-            assert at < len(order), f"seed {seed}: a frame that was not sent"
-            at, exact = at + 1, exact + 1
-        assert frames[order[-1]] == seen.frames[-1].words and not seen.frames[-1].error
-    print(exact, "frames exact of", 10 * 12)
-    assert exact == 10 * (12 - 2), "each fault costs its frame only"
+        verdict = streams.play_broken(simulation, scene, seed, tmp_path / str(seed))
+        whole = streams.FRAMES - streams.BROKEN
+        assert verdict == (whole, 0, 0), f"seed {seed}: each fault costs its frame only"
 
 
-def test_a_node_outside_the_table_is_refused(simulation, scene, tmp_path):
-    tables, pairs, frames = scene
+def test_the_judge_sees_wrong_missing_and_short_frames():
+    words = [[1, 2, 3], [4, 5, 6]]
+
+    def judged(*frames):
+        seen = [play.Frame(words=list(given), error=error) for given, error in frames]
+        return streams.judge(play.Observation([], seen, ([], []), 0), words, [0, 1])
+
+    assert judged((words[0], False), (words[1], False)) == (2, 0, 0)
+    assert judged(([7, 7, 7], True), (words[1], False)) == (1, 0, 0)
+    assert judged(([1, 2, 7], False), (words[1], False)) == (1, 1, 0), "a wrong depth"
+    assert judged(([1, 2], True), (words[1], False)) == (1, 1, 0), "a frame that does not end"
+    assert judged((words[0], False)) == (1, 0, 1), "the last frame is missing"
+    assert judged((words[1], False), (words[0], False)) == (1, 1, 1), "the wrong order"
+    assert judged() == (0, 0, 1)
+
+
+def test_a_node_or_depth_outside_the_table_is_refused(simulation, scene, tmp_path):
     columns, rows = option(STAGE, "table_columns"), option(STAGE, "table_rows")
     outside = [
         (play.NODE_PLACE, columns),
         (play.NODE_OFFSETS, 77),
         (play.NODE_PLACE, rows << 16),
         (play.NODE_OFFSETS, 77),
+        (play.DEPTH, len(DEPTHS) << 16 | 77),
     ]
-    writes = [*play.table_writes(tables, DEPTHS), *outside, (0x1C, 0)]
-    seen = simulation.play(writes, *streams(pairs[:2], random.Random(1)), tmp_path)
-    assert seen.responses[-5:] == [0, 2, 0, 2, 2] and set(seen.responses[:-5]) == {play.OKAY}
-    check_all_exact(seen, frames[:2])
+    writes = [*play.table_writes(scene.tables, DEPTHS), *outside, (play.NODE_PLACE, 0), (0x1C, 0)]
+    seen = simulation.play(writes, *streams.streams(scene.pairs[:2], random.Random(1)), tmp_path)
+    assert seen.responses[-7:] == [0, 2, 0, 2, 2, 0, 2] and set(seen.responses[:-7]) == {play.OKAY}
+    check_all_exact(seen, scene.frames[:2])
 
 
 def test_latency(simulation, scene, tmp_path):
-    """From a row's last pixel to its first depth: the lag of both, and the clocks of the parts."""
-    tables, pairs, _ = scene
-    seen = simulation.play(play.table_writes(tables, DEPTHS), *streams(pairs[:3], random.Random(1)), tmp_path)
-    clocks = seen.frames[1].line_starts[2] - seen.line_ends[1][HEIGHT + 2]
+    """From a row's last pixel to its depths: the lag of both, and the clocks of the parts."""
+    seen = played(simulation, scene, tmp_path, 3)
+    found = frame.latency(seen)
     rows = option(STAGE, "lag_rows") + 1  # of the window below the row
-    assert (rows - 1) * WIDTH < clocks < (rows + 3) * WIDTH
+    assert (rows - 1) * WIDTH < found["first_clocks"] < (rows + 2) * WIDTH
+    assert found["last_clocks"] - found["first_clocks"] == CORE["output_width_px"] - 1
 
 
 FAULTS = {
@@ -175,20 +213,19 @@ FAULTS = {
 
 
 @pytest.mark.parametrize("fault", FAULTS)
-def test_fault_is_caught(verilator, scene, tmp_path, fault):
+def test_fault_is_caught(ghdl, scene, tmp_path, fault):
     path, pattern, replacement = FAULTS[fault]
     text, count = re.subn(pattern, replacement, path.read_text())
     assert count == 1
     (tmp_path / path.name).write_text(text)
     files = [tmp_path / path.name if file == path else file for file in template.vhdl_files(TINY)]
-    tables, pairs, frames = scene
-    faulty = play.Verilated(TINY, files)
+    faulty = play.InGhdl(TINY, files)
     try:
-        seen = faulty.play(play.table_writes(tables, DEPTHS), *streams(pairs[:3], random.Random(1)), tmp_path)
+        seen = played(faulty, scene, tmp_path, 3)
     except FlowError as error:
         assert "a beat before the first start of frame" in str(error)
         return
-    assert [frame.words for frame in seen.frames if not frame.error] != frames[:3]
+    assert [shown.words for shown in seen.frames if not shown.error] != scene.frames[:3]
 
 
 CALIBRATION = """%YAML:1.0
@@ -206,7 +243,7 @@ def test_calibrated_pair_end_to_end(simulation, tmp_path):
     """Tables and rectified images of `stereo_hls rectify`."""
     (tmp_path / "calibration.yml").write_text(CALIBRATION)
     generator = random.Random(2)
-    pair = [random_image(generator), random_image(generator)]
+    pair = [streams.random_image(CORE, generator) for _ in range(2)]
     sources = [pipeline.write_pgm(tmp_path / f"{side}.pgm", image) for side, image in zip(("left", "right"), pair)]
     settings = [f"{name}={option(STAGE, name)}" for name in ("grid_px", "rows_above", "rows_below")]
     command = [find_stereo_hls(), "rectify", "--calibration", tmp_path / "calibration.yml", "--out", tmp_path / "made"]

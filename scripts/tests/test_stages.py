@@ -36,8 +36,8 @@ FAULTS = {
     "taps: a column too many": (r"(lefttaps_column_shown_1 <= sample_leaves) and .*;", r"\1;"),
     "taps: a row too many": (r"(lefttaps_row_shown_1 <= \(lefttaps_taps_row_sum <) 7\)", r"\1 8)"),
     "sampler: weights swapped": (
-        r"(leftsampler_pixel_weight_y <= )leftsampler_weight_y_held_2;",
-        r"\1leftsampler_weight_x_held_2;",
+        r"(leftsampler_pixel_weight_y <= )leftsampler_weight_y_held_3;",
+        r"\1leftsampler_weight_x_held_3;",
     ),
     "sampler: no rounding": (r"(leftsampler_pixel_column_0 \* 32\) / 512\)) \+ 1\)", r"\1 + 0)"),
     "valid a clock early": (r"(valid_held_3 <= )valid_held_2;", r"\1valid_held_1;"),

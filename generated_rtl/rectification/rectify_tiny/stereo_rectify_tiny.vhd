@@ -16,7 +16,7 @@ entity stereo_rectify_tiny is
     pixels_per_clock : positive := 1;
     table_columns : positive := 9;
     table_rows : positive := 4;
-    latency_clocks : positive := 18;
+    latency_clocks : positive := 20;
     flush_groups : positive := 128
   );
   port (
@@ -43,7 +43,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_rectify_tiny: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert table_columns = 9 report "stereo_rectify_tiny: table_columns is " & integer'image(table_columns) & " but this core has 9" severity failure;
   assert table_rows = 4 report "stereo_rectify_tiny: table_rows is " & integer'image(table_rows) & " but this core has 4" severity failure;
-  assert latency_clocks = 18 report "stereo_rectify_tiny: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
+  assert latency_clocks = 20 report "stereo_rectify_tiny: latency_clocks is " & integer'image(latency_clocks) & " but this core has 20" severity failure;
   assert flush_groups = 128 report "stereo_rectify_tiny: flush_groups is " & integer'image(flush_groups) & " but this core has 128" severity failure;
 end entity;
 
@@ -105,41 +105,52 @@ architecture rtl of stereo_rectify_tiny is
   signal delay_held_2_left, delay_held_2_right, delay_held_3_left, delay_held_3_right : natural range 0 to 255;
   signal delay_held_4_left, delay_held_4_right, delay_held_5_left, delay_held_5_right : natural range 0 to 255;
   signal delay_held_6_left, delay_held_6_right, delay_held_7_left, delay_held_7_right : natural range 0 to 255;
+  signal delay_held_8_left, delay_held_8_right : natural range 0 to 255;
   signal delay_held_0_start_of_frame, delay_held_0_valid, delay_held_1_start_of_frame, delay_held_1_valid : boolean;
   signal delay_held_2_start_of_frame, delay_held_2_valid, delay_held_3_start_of_frame, delay_held_3_valid : boolean;
   signal delay_held_4_start_of_frame, delay_held_4_valid, delay_held_5_start_of_frame, delay_held_5_valid : boolean;
   signal delay_held_6_start_of_frame, delay_held_6_valid, delay_held_7_start_of_frame, delay_held_7_valid : boolean;
+  signal delay_held_8_start_of_frame, delay_held_8_valid : boolean;
   -- grid
   signal grid_node_column : natural range 0 to 7;
   signal grid_node_row, grid_weight_x_held_0, grid_weight_x_held_1, grid_weight_x_held_2 : natural range 0 to 3;
-  signal grid_weight_x_held_3, grid_weight_y_held_0, grid_weight_y_held_1, grid_weight_y_held_2 : natural range 0 to 3;
-  signal grid_weight_y_held_3 : natural range 0 to 3;
+  signal grid_weight_x_held_3, grid_weight_x_held_4, grid_weight_y_held_0, grid_weight_y_held_1 : natural range 0 to 3;
+  signal grid_weight_y_held_2, grid_weight_y_held_3, grid_weight_y_held_4 : natural range 0 to 3;
   -- leftoffsets
-  signal leftoffsets_nodes_even_even_read_address : natural range 0 to 14;
-  signal leftoffsets_nodes_even_even_write_address, leftoffsets_nodes_even_odd_write_address : natural range 0 to 15;
-  signal leftoffsets_nodes_odd_even_write_address, leftoffsets_nodes_odd_odd_write_address : natural range 0 to 15;
-  signal leftoffsets_nodes_even_even_write_word, leftoffsets_nodes_even_even_read_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_even_even_ready_word, leftoffsets_nodes_even_odd_write_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_even_odd_read_word, leftoffsets_nodes_even_odd_ready_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_odd_even_write_word, leftoffsets_nodes_odd_even_read_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_odd_even_ready_word, leftoffsets_nodes_odd_odd_write_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_odd_odd_read_word, leftoffsets_nodes_odd_odd_ready_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_even_odd_read_address : natural range 0 to 13;
-  signal leftoffsets_nodes_odd_even_read_address : natural range 0 to 9;
+  signal leftoffsets_nodes_even_line : natural range 0 to 6;
+  signal leftoffsets_nodes_odd_line : natural range 0 to 5;
+  signal leftoffsets_nodes_write_line : natural range 0 to 7;
+  signal leftoffsets_nodes_even_column : natural range 0 to 4;
+  signal leftoffsets_nodes_odd_column, leftoffsets_x_weight_y, leftoffsets_x_weight_x_0 : natural range 0 to 3;
+  signal leftoffsets_x_weight_x_1, leftoffsets_x_weight_x_2 : natural range 0 to 3;
+  signal leftoffsets_nodes_write_column, leftoffsets_nodes_even_even_write_address : natural range 0 to 15;
+  signal leftoffsets_nodes_even_odd_write_address, leftoffsets_nodes_odd_even_write_address : natural range 0 to 15;
+  signal leftoffsets_nodes_odd_odd_write_address : natural range 0 to 15;
+  signal leftoffsets_nodes_to_even_even, leftoffsets_nodes_to_even_odd, leftoffsets_nodes_to_odd_even : boolean;
+  signal leftoffsets_nodes_to_odd_odd, leftoffsets_nodes_row_odd_0, leftoffsets_nodes_row_odd_1 : boolean;
+  signal leftoffsets_nodes_row_odd_2, leftoffsets_nodes_row_odd_3, leftoffsets_nodes_column_odd_0 : boolean;
+  signal leftoffsets_nodes_column_odd_1, leftoffsets_nodes_column_odd_2, leftoffsets_nodes_column_odd_3 : boolean;
+  signal leftoffsets_nodes_written, leftoffsets_nodes_even_even_write_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_even_read_word, leftoffsets_nodes_even_even_ready_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_odd_write_word, leftoffsets_nodes_even_odd_read_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_odd_ready_word, leftoffsets_nodes_odd_even_write_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_even_read_word, leftoffsets_nodes_odd_even_ready_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_odd_write_word, leftoffsets_nodes_odd_odd_read_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_odd_ready_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_even_read_address : natural range 0 to 10;
+  signal leftoffsets_nodes_even_odd_read_address, leftoffsets_nodes_odd_even_read_address : natural range 0 to 9;
   signal leftoffsets_nodes_odd_odd_read_address : natural range 0 to 8;
-  signal leftoffsets_nodes_row_odd_0, leftoffsets_nodes_row_odd_1, leftoffsets_nodes_row_odd_2 : boolean;
-  signal leftoffsets_nodes_column_odd_0, leftoffsets_nodes_column_odd_1, leftoffsets_nodes_column_odd_2 : boolean;
   signal leftoffsets_x_upper_0, leftoffsets_x_upper_1, leftoffsets_x_value : natural range 0 to 65535;
   signal leftoffsets_y_upper_0, leftoffsets_y_upper_1, leftoffsets_y_value : natural range 0 to 65535;
   signal leftoffsets_x_fall_0, leftoffsets_x_fall_1, leftoffsets_y_fall_0 : integer range -65535 to 65535;
   signal leftoffsets_y_fall_1 : integer range -65535 to 65535;
-  signal leftoffsets_x_weight_y, leftoffsets_x_weight_x_0, leftoffsets_x_weight_x_1 : natural range 0 to 3;
-  signal leftoffsets_x_weight_x_2 : natural range 0 to 3;
   signal leftoffsets_x_column_0, leftoffsets_x_column_1, leftoffsets_y_column_0 : natural range 0 to 262143;
   signal leftoffsets_y_column_1 : natural range 0 to 262143;
   signal leftoffsets_x_first, leftoffsets_y_first : natural range 0 to 1048588;
   signal leftoffsets_x_rise, leftoffsets_y_rise : integer range -262143 to 262143;
   -- rightoffsets
+  signal rightoffsets_nodes_to_even_even, rightoffsets_nodes_to_even_odd, rightoffsets_nodes_to_odd_even : boolean;
+  signal rightoffsets_nodes_to_odd_odd : boolean;
   signal rightoffsets_nodes_even_even_write_address, rightoffsets_nodes_even_odd_write_address : natural range 0 to 15;
   signal rightoffsets_nodes_odd_even_write_address, rightoffsets_nodes_odd_odd_write_address : natural range 0 to 15;
   signal rightoffsets_nodes_even_even_write_word, rightoffsets_nodes_even_even_read_word : unsigned(31 downto 0);
@@ -180,55 +191,72 @@ architecture rtl of stereo_rectify_tiny is
   signal righttaps_weight_x, righttaps_weight_y : natural range 0 to 31;
   signal righttaps_column_shown_0, righttaps_column_shown_1, righttaps_row_shown_0, righttaps_row_shown_1 : boolean;
   -- leftsampler
+  signal leftsampler_rows_even_line : natural range 0 to 52;
+  signal leftsampler_rows_odd_line, leftsampler_rows_write_line : natural range 0 to 51;
+  signal leftsampler_rows_even_column, leftsampler_rows_odd_column : natural range 0 to 127;
   signal leftsampler_rows_even_even_read_address, leftsampler_rows_even_odd_read_address : natural range 0 to 127;
   signal leftsampler_rows_odd_even_read_address, leftsampler_rows_odd_odd_read_address : natural range 0 to 127;
+  signal leftsampler_rows_write_column : natural range 0 to 16;
+  signal leftsampler_rows_to_even_even, leftsampler_rows_to_even_odd, leftsampler_rows_to_odd_even : boolean;
+  signal leftsampler_rows_to_odd_odd, leftsampler_rows_row_odd_0, leftsampler_rows_row_odd_1 : boolean;
+  signal leftsampler_rows_row_odd_2, leftsampler_rows_row_odd_3, leftsampler_rows_column_odd_0 : boolean;
+  signal leftsampler_rows_column_odd_1, leftsampler_rows_column_odd_2, leftsampler_rows_column_odd_3 : boolean;
+  signal leftsampler_rows_written, leftsampler_rows_even_even_write_word : natural range 0 to 255;
+  signal leftsampler_rows_even_even_ready_word, leftsampler_rows_even_odd_write_word : natural range 0 to 255;
+  signal leftsampler_rows_even_odd_ready_word, leftsampler_rows_odd_even_write_word : natural range 0 to 255;
+  signal leftsampler_rows_odd_even_ready_word, leftsampler_rows_odd_odd_write_word : natural range 0 to 255;
+  signal leftsampler_rows_odd_odd_ready_word, leftsampler_pixel_upper_0 : natural range 0 to 255;
+  signal leftsampler_pixel_upper_1, leftsampler_pixel_value : natural range 0 to 255;
   signal leftsampler_rows_even_even_write_address, leftsampler_rows_even_odd_write_address : natural range 0 to 67;
   signal leftsampler_rows_odd_even_write_address, leftsampler_rows_odd_odd_write_address : natural range 0 to 67;
-  signal leftsampler_rows_even_even_write_word, leftsampler_rows_even_even_ready_word : natural range 0 to 255;
-  signal leftsampler_rows_even_odd_write_word, leftsampler_rows_even_odd_ready_word : natural range 0 to 255;
-  signal leftsampler_rows_odd_even_write_word, leftsampler_rows_odd_even_ready_word : natural range 0 to 255;
-  signal leftsampler_rows_odd_odd_write_word, leftsampler_rows_odd_odd_ready_word : natural range 0 to 255;
-  signal leftsampler_pixel_upper_0, leftsampler_pixel_upper_1, leftsampler_pixel_value : natural range 0 to 255;
   signal leftsampler_rows_even_even_read_word, leftsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal leftsampler_rows_odd_even_read_word, leftsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
-  signal leftsampler_rows_row_odd_0, leftsampler_rows_row_odd_1, leftsampler_rows_row_odd_2 : boolean;
-  signal leftsampler_rows_column_odd_0, leftsampler_rows_column_odd_1, leftsampler_rows_column_odd_2 : boolean;
   signal leftsampler_weight_x_held_0, leftsampler_weight_x_held_1, leftsampler_weight_x_held_2 : natural range 0 to 31;
-  signal leftsampler_weight_y_held_0, leftsampler_weight_y_held_1, leftsampler_weight_y_held_2 : natural range 0 to 31;
-  signal leftsampler_pixel_weight_y, leftsampler_pixel_weight_x_0, leftsampler_pixel_weight_x_1 : natural range 0 to 31;
+  signal leftsampler_weight_x_held_3, leftsampler_weight_y_held_0, leftsampler_weight_y_held_1 : natural range 0 to 31;
+  signal leftsampler_weight_y_held_2, leftsampler_weight_y_held_3, leftsampler_pixel_weight_y : natural range 0 to 31;
+  signal leftsampler_pixel_weight_x_0, leftsampler_pixel_weight_x_1 : natural range 0 to 31;
   signal leftsampler_pixel_weight_x_2 : natural range 0 to 31;
   signal leftsampler_shown_held_0, leftsampler_shown_held_1, leftsampler_shown_held_2 : natural range 0 to 15;
+  signal leftsampler_shown_held_3 : natural range 0 to 15;
   signal leftsampler_pixel_fall_0, leftsampler_pixel_fall_1 : integer range -255 to 255;
   signal leftsampler_pixel_column_0, leftsampler_pixel_column_1 : natural range 0 to 8191;
   signal leftsampler_pixel_first : natural range 0 to 262624;
   signal leftsampler_pixel_rise : integer range -8191 to 8191;
   -- rightsampler
+  signal rightsampler_rows_even_line : natural range 0 to 52;
+  signal rightsampler_rows_odd_line : natural range 0 to 51;
+  signal rightsampler_rows_even_column, rightsampler_rows_odd_column : natural range 0 to 127;
   signal rightsampler_rows_even_even_read_address, rightsampler_rows_even_odd_read_address : natural range 0 to 127;
   signal rightsampler_rows_odd_even_read_address, rightsampler_rows_odd_odd_read_address : natural range 0 to 127;
-  signal rightsampler_rows_even_even_write_word, rightsampler_rows_even_even_ready_word : natural range 0 to 255;
-  signal rightsampler_rows_even_odd_write_word, rightsampler_rows_even_odd_ready_word : natural range 0 to 255;
-  signal rightsampler_rows_odd_even_write_word, rightsampler_rows_odd_even_ready_word : natural range 0 to 255;
-  signal rightsampler_rows_odd_odd_write_word, rightsampler_rows_odd_odd_ready_word : natural range 0 to 255;
-  signal rightsampler_pixel_upper_0, rightsampler_pixel_upper_1, rightsampler_pixel_value : natural range 0 to 255;
+  signal rightsampler_rows_written, rightsampler_rows_even_even_write_word : natural range 0 to 255;
+  signal rightsampler_rows_even_even_ready_word, rightsampler_rows_even_odd_write_word : natural range 0 to 255;
+  signal rightsampler_rows_even_odd_ready_word, rightsampler_rows_odd_even_write_word : natural range 0 to 255;
+  signal rightsampler_rows_odd_even_ready_word, rightsampler_rows_odd_odd_write_word : natural range 0 to 255;
+  signal rightsampler_rows_odd_odd_ready_word, rightsampler_pixel_upper_0 : natural range 0 to 255;
+  signal rightsampler_pixel_upper_1, rightsampler_pixel_value : natural range 0 to 255;
   signal rightsampler_rows_even_even_read_word, rightsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal rightsampler_rows_odd_even_read_word, rightsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
   signal rightsampler_rows_row_odd_0, rightsampler_rows_row_odd_1, rightsampler_rows_row_odd_2 : boolean;
-  signal rightsampler_rows_column_odd_0, rightsampler_rows_column_odd_1, rightsampler_rows_column_odd_2 : boolean;
+  signal rightsampler_rows_row_odd_3, rightsampler_rows_column_odd_0, rightsampler_rows_column_odd_1 : boolean;
+  signal rightsampler_rows_column_odd_2, rightsampler_rows_column_odd_3 : boolean;
   signal rightsampler_weight_x_held_0, rightsampler_weight_x_held_1 : natural range 0 to 31;
-  signal rightsampler_weight_x_held_2, rightsampler_weight_y_held_0 : natural range 0 to 31;
-  signal rightsampler_weight_y_held_1, rightsampler_weight_y_held_2 : natural range 0 to 31;
+  signal rightsampler_weight_x_held_2, rightsampler_weight_x_held_3 : natural range 0 to 31;
+  signal rightsampler_weight_y_held_0, rightsampler_weight_y_held_1 : natural range 0 to 31;
+  signal rightsampler_weight_y_held_2, rightsampler_weight_y_held_3 : natural range 0 to 31;
   signal rightsampler_pixel_weight_y, rightsampler_pixel_weight_x_0 : natural range 0 to 31;
   signal rightsampler_pixel_weight_x_1, rightsampler_pixel_weight_x_2 : natural range 0 to 31;
   signal rightsampler_shown_held_0, rightsampler_shown_held_1, rightsampler_shown_held_2 : natural range 0 to 15;
+  signal rightsampler_shown_held_3 : natural range 0 to 15;
   signal rightsampler_pixel_fall_0, rightsampler_pixel_fall_1 : integer range -255 to 255;
   signal rightsampler_pixel_column_0, rightsampler_pixel_column_1 : natural range 0 to 8191;
   signal rightsampler_pixel_first : natural range 0 to 262624;
   signal rightsampler_pixel_rise : integer range -8191 to 8191;
   -- valid
   signal valid_held_0, valid_held_1, valid_held_2, valid_held_3, valid_held_4, valid_held_5, valid_held_6 : boolean;
+  signal valid_held_7 : boolean;
   -- starts
   signal starts_held_0, starts_held_1, starts_held_2, starts_held_3, starts_held_4, starts_held_5 : boolean;
-  signal starts_held_6 : boolean;
+  signal starts_held_6, starts_held_7 : boolean;
   signal leftsampler_rows_even_even_read_word_memory_write_data : unsigned(7 downto 0);
   signal leftsampler_rows_even_odd_read_word_memory_write_data : unsigned(7 downto 0);
   signal leftsampler_rows_odd_even_read_word_memory_write_data : unsigned(7 downto 0);
@@ -259,8 +287,8 @@ begin
   in_left_pixel <= to_integer(unsigned(left_pixel));
   rectified_left <= std_logic_vector(to_unsigned(leftsampler_pixel_value, 8));
   rectified_right <= std_logic_vector(to_unsigned(rightsampler_pixel_value, 8));
-  rectified_start_of_frame <= as_bit(valid_held_6 and starts_held_6);
-  rectified_valid <= as_bit(valid_held_6);
+  rectified_start_of_frame <= as_bit(valid_held_7 and starts_held_7);
+  rectified_valid <= as_bit(valid_held_7);
 
   leftsampler_rows_even_even_read_word_memory_write_data <= to_unsigned(leftsampler_rows_even_even_write_word, 8);
   leftsampler_rows_even_even_read_word_memory : entity work.line_memory
@@ -393,28 +421,17 @@ begin
   process (clock)
     variable counter_column_is_equal, counter_next_frame_differs, counter_next_frame_is_equal : boolean;
     variable counter_next_frame_is_equal_2, counter_next_frame_all, counter_next_frame_choice : boolean;
-    variable grid_node_row_all, leftoffsets_nodes_even_even_write_address_any : boolean;
-    variable leftoffsets_nodes_even_odd_write_address_any, leftoffsets_nodes_odd_even_write_address_any : boolean;
-    variable leftoffsets_nodes_odd_odd_write_address_any, rightoffsets_nodes_even_even_write_address_any : boolean;
-    variable rightoffsets_nodes_even_odd_write_address_any, rightoffsets_nodes_odd_even_write_address_any : boolean;
-    variable rightoffsets_nodes_odd_odd_write_address_any, sample_place_column_is_equal : boolean;
-    variable sample_place_next_frame_differs, sample_place_next_frame_is_equal : boolean;
-    variable sample_place_next_frame_is_equal_2, sample_place_next_frame_all, sample_place_next_frame_choice : boolean;
-    variable lefttaps_taps_column_is_equal, righttaps_taps_column_is_equal : boolean;
-    variable leftsampler_rows_even_even_write_address_any, leftsampler_rows_even_odd_write_address_any : boolean;
-    variable leftsampler_rows_odd_even_write_address_any, leftsampler_rows_odd_odd_write_address_any : boolean;
+    variable grid_node_row_all, sample_place_column_is_equal, sample_place_next_frame_differs : boolean;
+    variable sample_place_next_frame_is_equal, sample_place_next_frame_is_equal_2 : boolean;
+    variable sample_place_next_frame_all, sample_place_next_frame_choice, lefttaps_taps_column_is_equal : boolean;
+    variable righttaps_taps_column_is_equal : boolean;
     variable counter_group_choice, sample_place_group_choice, lefttaps_taps_row_value : natural range 0 to 3;
     variable righttaps_taps_row_value, leftsampler_shown_held_0_choice : natural range 0 to 3;
     variable rightsampler_shown_held_0_choice : natural range 0 to 3;
     variable counter_group_choice_2, counter_group_choice_3, sample_place_group_choice_2 : natural range 0 to 31;
     variable sample_place_group_choice_3 : natural range 0 to 31;
     variable grid_node_row_choice, leftoffsets_nodes_even_even_write_address_value : natural range 0 to 15;
-    variable leftoffsets_nodes_even_even_read_address_value : natural range 0 to 2;
-    variable leftoffsets_nodes_even_even_read_address_choice : natural range 0 to 10;
-    variable leftoffsets_nodes_even_even_read_address_value_2 : natural range 0 to 4;
-    variable leftoffsets_nodes_odd_even_read_address_value : natural range 0 to 4;
-    variable leftsampler_rows_even_even_read_address_value : natural range 0 to 4;
-    variable rightsampler_rows_even_even_read_address_value : natural range 0 to 4;
+    variable leftoffsets_nodes_even_line_value : natural range 0 to 2;
     variable leftoffsets_x_upper_0_choice, leftoffsets_x_upper_0_choice_2 : natural range 0 to 65535;
     variable leftoffsets_x_upper_0_choice_3, leftoffsets_x_upper_1_choice : natural range 0 to 65535;
     variable leftoffsets_x_upper_1_choice_2, leftoffsets_x_upper_1_choice_3 : natural range 0 to 65535;
@@ -432,19 +449,13 @@ begin
     variable leftoffsets_y_upper_0_choice_3, leftoffsets_y_upper_1_choice : unsigned(31 downto 0);
     variable leftoffsets_y_upper_1_choice_2, leftoffsets_y_upper_1_choice_3 : unsigned(31 downto 0);
     variable leftoffsets_y_fall_0_choice, leftoffsets_y_fall_1_choice : unsigned(31 downto 0);
-    variable leftoffsets_nodes_even_even_write_word_sum, rightoffsets_y_upper_0_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_upper_0_choice_2, rightoffsets_y_upper_0_choice_3 : unsigned(31 downto 0);
-    variable rightoffsets_y_upper_1_choice, rightoffsets_y_upper_1_choice_2 : unsigned(31 downto 0);
-    variable rightoffsets_y_upper_1_choice_3, rightoffsets_y_fall_0_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_fall_1_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_upper_0_choice, rightoffsets_y_upper_0_choice_2 : unsigned(31 downto 0);
+    variable rightoffsets_y_upper_0_choice_3, rightoffsets_y_upper_1_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_upper_1_choice_2, rightoffsets_y_upper_1_choice_3 : unsigned(31 downto 0);
+    variable rightoffsets_y_fall_0_choice, rightoffsets_y_fall_1_choice : unsigned(31 downto 0);
     variable sample_place_column_sum : natural range 1 to 32;
     variable lefttaps_taps_row_choice, righttaps_taps_row_choice : natural range 0 to 7;
-    variable leftsampler_rows_even_even_read_address_choice : natural range 0 to 68;
-    variable rightsampler_rows_even_even_read_address_choice : natural range 0 to 68;
-    variable leftsampler_rows_even_even_read_address_value_2 : natural range 0 to 127;
-    variable rightsampler_rows_even_even_read_address_value_2 : natural range 0 to 127;
-    variable leftsampler_rows_odd_even_read_address_value : natural range 0 to 48;
-    variable rightsampler_rows_odd_even_read_address_value : natural range 0 to 48;
+    variable leftsampler_rows_even_line_value, rightsampler_rows_even_line_value : natural range 0 to 4;
     variable leftsampler_pixel_upper_0_choice, leftsampler_pixel_upper_0_choice_2 : natural range 0 to 255;
     variable leftsampler_pixel_upper_0_choice_3, leftsampler_pixel_upper_0_choice_4 : natural range 0 to 255;
     variable leftsampler_pixel_upper_1_choice, leftsampler_pixel_upper_1_choice_2 : natural range 0 to 255;
@@ -514,6 +525,10 @@ begin
       delay_held_7_right <= delay_held_6_right;
       delay_held_7_start_of_frame <= delay_held_6_start_of_frame;
       delay_held_7_valid <= delay_held_6_valid;
+      delay_held_8_left <= delay_held_7_left;
+      delay_held_8_right <= delay_held_7_right;
+      delay_held_8_start_of_frame <= delay_held_7_start_of_frame;
+      delay_held_8_valid <= delay_held_7_valid;
       -- grid
       grid_node_row_all := counter_next_frame_differs and (((counter_group / 16) = 1) or (((counter_group / 8) mod 2) =
         1) or (((counter_group / 4) mod 2) = 1));
@@ -528,88 +543,101 @@ begin
       grid_weight_x_held_1 <= grid_weight_x_held_0;
       grid_weight_x_held_2 <= grid_weight_x_held_1;
       grid_weight_x_held_3 <= grid_weight_x_held_2;
+      grid_weight_x_held_4 <= grid_weight_x_held_3;
       grid_weight_y_held_0 <= counter_group mod 4 when grid_node_row_all else 0;
       grid_weight_y_held_1 <= grid_weight_y_held_0;
       grid_weight_y_held_2 <= grid_weight_y_held_1;
       grid_weight_y_held_3 <= grid_weight_y_held_2;
+      grid_weight_y_held_4 <= grid_weight_y_held_3;
       -- leftoffsets
-      leftoffsets_nodes_even_even_read_address_value := (grid_node_row + 1) / 2;
-      leftoffsets_nodes_even_even_read_address_choice := 0 when grid_node_row = 3 else
-        (leftoffsets_nodes_even_even_read_address_value * 4) + leftoffsets_nodes_even_even_read_address_value;
-      leftoffsets_nodes_even_even_read_address_value_2 := (grid_node_column + 1) / 2;
-      leftoffsets_nodes_odd_even_read_address_value := (grid_node_row / 2) * 4;
-      if leftoffsets_nodes_column_odd_2 then
+      leftoffsets_nodes_even_line_value := (grid_node_row + 1) / 2;
+      if leftoffsets_nodes_column_odd_3 then
         leftoffsets_x_upper_0_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
       else
         leftoffsets_x_upper_0_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         leftoffsets_x_upper_0_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
       else
         leftoffsets_x_upper_0_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      leftoffsets_x_upper_0_choice_3 := leftoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_x_upper_0_choice_3 := leftoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_3 else
         leftoffsets_x_upper_0_choice_2;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         leftoffsets_x_upper_1_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
         leftoffsets_x_upper_1_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         leftoffsets_x_upper_1_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
       else
         leftoffsets_x_upper_1_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      leftoffsets_x_upper_1_choice_3 := leftoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_x_upper_1_choice_3 := leftoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_3 else
         leftoffsets_x_upper_1_choice_2;
-      leftoffsets_x_fall_0_choice := leftoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_x_fall_0_choice := leftoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
         leftoffsets_x_upper_0_choice;
-      leftoffsets_x_fall_1_choice := leftoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_x_fall_1_choice := leftoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
         leftoffsets_x_upper_1_choice;
       leftoffsets_x_column_0_product := leftoffsets_x_fall_0 * leftoffsets_x_weight_y;
       leftoffsets_x_column_1_product := leftoffsets_x_fall_1 * leftoffsets_x_weight_y;
-      leftoffsets_y_upper_0_choice := leftoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_2 else
+      leftoffsets_y_upper_0_choice := leftoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_odd_even_ready_word;
-      leftoffsets_y_upper_0_choice_2 := leftoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_2 else
+      leftoffsets_y_upper_0_choice_2 := leftoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_even_even_ready_word;
-      leftoffsets_y_upper_0_choice_3 := leftoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_y_upper_0_choice_3 := leftoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_3 else
         leftoffsets_y_upper_0_choice_2;
-      leftoffsets_y_upper_1_choice := leftoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_2 else
+      leftoffsets_y_upper_1_choice := leftoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_odd_odd_ready_word;
-      leftoffsets_y_upper_1_choice_2 := leftoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_2 else
+      leftoffsets_y_upper_1_choice_2 := leftoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_even_odd_ready_word;
-      leftoffsets_y_upper_1_choice_3 := leftoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_y_upper_1_choice_3 := leftoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_3 else
         leftoffsets_y_upper_1_choice_2;
-      leftoffsets_y_fall_0_choice := leftoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_y_fall_0_choice := leftoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
         leftoffsets_y_upper_0_choice;
-      leftoffsets_y_fall_1_choice := leftoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_y_fall_1_choice := leftoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
         leftoffsets_y_upper_1_choice;
       leftoffsets_y_column_0_product := leftoffsets_y_fall_0 * leftoffsets_x_weight_y;
       leftoffsets_y_column_1_product := leftoffsets_y_fall_1 * leftoffsets_x_weight_y;
-      leftoffsets_nodes_even_even_read_address <= leftoffsets_nodes_even_even_read_address_choice +
-        leftoffsets_nodes_even_even_read_address_value_2;
+      leftoffsets_nodes_even_line <= 0 when grid_node_row = 3 else ((leftoffsets_nodes_even_line_value mod 2) * 4) +
+        leftoffsets_nodes_even_line_value;
+      leftoffsets_nodes_odd_line <= ((grid_node_row / 2) * 4) + (grid_node_row / 2);
+      leftoffsets_nodes_write_line <= ((((in_node_row / 2) + (in_node_row / 8)) mod 2) * 4) + ((in_node_row / 2) mod 4);
+      leftoffsets_nodes_even_column <= (grid_node_column + 1) / 2;
+      leftoffsets_nodes_odd_column <= grid_node_column / 2;
+      leftoffsets_nodes_write_column <= (in_node_column mod 32) / 2;
+      leftoffsets_nodes_to_even_even <= (not ((in_node_column mod 2) = 1)) and (not ((in_node_row mod 2) = 1)) and
+        in_node_valid and (not in_node_right);
+      leftoffsets_nodes_to_even_odd <= ((in_node_column mod 2) = 1) and (not ((in_node_row mod 2) = 1)) and
+        in_node_valid and (not in_node_right);
+      leftoffsets_nodes_to_odd_even <= (not ((in_node_column mod 2) = 1)) and ((in_node_row mod 2) = 1) and
+        in_node_valid and (not in_node_right);
+      leftoffsets_nodes_to_odd_odd <= ((in_node_column mod 2) = 1) and ((in_node_row mod 2) = 1) and in_node_valid and
+        (not in_node_right);
+      leftoffsets_nodes_written <= to_unsigned(to_integer(((to_unsigned(in_node_y, 16)) xor (to_unsigned(32768, 16)))),
+        16) & to_unsigned(to_integer(((to_unsigned(in_node_x, 16)) xor (to_unsigned(32768, 16)))), 16);
+      leftoffsets_nodes_even_even_read_address <= leftoffsets_nodes_even_line + leftoffsets_nodes_even_column;
       leftoffsets_nodes_even_even_ready_word <= leftoffsets_nodes_even_even_read_word;
-      leftoffsets_nodes_even_odd_read_address <= leftoffsets_nodes_even_even_read_address_choice + (grid_node_column /
-        2);
+      leftoffsets_nodes_even_odd_read_address <= leftoffsets_nodes_even_line + leftoffsets_nodes_odd_column;
       leftoffsets_nodes_even_odd_ready_word <= leftoffsets_nodes_even_odd_read_word;
-      leftoffsets_nodes_odd_even_read_address <= leftoffsets_nodes_even_even_read_address_value_2 +
-        leftoffsets_nodes_odd_even_read_address_value + (grid_node_row / 2);
+      leftoffsets_nodes_odd_even_read_address <= leftoffsets_nodes_odd_line + leftoffsets_nodes_even_column;
       leftoffsets_nodes_odd_even_ready_word <= leftoffsets_nodes_odd_even_read_word;
-      leftoffsets_nodes_odd_odd_read_address <= leftoffsets_nodes_odd_even_read_address_value + (grid_node_row / 2) +
-        (grid_node_column / 2);
+      leftoffsets_nodes_odd_odd_read_address <= leftoffsets_nodes_odd_line + leftoffsets_nodes_odd_column;
       leftoffsets_nodes_odd_odd_ready_word <= leftoffsets_nodes_odd_odd_read_word;
       leftoffsets_nodes_row_odd_0 <= (grid_node_row mod 2) = 1;
       leftoffsets_nodes_row_odd_1 <= leftoffsets_nodes_row_odd_0;
       leftoffsets_nodes_row_odd_2 <= leftoffsets_nodes_row_odd_1;
+      leftoffsets_nodes_row_odd_3 <= leftoffsets_nodes_row_odd_2;
       leftoffsets_nodes_column_odd_0 <= (grid_node_column mod 2) = 1;
       leftoffsets_nodes_column_odd_1 <= leftoffsets_nodes_column_odd_0;
       leftoffsets_nodes_column_odd_2 <= leftoffsets_nodes_column_odd_1;
+      leftoffsets_nodes_column_odd_3 <= leftoffsets_nodes_column_odd_2;
       leftoffsets_x_upper_0 <= leftoffsets_x_upper_0_choice_3;
       leftoffsets_x_upper_1 <= leftoffsets_x_upper_1_choice_3;
       leftoffsets_x_fall_0 <= leftoffsets_x_fall_0_choice - leftoffsets_x_upper_0_choice_3;
       leftoffsets_x_fall_1 <= leftoffsets_x_fall_1_choice - leftoffsets_x_upper_1_choice_3;
-      leftoffsets_x_weight_y <= grid_weight_y_held_3;
-      leftoffsets_x_weight_x_0 <= grid_weight_x_held_3;
+      leftoffsets_x_weight_y <= grid_weight_y_held_4;
+      leftoffsets_x_weight_x_0 <= grid_weight_x_held_4;
       leftoffsets_x_weight_x_1 <= leftoffsets_x_weight_x_0;
       leftoffsets_x_weight_x_2 <= leftoffsets_x_weight_x_1;
       leftoffsets_x_column_0 <= (((leftoffsets_x_upper_0 + ((leftoffsets_x_column_0_product mod 262144) / 4)) mod
@@ -634,90 +662,81 @@ begin
       leftoffsets_y_rise <= leftoffsets_y_column_1 - leftoffsets_y_column_0;
       leftoffsets_y_value <= ((((leftoffsets_y_first / 4) + (((leftoffsets_y_rise * leftoffsets_x_weight_x_2) mod
         2097152) / 4)) mod 524288) * 4) / 32;
-      leftoffsets_nodes_even_even_write_address_value := (((in_node_column mod 32) / 2) + ((((in_node_row / 2) +
-        (in_node_row / 8)) mod 4) * 4) + ((in_node_row / 2) mod 4)) mod 16;
-      leftoffsets_nodes_even_even_write_word_sum := to_unsigned(to_integer(((to_unsigned(in_node_y, 16)) xor
-        (to_unsigned(32768, 16)))), 16) & to_unsigned(to_integer(((to_unsigned(in_node_x, 16)) xor (to_unsigned(32768,
-        16)))), 16);
-      leftoffsets_nodes_even_even_write_address_any := ((in_node_column mod 2) = 1) or ((in_node_row mod 2) = 1) or
-        (not in_node_valid) or in_node_right;
-      if not leftoffsets_nodes_even_even_write_address_any then
+      leftoffsets_nodes_even_even_write_address_value := (leftoffsets_nodes_write_line +
+        leftoffsets_nodes_write_column) mod 16;
+      if leftoffsets_nodes_to_even_even then
         leftoffsets_nodes_even_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        leftoffsets_nodes_even_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        leftoffsets_nodes_even_even_write_word <= leftoffsets_nodes_written;
       end if;
-      leftoffsets_nodes_even_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or ((in_node_row mod 2) = 1)
-        or (not in_node_valid) or in_node_right;
-      if not leftoffsets_nodes_even_odd_write_address_any then
+      if leftoffsets_nodes_to_even_odd then
         leftoffsets_nodes_even_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        leftoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        leftoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_written;
       end if;
-      leftoffsets_nodes_odd_even_write_address_any := ((in_node_column mod 2) = 1) or (not ((in_node_row mod 2) = 1))
-        or (not in_node_valid) or in_node_right;
-      if not leftoffsets_nodes_odd_even_write_address_any then
+      if leftoffsets_nodes_to_odd_even then
         leftoffsets_nodes_odd_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        leftoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        leftoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_written;
       end if;
-      leftoffsets_nodes_odd_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or (not ((in_node_row mod 2) =
-        1)) or (not in_node_valid) or in_node_right;
-      if not leftoffsets_nodes_odd_odd_write_address_any then
+      if leftoffsets_nodes_to_odd_odd then
         leftoffsets_nodes_odd_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        leftoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        leftoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_written;
       end if;
       -- rightoffsets
-      rightoffsets_nodes_even_even_write_address_any := ((in_node_column mod 2) = 1) or ((in_node_row mod 2) = 1) or
-        (not in_node_valid) or (not in_node_right);
-      if not rightoffsets_nodes_even_even_write_address_any then
-        rightoffsets_nodes_even_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        rightoffsets_nodes_even_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
-      end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         rightoffsets_x_upper_0_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
       else
         rightoffsets_x_upper_0_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         rightoffsets_x_upper_0_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
       else
         rightoffsets_x_upper_0_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      rightoffsets_x_upper_0_choice_3 := rightoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_x_upper_0_choice_3 := rightoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_3 else
         rightoffsets_x_upper_0_choice_2;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         rightoffsets_x_upper_1_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
         rightoffsets_x_upper_1_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         rightoffsets_x_upper_1_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
       else
         rightoffsets_x_upper_1_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      rightoffsets_x_upper_1_choice_3 := rightoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_x_upper_1_choice_3 := rightoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_3 else
         rightoffsets_x_upper_1_choice_2;
-      rightoffsets_x_fall_0_choice := rightoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_x_fall_0_choice := rightoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
         rightoffsets_x_upper_0_choice;
-      rightoffsets_x_fall_1_choice := rightoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_x_fall_1_choice := rightoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
         rightoffsets_x_upper_1_choice;
       rightoffsets_x_column_0_product := rightoffsets_x_fall_0 * leftoffsets_x_weight_y;
       rightoffsets_x_column_1_product := rightoffsets_x_fall_1 * leftoffsets_x_weight_y;
-      rightoffsets_y_upper_0_choice := rightoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_2 else
+      rightoffsets_y_upper_0_choice := rightoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
         rightoffsets_nodes_odd_even_ready_word;
-      rightoffsets_y_upper_0_choice_2 := rightoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_2
+      rightoffsets_y_upper_0_choice_2 := rightoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3
         else rightoffsets_nodes_even_even_ready_word;
-      rightoffsets_y_upper_0_choice_3 := rightoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_y_upper_0_choice_3 := rightoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_3 else
         rightoffsets_y_upper_0_choice_2;
-      rightoffsets_y_upper_1_choice := rightoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_2 else
+      rightoffsets_y_upper_1_choice := rightoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3 else
         rightoffsets_nodes_odd_odd_ready_word;
-      rightoffsets_y_upper_1_choice_2 := rightoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_2
+      rightoffsets_y_upper_1_choice_2 := rightoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3
         else rightoffsets_nodes_even_odd_ready_word;
-      rightoffsets_y_upper_1_choice_3 := rightoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_y_upper_1_choice_3 := rightoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_3 else
         rightoffsets_y_upper_1_choice_2;
-      rightoffsets_y_fall_0_choice := rightoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_y_fall_0_choice := rightoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
         rightoffsets_y_upper_0_choice;
-      rightoffsets_y_fall_1_choice := rightoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_y_fall_1_choice := rightoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
         rightoffsets_y_upper_1_choice;
       rightoffsets_y_column_0_product := rightoffsets_y_fall_0 * leftoffsets_x_weight_y;
       rightoffsets_y_column_1_product := rightoffsets_y_fall_1 * leftoffsets_x_weight_y;
+      rightoffsets_nodes_to_even_even <= (not ((in_node_column mod 2) = 1)) and (not ((in_node_row mod 2) = 1)) and
+        in_node_valid and in_node_right;
+      rightoffsets_nodes_to_even_odd <= ((in_node_column mod 2) = 1) and (not ((in_node_row mod 2) = 1)) and
+        in_node_valid and in_node_right;
+      rightoffsets_nodes_to_odd_even <= (not ((in_node_column mod 2) = 1)) and ((in_node_row mod 2) = 1) and
+        in_node_valid and in_node_right;
+      rightoffsets_nodes_to_odd_odd <= ((in_node_column mod 2) = 1) and ((in_node_row mod 2) = 1) and in_node_valid and
+        in_node_right;
       rightoffsets_nodes_even_even_ready_word <= rightoffsets_nodes_even_even_read_word;
       rightoffsets_nodes_even_odd_ready_word <= rightoffsets_nodes_even_odd_read_word;
       rightoffsets_nodes_odd_even_ready_word <= rightoffsets_nodes_odd_even_read_word;
@@ -748,23 +767,21 @@ begin
       rightoffsets_y_rise <= rightoffsets_y_column_1 - rightoffsets_y_column_0;
       rightoffsets_y_value <= ((((rightoffsets_y_first / 4) + (((rightoffsets_y_rise * leftoffsets_x_weight_x_2) mod
         2097152) / 4)) mod 524288) * 4) / 32;
-      rightoffsets_nodes_even_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or ((in_node_row mod 2) = 1)
-        or (not in_node_valid) or (not in_node_right);
-      if not rightoffsets_nodes_even_odd_write_address_any then
+      if rightoffsets_nodes_to_even_even then
+        rightoffsets_nodes_even_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        rightoffsets_nodes_even_even_write_word <= leftoffsets_nodes_written;
+      end if;
+      if rightoffsets_nodes_to_even_odd then
         rightoffsets_nodes_even_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        rightoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        rightoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_written;
       end if;
-      rightoffsets_nodes_odd_even_write_address_any := ((in_node_column mod 2) = 1) or (not ((in_node_row mod 2) = 1))
-        or (not in_node_valid) or (not in_node_right);
-      if not rightoffsets_nodes_odd_even_write_address_any then
+      if rightoffsets_nodes_to_odd_even then
         rightoffsets_nodes_odd_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        rightoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        rightoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_written;
       end if;
-      rightoffsets_nodes_odd_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or (not ((in_node_row mod 2) =
-        1)) or (not in_node_valid) or (not in_node_right);
-      if not rightoffsets_nodes_odd_odd_write_address_any then
+      if rightoffsets_nodes_to_odd_odd then
         rightoffsets_nodes_odd_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        rightoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        rightoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_written;
       end if;
       -- sample
       sample_place_column_is_equal := sample_place_column = 31;
@@ -773,25 +790,25 @@ begin
       sample_place_next_frame_is_equal := sample_place_group = 15;
       sample_place_next_frame_is_equal_2 := sample_place_group = 11;
       sample_place_next_frame_all := sample_place_column_is_equal and sample_place_next_frame_is_equal_2;
-      sample_place_next_frame_choice := sample_place_next_frame_all when delay_held_7_start_of_frame else
+      sample_place_next_frame_choice := sample_place_next_frame_all when delay_held_8_start_of_frame else
         sample_place_next_frame;
-      if delay_held_7_valid then
-        sample_place_column <= 0 when sample_place_column_is_equal or delay_held_7_start_of_frame else
+      if delay_held_8_valid then
+        sample_place_column <= 0 when sample_place_column_is_equal or delay_held_8_start_of_frame else
           sample_place_column_sum mod 32;
         sample_place_next_frame <= sample_place_column_is_equal and sample_place_next_frame_is_equal_2 and
-          delay_held_7_start_of_frame when sample_place_column_is_equal and sample_place_next_frame_differs and
+          delay_held_8_start_of_frame when sample_place_column_is_equal and sample_place_next_frame_differs and
           sample_place_next_frame_is_equal else sample_place_next_frame_choice;
       end if;
       sample_place_group_choice := 3 when sample_place_next_frame_all else 0;
       sample_place_group_choice_2 := 4 when sample_place_next_frame and sample_place_next_frame_is_equal else
         (sample_place_group + 1) mod 32;
       sample_place_group_choice_3 := sample_place_group_choice_2 when sample_place_column_is_equal and
-        sample_place_next_frame_differs and delay_held_7_valid else sample_place_group;
-      sample_place_group <= sample_place_group_choice * 4 when delay_held_7_start_of_frame and delay_held_7_valid else
+        sample_place_next_frame_differs and delay_held_8_valid else sample_place_group;
+      sample_place_group <= sample_place_group_choice * 4 when delay_held_8_start_of_frame and delay_held_8_valid else
         sample_place_group_choice_3;
-      sample_pixels_left <= delay_held_7_left;
-      sample_pixels_right <= delay_held_7_right;
-      sample_pixels_valid <= delay_held_7_valid;
+      sample_pixels_left <= delay_held_8_left;
+      sample_pixels_right <= delay_held_8_right;
+      sample_pixels_valid <= delay_held_8_valid;
       sample_row <= ((((sample_place_group / 4) + 3) mod 4) * 4) + (sample_place_group mod 4);
       sample_leaves <= sample_place_next_frame_differs and (((sample_place_group / 16) = 1) or (((sample_place_group /
         8) mod 2) = 1) or (((sample_place_group / 4) mod 2) = 1));
@@ -807,7 +824,7 @@ begin
       sample_kept_pixels_right <= sample_taken_pixels_right;
       sample_kept_pixels_valid <= sample_taken_pixels_valid;
       sample_kept_starts <= sample_starts;
-      if sample_place_column_is_equal and delay_held_7_valid then
+      if sample_place_column_is_equal and delay_held_8_valid then
         sample_slot <= 0 when sample_slot = 7 else (sample_slot + 1) mod 8;
       end if;
       -- lefttaps
@@ -846,84 +863,97 @@ begin
       righttaps_taps_row <= (sample_taken_row + righttaps_taps_row_choice) mod 8;
       righttaps_weight_x <= righttaps_source_x mod 32;
       righttaps_weight_y <= righttaps_offset_y mod 32;
-      righttaps_column_shown_0 <= sample_leaves and ((((righttaps_source_x / 32) + 1) / 32) = 16);
-      righttaps_column_shown_1 <= righttaps_taps_column_is_equal and sample_leaves;
+      righttaps_column_shown_0 <= righttaps_taps_column_is_equal and sample_leaves;
+      righttaps_column_shown_1 <= sample_leaves and ((((righttaps_source_x / 32) + 1) / 32) = 16);
       righttaps_row_shown_0 <= ((righttaps_offset_y / 32) >= 509) and ((righttaps_offset_y / 32) < 516) and
         (((sample_row + (righttaps_offset_y / 32) + 65024) mod 65536) < 12);
       righttaps_row_shown_1 <= (righttaps_taps_row_sum < 7) and (((sample_row + (righttaps_offset_y / 32) + 65025) mod
         65536) < 12);
       -- leftsampler
-      leftsampler_rows_even_even_read_address_value := (lefttaps_taps_row + 1) / 2;
-      leftsampler_rows_even_even_read_address_choice := 0 when lefttaps_taps_row = 7 else
-        (leftsampler_rows_even_even_read_address_value * 16) + leftsampler_rows_even_even_read_address_value;
-      leftsampler_rows_even_even_read_address_value_2 := ((lefttaps_taps_column + 1) mod 256) / 2;
-      leftsampler_rows_odd_even_read_address_value := (lefttaps_taps_row / 2) * 16;
+      leftsampler_rows_even_line_value := (lefttaps_taps_row + 1) / 2;
       if lefttaps_row_shown_0 then
         leftsampler_shown_held_0_choice := (as_number(lefttaps_column_shown_1) * 2) +
           as_number(lefttaps_column_shown_0);
       else
         leftsampler_shown_held_0_choice := 0;
       end if;
-      leftsampler_pixel_upper_0_choice := leftsampler_rows_odd_odd_ready_word when leftsampler_rows_column_odd_2 else
+      leftsampler_pixel_upper_0_choice := leftsampler_rows_odd_odd_ready_word when leftsampler_rows_column_odd_3 else
         leftsampler_rows_odd_even_ready_word;
-      leftsampler_pixel_upper_0_choice_2 := leftsampler_rows_even_odd_ready_word when leftsampler_rows_column_odd_2
+      leftsampler_pixel_upper_0_choice_2 := leftsampler_rows_even_odd_ready_word when leftsampler_rows_column_odd_3
         else leftsampler_rows_even_even_ready_word;
-      leftsampler_pixel_upper_0_choice_3 := leftsampler_pixel_upper_0_choice when leftsampler_rows_row_odd_2 else
+      leftsampler_pixel_upper_0_choice_3 := leftsampler_pixel_upper_0_choice when leftsampler_rows_row_odd_3 else
         leftsampler_pixel_upper_0_choice_2;
-      leftsampler_pixel_upper_0_choice_4 := leftsampler_pixel_upper_0_choice_3 when (leftsampler_shown_held_2 mod 2) =
+      leftsampler_pixel_upper_0_choice_4 := leftsampler_pixel_upper_0_choice_3 when (leftsampler_shown_held_3 mod 2) =
         1 else 0;
-      leftsampler_pixel_upper_1_choice := leftsampler_rows_odd_even_ready_word when leftsampler_rows_column_odd_2 else
+      leftsampler_pixel_upper_1_choice := leftsampler_rows_odd_even_ready_word when leftsampler_rows_column_odd_3 else
         leftsampler_rows_odd_odd_ready_word;
-      leftsampler_pixel_upper_1_choice_2 := leftsampler_rows_even_even_ready_word when leftsampler_rows_column_odd_2
+      leftsampler_pixel_upper_1_choice_2 := leftsampler_rows_even_even_ready_word when leftsampler_rows_column_odd_3
         else leftsampler_rows_even_odd_ready_word;
-      leftsampler_pixel_upper_1_choice_3 := leftsampler_pixel_upper_1_choice when leftsampler_rows_row_odd_2 else
+      leftsampler_pixel_upper_1_choice_3 := leftsampler_pixel_upper_1_choice when leftsampler_rows_row_odd_3 else
         leftsampler_pixel_upper_1_choice_2;
-      leftsampler_pixel_upper_1_choice_4 := leftsampler_pixel_upper_1_choice_3 when ((leftsampler_shown_held_2 / 2) mod
+      leftsampler_pixel_upper_1_choice_4 := leftsampler_pixel_upper_1_choice_3 when ((leftsampler_shown_held_3 / 2) mod
         2) = 1 else 0;
-      leftsampler_pixel_fall_0_choice := leftsampler_pixel_upper_0_choice_2 when leftsampler_rows_row_odd_2 else
+      leftsampler_pixel_fall_0_choice := leftsampler_pixel_upper_0_choice_2 when leftsampler_rows_row_odd_3 else
         leftsampler_pixel_upper_0_choice;
-      leftsampler_pixel_fall_0_choice_2 := leftsampler_pixel_fall_0_choice when ((leftsampler_shown_held_2 / 4) mod 2)
+      leftsampler_pixel_fall_0_choice_2 := leftsampler_pixel_fall_0_choice when ((leftsampler_shown_held_3 / 4) mod 2)
         = 1 else 0;
-      leftsampler_pixel_fall_1_choice := leftsampler_pixel_upper_1_choice_2 when leftsampler_rows_row_odd_2 else
+      leftsampler_pixel_fall_1_choice := leftsampler_pixel_upper_1_choice_2 when leftsampler_rows_row_odd_3 else
         leftsampler_pixel_upper_1_choice;
-      leftsampler_pixel_fall_1_choice_2 := leftsampler_pixel_fall_1_choice when (leftsampler_shown_held_2 / 8) = 1 else
+      leftsampler_pixel_fall_1_choice_2 := leftsampler_pixel_fall_1_choice when (leftsampler_shown_held_3 / 8) = 1 else
         0;
       leftsampler_pixel_column_0_product := leftsampler_pixel_fall_0 * leftsampler_pixel_weight_y;
       leftsampler_pixel_column_1_product := leftsampler_pixel_fall_1 * leftsampler_pixel_weight_y;
-      leftsampler_rows_even_even_read_address <= (leftsampler_rows_even_even_read_address_choice +
-        leftsampler_rows_even_even_read_address_value_2) mod 128;
+      leftsampler_rows_even_line <= 0 when lefttaps_taps_row = 7 else ((leftsampler_rows_even_line_value mod 4) * 16) +
+        leftsampler_rows_even_line_value;
+      leftsampler_rows_odd_line <= ((lefttaps_taps_row / 2) * 16) + (lefttaps_taps_row / 2);
+      leftsampler_rows_write_line <= ((sample_kept_row / 2) * 16) + (sample_kept_row / 2);
+      leftsampler_rows_even_column <= ((lefttaps_taps_column + 1) mod 256) / 2;
+      leftsampler_rows_odd_column <= lefttaps_taps_column / 2;
+      leftsampler_rows_write_column <= sample_kept_column / 2;
+      leftsampler_rows_to_even_even <= sample_kept_pixels_valid and (not ((sample_kept_column mod 2) = 1)) and (not
+        ((sample_kept_row mod 2) = 1));
+      leftsampler_rows_to_even_odd <= sample_kept_pixels_valid and ((sample_kept_column mod 2) = 1) and (not
+        ((sample_kept_row mod 2) = 1));
+      leftsampler_rows_to_odd_even <= sample_kept_pixels_valid and (not ((sample_kept_column mod 2) = 1)) and
+        ((sample_kept_row mod 2) = 1);
+      leftsampler_rows_to_odd_odd <= sample_kept_pixels_valid and ((sample_kept_column mod 2) = 1) and
+        ((sample_kept_row mod 2) = 1);
+      leftsampler_rows_written <= sample_kept_pixels_left;
+      leftsampler_rows_even_even_read_address <= (leftsampler_rows_even_line + leftsampler_rows_even_column) mod 128;
       leftsampler_rows_even_even_ready_word <= to_integer(leftsampler_rows_even_even_read_word);
-      leftsampler_rows_even_odd_read_address <= (leftsampler_rows_even_even_read_address_choice + (lefttaps_taps_column
-        / 2)) mod 128;
+      leftsampler_rows_even_odd_read_address <= (leftsampler_rows_even_line + leftsampler_rows_odd_column) mod 128;
       leftsampler_rows_even_odd_ready_word <= to_integer(leftsampler_rows_even_odd_read_word);
-      leftsampler_rows_odd_even_read_address <= (leftsampler_rows_odd_even_read_address_value + (lefttaps_taps_row / 2)
-        + leftsampler_rows_even_even_read_address_value_2) mod 128;
+      leftsampler_rows_odd_even_read_address <= (leftsampler_rows_odd_line + leftsampler_rows_even_column) mod 128;
       leftsampler_rows_odd_even_ready_word <= to_integer(leftsampler_rows_odd_even_read_word);
-      leftsampler_rows_odd_odd_read_address <= (leftsampler_rows_odd_even_read_address_value + (lefttaps_taps_row / 2)
-        + (lefttaps_taps_column / 2)) mod 128;
+      leftsampler_rows_odd_odd_read_address <= (leftsampler_rows_odd_line + leftsampler_rows_odd_column) mod 128;
       leftsampler_rows_odd_odd_ready_word <= to_integer(leftsampler_rows_odd_odd_read_word);
       leftsampler_rows_row_odd_0 <= (lefttaps_taps_row mod 2) = 1;
       leftsampler_rows_row_odd_1 <= leftsampler_rows_row_odd_0;
       leftsampler_rows_row_odd_2 <= leftsampler_rows_row_odd_1;
+      leftsampler_rows_row_odd_3 <= leftsampler_rows_row_odd_2;
       leftsampler_rows_column_odd_0 <= (lefttaps_taps_column mod 2) = 1;
       leftsampler_rows_column_odd_1 <= leftsampler_rows_column_odd_0;
       leftsampler_rows_column_odd_2 <= leftsampler_rows_column_odd_1;
+      leftsampler_rows_column_odd_3 <= leftsampler_rows_column_odd_2;
       leftsampler_weight_x_held_0 <= lefttaps_weight_x;
       leftsampler_weight_x_held_1 <= leftsampler_weight_x_held_0;
       leftsampler_weight_x_held_2 <= leftsampler_weight_x_held_1;
+      leftsampler_weight_x_held_3 <= leftsampler_weight_x_held_2;
       leftsampler_weight_y_held_0 <= lefttaps_weight_y;
       leftsampler_weight_y_held_1 <= leftsampler_weight_y_held_0;
       leftsampler_weight_y_held_2 <= leftsampler_weight_y_held_1;
+      leftsampler_weight_y_held_3 <= leftsampler_weight_y_held_2;
       leftsampler_shown_held_0 <= leftsampler_shown_held_0_choice + (as_number(lefttaps_column_shown_0) * 4) +
         (as_number(lefttaps_column_shown_1) * 8) when lefttaps_row_shown_1 else leftsampler_shown_held_0_choice;
       leftsampler_shown_held_1 <= leftsampler_shown_held_0;
       leftsampler_shown_held_2 <= leftsampler_shown_held_1;
+      leftsampler_shown_held_3 <= leftsampler_shown_held_2;
       leftsampler_pixel_upper_0 <= leftsampler_pixel_upper_0_choice_4;
       leftsampler_pixel_upper_1 <= leftsampler_pixel_upper_1_choice_4;
       leftsampler_pixel_fall_0 <= leftsampler_pixel_fall_0_choice_2 - leftsampler_pixel_upper_0_choice_4;
       leftsampler_pixel_fall_1 <= leftsampler_pixel_fall_1_choice_2 - leftsampler_pixel_upper_1_choice_4;
-      leftsampler_pixel_weight_y <= leftsampler_weight_y_held_2;
-      leftsampler_pixel_weight_x_0 <= leftsampler_weight_x_held_2;
+      leftsampler_pixel_weight_y <= leftsampler_weight_y_held_3;
+      leftsampler_pixel_weight_x_0 <= leftsampler_weight_x_held_3;
       leftsampler_pixel_weight_x_1 <= leftsampler_pixel_weight_x_0;
       leftsampler_pixel_weight_x_2 <= leftsampler_pixel_weight_x_1;
       leftsampler_pixel_column_0 <= (((leftsampler_pixel_upper_0 + ((leftsampler_pixel_column_0_product mod 8192) /
@@ -935,104 +965,98 @@ begin
       leftsampler_pixel_rise <= leftsampler_pixel_column_1 - leftsampler_pixel_column_0;
       leftsampler_pixel_value <= (((((leftsampler_pixel_first / 32) + (((leftsampler_pixel_weight_x_2 *
         leftsampler_pixel_rise) mod 524288) / 32)) mod 16384) * 32) / 1024) mod 256;
-      leftsampler_rows_even_even_write_address_sum := (sample_kept_column / 2) + ((sample_kept_row / 2) * 16) +
-        (sample_kept_row / 2);
-      leftsampler_rows_even_even_write_address_any := (not sample_kept_pixels_valid) or ((sample_kept_column mod 2) =
-        1) or ((sample_kept_row mod 2) = 1);
-      if not leftsampler_rows_even_even_write_address_any then
+      leftsampler_rows_even_even_write_address_sum := leftsampler_rows_write_line + leftsampler_rows_write_column;
+      if leftsampler_rows_to_even_even then
         leftsampler_rows_even_even_write_address <= leftsampler_rows_even_even_write_address_sum;
-        leftsampler_rows_even_even_write_word <= sample_kept_pixels_left;
+        leftsampler_rows_even_even_write_word <= leftsampler_rows_written;
       end if;
-      leftsampler_rows_even_odd_write_address_any := (not sample_kept_pixels_valid) or (not ((sample_kept_column mod 2)
-        = 1)) or ((sample_kept_row mod 2) = 1);
-      if not leftsampler_rows_even_odd_write_address_any then
+      if leftsampler_rows_to_even_odd then
         leftsampler_rows_even_odd_write_address <= leftsampler_rows_even_even_write_address_sum;
-        leftsampler_rows_even_odd_write_word <= sample_kept_pixels_left;
+        leftsampler_rows_even_odd_write_word <= leftsampler_rows_written;
       end if;
-      leftsampler_rows_odd_even_write_address_any := (not sample_kept_pixels_valid) or ((sample_kept_column mod 2) = 1)
-        or (not ((sample_kept_row mod 2) = 1));
-      if not leftsampler_rows_odd_even_write_address_any then
+      if leftsampler_rows_to_odd_even then
         leftsampler_rows_odd_even_write_address <= leftsampler_rows_even_even_write_address_sum;
-        leftsampler_rows_odd_even_write_word <= sample_kept_pixels_left;
+        leftsampler_rows_odd_even_write_word <= leftsampler_rows_written;
       end if;
-      leftsampler_rows_odd_odd_write_address_any := (not sample_kept_pixels_valid) or (not ((sample_kept_column mod 2)
-        = 1)) or (not ((sample_kept_row mod 2) = 1));
-      if not leftsampler_rows_odd_odd_write_address_any then
+      if leftsampler_rows_to_odd_odd then
         leftsampler_rows_odd_odd_write_address <= leftsampler_rows_even_even_write_address_sum;
-        leftsampler_rows_odd_odd_write_word <= sample_kept_pixels_left;
+        leftsampler_rows_odd_odd_write_word <= leftsampler_rows_written;
       end if;
       -- rightsampler
-      rightsampler_rows_even_even_read_address_value := (righttaps_taps_row + 1) / 2;
-      rightsampler_rows_even_even_read_address_choice := 0 when righttaps_taps_row = 7 else
-        (rightsampler_rows_even_even_read_address_value * 16) + rightsampler_rows_even_even_read_address_value;
-      rightsampler_rows_even_even_read_address_value_2 := ((righttaps_taps_column + 1) mod 256) / 2;
-      rightsampler_rows_odd_even_read_address_value := (righttaps_taps_row / 2) * 16;
+      rightsampler_rows_even_line_value := (righttaps_taps_row + 1) / 2;
       if righttaps_row_shown_0 then
-        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown_0) * 2) +
-          as_number(righttaps_column_shown_1);
+        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown_1) * 2) +
+          as_number(righttaps_column_shown_0);
       else
         rightsampler_shown_held_0_choice := 0;
       end if;
-      rightsampler_pixel_upper_0_choice := rightsampler_rows_odd_odd_ready_word when rightsampler_rows_column_odd_2
+      rightsampler_pixel_upper_0_choice := rightsampler_rows_odd_odd_ready_word when rightsampler_rows_column_odd_3
         else rightsampler_rows_odd_even_ready_word;
-      rightsampler_pixel_upper_0_choice_2 := rightsampler_rows_even_odd_ready_word when rightsampler_rows_column_odd_2
+      rightsampler_pixel_upper_0_choice_2 := rightsampler_rows_even_odd_ready_word when rightsampler_rows_column_odd_3
         else rightsampler_rows_even_even_ready_word;
-      rightsampler_pixel_upper_0_choice_3 := rightsampler_pixel_upper_0_choice when rightsampler_rows_row_odd_2 else
+      rightsampler_pixel_upper_0_choice_3 := rightsampler_pixel_upper_0_choice when rightsampler_rows_row_odd_3 else
         rightsampler_pixel_upper_0_choice_2;
-      rightsampler_pixel_upper_0_choice_4 := rightsampler_pixel_upper_0_choice_3 when (rightsampler_shown_held_2 mod 2)
+      rightsampler_pixel_upper_0_choice_4 := rightsampler_pixel_upper_0_choice_3 when (rightsampler_shown_held_3 mod 2)
         = 1 else 0;
-      rightsampler_pixel_upper_1_choice := rightsampler_rows_odd_even_ready_word when rightsampler_rows_column_odd_2
+      rightsampler_pixel_upper_1_choice := rightsampler_rows_odd_even_ready_word when rightsampler_rows_column_odd_3
         else rightsampler_rows_odd_odd_ready_word;
-      rightsampler_pixel_upper_1_choice_2 := rightsampler_rows_even_even_ready_word when rightsampler_rows_column_odd_2
+      rightsampler_pixel_upper_1_choice_2 := rightsampler_rows_even_even_ready_word when rightsampler_rows_column_odd_3
         else rightsampler_rows_even_odd_ready_word;
-      rightsampler_pixel_upper_1_choice_3 := rightsampler_pixel_upper_1_choice when rightsampler_rows_row_odd_2 else
+      rightsampler_pixel_upper_1_choice_3 := rightsampler_pixel_upper_1_choice when rightsampler_rows_row_odd_3 else
         rightsampler_pixel_upper_1_choice_2;
-      rightsampler_pixel_upper_1_choice_4 := rightsampler_pixel_upper_1_choice_3 when ((rightsampler_shown_held_2 / 2)
+      rightsampler_pixel_upper_1_choice_4 := rightsampler_pixel_upper_1_choice_3 when ((rightsampler_shown_held_3 / 2)
         mod 2) = 1 else 0;
-      rightsampler_pixel_fall_0_choice := rightsampler_pixel_upper_0_choice_2 when rightsampler_rows_row_odd_2 else
+      rightsampler_pixel_fall_0_choice := rightsampler_pixel_upper_0_choice_2 when rightsampler_rows_row_odd_3 else
         rightsampler_pixel_upper_0_choice;
-      rightsampler_pixel_fall_0_choice_2 := rightsampler_pixel_fall_0_choice when ((rightsampler_shown_held_2 / 4) mod
+      rightsampler_pixel_fall_0_choice_2 := rightsampler_pixel_fall_0_choice when ((rightsampler_shown_held_3 / 4) mod
         2) = 1 else 0;
-      rightsampler_pixel_fall_1_choice := rightsampler_pixel_upper_1_choice_2 when rightsampler_rows_row_odd_2 else
+      rightsampler_pixel_fall_1_choice := rightsampler_pixel_upper_1_choice_2 when rightsampler_rows_row_odd_3 else
         rightsampler_pixel_upper_1_choice;
-      rightsampler_pixel_fall_1_choice_2 := rightsampler_pixel_fall_1_choice when (rightsampler_shown_held_2 / 8) = 1
+      rightsampler_pixel_fall_1_choice_2 := rightsampler_pixel_fall_1_choice when (rightsampler_shown_held_3 / 8) = 1
         else 0;
       rightsampler_pixel_column_0_product := rightsampler_pixel_weight_y * rightsampler_pixel_fall_0;
       rightsampler_pixel_column_1_product := rightsampler_pixel_weight_y * rightsampler_pixel_fall_1;
-      rightsampler_rows_even_even_read_address <= (rightsampler_rows_even_even_read_address_choice +
-        rightsampler_rows_even_even_read_address_value_2) mod 128;
+      rightsampler_rows_even_line <= 0 when righttaps_taps_row = 7 else ((rightsampler_rows_even_line_value mod 4) *
+        16) + rightsampler_rows_even_line_value;
+      rightsampler_rows_odd_line <= ((righttaps_taps_row / 2) * 16) + (righttaps_taps_row / 2);
+      rightsampler_rows_even_column <= ((righttaps_taps_column + 1) mod 256) / 2;
+      rightsampler_rows_odd_column <= righttaps_taps_column / 2;
+      rightsampler_rows_written <= sample_kept_pixels_right;
+      rightsampler_rows_even_even_read_address <= (rightsampler_rows_even_line + rightsampler_rows_even_column) mod 128;
       rightsampler_rows_even_even_ready_word <= to_integer(rightsampler_rows_even_even_read_word);
-      rightsampler_rows_even_odd_read_address <= (rightsampler_rows_even_even_read_address_choice +
-        (righttaps_taps_column / 2)) mod 128;
+      rightsampler_rows_even_odd_read_address <= (rightsampler_rows_even_line + rightsampler_rows_odd_column) mod 128;
       rightsampler_rows_even_odd_ready_word <= to_integer(rightsampler_rows_even_odd_read_word);
-      rightsampler_rows_odd_even_read_address <= (rightsampler_rows_odd_even_read_address_value + (righttaps_taps_row /
-        2) + rightsampler_rows_even_even_read_address_value_2) mod 128;
+      rightsampler_rows_odd_even_read_address <= (rightsampler_rows_odd_line + rightsampler_rows_even_column) mod 128;
       rightsampler_rows_odd_even_ready_word <= to_integer(rightsampler_rows_odd_even_read_word);
-      rightsampler_rows_odd_odd_read_address <= (rightsampler_rows_odd_even_read_address_value + (righttaps_taps_row /
-        2) + (righttaps_taps_column / 2)) mod 128;
+      rightsampler_rows_odd_odd_read_address <= (rightsampler_rows_odd_line + rightsampler_rows_odd_column) mod 128;
       rightsampler_rows_odd_odd_ready_word <= to_integer(rightsampler_rows_odd_odd_read_word);
       rightsampler_rows_row_odd_0 <= (righttaps_taps_row mod 2) = 1;
       rightsampler_rows_row_odd_1 <= rightsampler_rows_row_odd_0;
       rightsampler_rows_row_odd_2 <= rightsampler_rows_row_odd_1;
+      rightsampler_rows_row_odd_3 <= rightsampler_rows_row_odd_2;
       rightsampler_rows_column_odd_0 <= (righttaps_taps_column mod 2) = 1;
       rightsampler_rows_column_odd_1 <= rightsampler_rows_column_odd_0;
       rightsampler_rows_column_odd_2 <= rightsampler_rows_column_odd_1;
+      rightsampler_rows_column_odd_3 <= rightsampler_rows_column_odd_2;
       rightsampler_weight_x_held_0 <= righttaps_weight_x;
       rightsampler_weight_x_held_1 <= rightsampler_weight_x_held_0;
       rightsampler_weight_x_held_2 <= rightsampler_weight_x_held_1;
+      rightsampler_weight_x_held_3 <= rightsampler_weight_x_held_2;
       rightsampler_weight_y_held_0 <= righttaps_weight_y;
       rightsampler_weight_y_held_1 <= rightsampler_weight_y_held_0;
       rightsampler_weight_y_held_2 <= rightsampler_weight_y_held_1;
-      rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_1) * 4) +
-        (as_number(righttaps_column_shown_0) * 8) when righttaps_row_shown_1 else rightsampler_shown_held_0_choice;
+      rightsampler_weight_y_held_3 <= rightsampler_weight_y_held_2;
+      rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_0) * 4) +
+        (as_number(righttaps_column_shown_1) * 8) when righttaps_row_shown_1 else rightsampler_shown_held_0_choice;
       rightsampler_shown_held_1 <= rightsampler_shown_held_0;
       rightsampler_shown_held_2 <= rightsampler_shown_held_1;
+      rightsampler_shown_held_3 <= rightsampler_shown_held_2;
       rightsampler_pixel_upper_0 <= rightsampler_pixel_upper_0_choice_4;
       rightsampler_pixel_upper_1 <= rightsampler_pixel_upper_1_choice_4;
       rightsampler_pixel_fall_0 <= rightsampler_pixel_fall_0_choice_2 - rightsampler_pixel_upper_0_choice_4;
       rightsampler_pixel_fall_1 <= rightsampler_pixel_fall_1_choice_2 - rightsampler_pixel_upper_1_choice_4;
-      rightsampler_pixel_weight_y <= rightsampler_weight_y_held_2;
-      rightsampler_pixel_weight_x_0 <= rightsampler_weight_x_held_2;
+      rightsampler_pixel_weight_y <= rightsampler_weight_y_held_3;
+      rightsampler_pixel_weight_x_0 <= rightsampler_weight_x_held_3;
       rightsampler_pixel_weight_x_1 <= rightsampler_pixel_weight_x_0;
       rightsampler_pixel_weight_x_2 <= rightsampler_pixel_weight_x_1;
       rightsampler_pixel_column_0 <= (((rightsampler_pixel_upper_0 + ((rightsampler_pixel_column_0_product mod 8192) /
@@ -1044,17 +1068,17 @@ begin
       rightsampler_pixel_rise <= rightsampler_pixel_column_1 - rightsampler_pixel_column_0;
       rightsampler_pixel_value <= (((((rightsampler_pixel_first / 32) + (((rightsampler_pixel_rise *
         rightsampler_pixel_weight_x_2) mod 524288) / 32)) mod 16384) * 32) / 1024) mod 256;
-      if not leftsampler_rows_even_even_write_address_any then
-        rightsampler_rows_even_even_write_word <= sample_kept_pixels_right;
+      if leftsampler_rows_to_even_even then
+        rightsampler_rows_even_even_write_word <= rightsampler_rows_written;
       end if;
-      if not leftsampler_rows_even_odd_write_address_any then
-        rightsampler_rows_even_odd_write_word <= sample_kept_pixels_right;
+      if leftsampler_rows_to_even_odd then
+        rightsampler_rows_even_odd_write_word <= rightsampler_rows_written;
       end if;
-      if not leftsampler_rows_odd_even_write_address_any then
-        rightsampler_rows_odd_even_write_word <= sample_kept_pixels_right;
+      if leftsampler_rows_to_odd_even then
+        rightsampler_rows_odd_even_write_word <= rightsampler_rows_written;
       end if;
-      if not leftsampler_rows_odd_odd_write_address_any then
-        rightsampler_rows_odd_odd_write_word <= sample_kept_pixels_right;
+      if leftsampler_rows_to_odd_odd then
+        rightsampler_rows_odd_odd_write_word <= rightsampler_rows_written;
       end if;
       -- valid
       valid_held_0 <= sample_kept_pixels_valid;
@@ -1064,6 +1088,7 @@ begin
       valid_held_4 <= valid_held_3;
       valid_held_5 <= valid_held_4;
       valid_held_6 <= valid_held_5;
+      valid_held_7 <= valid_held_6;
       -- starts
       starts_held_0 <= sample_kept_starts;
       starts_held_1 <= starts_held_0;
@@ -1072,6 +1097,7 @@ begin
       starts_held_4 <= starts_held_3;
       starts_held_5 <= starts_held_4;
       starts_held_6 <= starts_held_5;
+      starts_held_7 <= starts_held_6;
       if reset = '1' then
         counter_column <= 0;
         counter_group <= 16;
@@ -1092,16 +1118,31 @@ begin
         delay_held_6_valid <= false;
         delay_held_7_start_of_frame <= false;
         delay_held_7_valid <= false;
+        delay_held_8_start_of_frame <= false;
+        delay_held_8_valid <= false;
         grid_node_column <= 0;
         grid_node_row <= 0;
         grid_weight_x_held_0 <= 0;
         grid_weight_x_held_1 <= 0;
         grid_weight_x_held_2 <= 0;
         grid_weight_x_held_3 <= 0;
+        grid_weight_x_held_4 <= 0;
         grid_weight_y_held_0 <= 0;
         grid_weight_y_held_1 <= 0;
         grid_weight_y_held_2 <= 0;
         grid_weight_y_held_3 <= 0;
+        grid_weight_y_held_4 <= 0;
+        leftoffsets_nodes_even_line <= 0;
+        leftoffsets_nodes_odd_line <= 0;
+        leftoffsets_nodes_write_line <= 0;
+        leftoffsets_nodes_even_column <= 0;
+        leftoffsets_nodes_odd_column <= 0;
+        leftoffsets_nodes_write_column <= 0;
+        leftoffsets_nodes_to_even_even <= false;
+        leftoffsets_nodes_to_even_odd <= false;
+        leftoffsets_nodes_to_odd_even <= false;
+        leftoffsets_nodes_to_odd_odd <= false;
+        leftoffsets_nodes_written <= to_unsigned(0, 32);
         leftoffsets_nodes_even_even_read_address <= 0;
         leftoffsets_nodes_even_even_write_address <= 0;
         leftoffsets_nodes_even_even_write_word <= to_unsigned(0, 32);
@@ -1121,9 +1162,11 @@ begin
         leftoffsets_nodes_row_odd_0 <= false;
         leftoffsets_nodes_row_odd_1 <= false;
         leftoffsets_nodes_row_odd_2 <= false;
+        leftoffsets_nodes_row_odd_3 <= false;
         leftoffsets_nodes_column_odd_0 <= false;
         leftoffsets_nodes_column_odd_1 <= false;
         leftoffsets_nodes_column_odd_2 <= false;
+        leftoffsets_nodes_column_odd_3 <= false;
         leftoffsets_x_upper_0 <= 0;
         leftoffsets_x_upper_1 <= 0;
         leftoffsets_x_fall_0 <= 0;
@@ -1146,6 +1189,10 @@ begin
         leftoffsets_y_first <= 0;
         leftoffsets_y_rise <= 0;
         leftoffsets_y_value <= 0;
+        rightoffsets_nodes_to_even_even <= false;
+        rightoffsets_nodes_to_even_odd <= false;
+        rightoffsets_nodes_to_odd_even <= false;
+        rightoffsets_nodes_to_odd_odd <= false;
         rightoffsets_nodes_even_even_write_address <= 0;
         rightoffsets_nodes_even_even_write_word <= to_unsigned(0, 32);
         rightoffsets_nodes_even_even_ready_word <= to_unsigned(0, 32);
@@ -1197,6 +1244,16 @@ begin
         righttaps_offset_y <= 0;
         righttaps_taps_column <= 0;
         righttaps_taps_row <= 0;
+        leftsampler_rows_even_line <= 0;
+        leftsampler_rows_odd_line <= 0;
+        leftsampler_rows_write_line <= 0;
+        leftsampler_rows_even_column <= 0;
+        leftsampler_rows_odd_column <= 0;
+        leftsampler_rows_write_column <= 0;
+        leftsampler_rows_to_even_even <= false;
+        leftsampler_rows_to_even_odd <= false;
+        leftsampler_rows_to_odd_even <= false;
+        leftsampler_rows_to_odd_odd <= false;
         leftsampler_rows_even_even_read_address <= 0;
         leftsampler_rows_even_even_write_address <= 0;
         leftsampler_rows_even_odd_read_address <= 0;
@@ -1205,6 +1262,10 @@ begin
         leftsampler_rows_odd_even_write_address <= 0;
         leftsampler_rows_odd_odd_read_address <= 0;
         leftsampler_rows_odd_odd_write_address <= 0;
+        rightsampler_rows_even_line <= 0;
+        rightsampler_rows_odd_line <= 0;
+        rightsampler_rows_even_column <= 0;
+        rightsampler_rows_odd_column <= 0;
         rightsampler_rows_even_even_read_address <= 0;
         rightsampler_rows_even_odd_read_address <= 0;
         rightsampler_rows_odd_even_read_address <= 0;
@@ -1216,6 +1277,7 @@ begin
         valid_held_4 <= false;
         valid_held_5 <= false;
         valid_held_6 <= false;
+        valid_held_7 <= false;
         starts_held_0 <= false;
         starts_held_1 <= false;
         starts_held_2 <= false;
@@ -1223,6 +1285,7 @@ begin
         starts_held_4 <= false;
         starts_held_5 <= false;
         starts_held_6 <= false;
+        starts_held_7 <= false;
       end if;
     end if;
   end process;

@@ -16,7 +16,7 @@ entity stereo_rectify_vga is
     pixels_per_clock : positive := 1;
     table_columns : positive := 41;
     table_rows : positive := 31;
-    latency_clocks : positive := 18;
+    latency_clocks : positive := 20;
     flush_groups : positive := 10880
   );
   port (
@@ -43,7 +43,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_rectify_vga: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert table_columns = 41 report "stereo_rectify_vga: table_columns is " & integer'image(table_columns) & " but this core has 41" severity failure;
   assert table_rows = 31 report "stereo_rectify_vga: table_rows is " & integer'image(table_rows) & " but this core has 31" severity failure;
-  assert latency_clocks = 18 report "stereo_rectify_vga: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
+  assert latency_clocks = 20 report "stereo_rectify_vga: latency_clocks is " & integer'image(latency_clocks) & " but this core has 20" severity failure;
   assert flush_groups = 10880 report "stereo_rectify_vga: flush_groups is " & integer'image(flush_groups) & " but this core has 10880" severity failure;
 end entity;
 
@@ -106,30 +106,41 @@ architecture rtl of stereo_rectify_vga is
   signal delay_held_2_left, delay_held_2_right, delay_held_3_left, delay_held_3_right : natural range 0 to 255;
   signal delay_held_4_left, delay_held_4_right, delay_held_5_left, delay_held_5_right : natural range 0 to 255;
   signal delay_held_6_left, delay_held_6_right, delay_held_7_left, delay_held_7_right : natural range 0 to 255;
+  signal delay_held_8_left, delay_held_8_right : natural range 0 to 255;
   signal delay_held_0_start_of_frame, delay_held_0_valid, delay_held_1_start_of_frame, delay_held_1_valid : boolean;
   signal delay_held_2_start_of_frame, delay_held_2_valid, delay_held_3_start_of_frame, delay_held_3_valid : boolean;
   signal delay_held_4_start_of_frame, delay_held_4_valid, delay_held_5_start_of_frame, delay_held_5_valid : boolean;
   signal delay_held_6_start_of_frame, delay_held_6_valid, delay_held_7_start_of_frame, delay_held_7_valid : boolean;
+  signal delay_held_8_start_of_frame, delay_held_8_valid : boolean;
   -- grid
   signal grid_node_column : natural range 0 to 63;
   signal grid_node_row : natural range 0 to 31;
   signal grid_weight_x_held_0, grid_weight_x_held_1, grid_weight_x_held_2, grid_weight_x_held_3 : natural range 0 to 15;
-  signal grid_weight_y_held_0, grid_weight_y_held_1, grid_weight_y_held_2, grid_weight_y_held_3 : natural range 0 to 15;
+  signal grid_weight_x_held_4, grid_weight_y_held_0, grid_weight_y_held_1, grid_weight_y_held_2 : natural range 0 to 15;
+  signal grid_weight_y_held_3, grid_weight_y_held_4 : natural range 0 to 15;
   -- leftoffsets
-  signal leftoffsets_nodes_even_even_read_address : natural range 0 to 368;
+  signal leftoffsets_nodes_even_line : natural range 0 to 336;
+  signal leftoffsets_nodes_odd_line : natural range 0 to 315;
+  signal leftoffsets_nodes_write_line, leftoffsets_nodes_write_column : natural range 0 to 511;
   signal leftoffsets_nodes_even_even_write_address, leftoffsets_nodes_even_odd_write_address : natural range 0 to 511;
   signal leftoffsets_nodes_odd_even_write_address, leftoffsets_nodes_odd_odd_write_address : natural range 0 to 511;
-  signal leftoffsets_nodes_even_even_write_word, leftoffsets_nodes_even_even_read_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_even_even_ready_word, leftoffsets_nodes_even_odd_write_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_even_odd_read_word, leftoffsets_nodes_even_odd_ready_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_odd_even_write_word, leftoffsets_nodes_odd_even_read_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_odd_even_ready_word, leftoffsets_nodes_odd_odd_write_word : unsigned(31 downto 0);
-  signal leftoffsets_nodes_odd_odd_read_word, leftoffsets_nodes_odd_odd_ready_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_column : natural range 0 to 32;
+  signal leftoffsets_nodes_odd_column : natural range 0 to 31;
+  signal leftoffsets_nodes_to_even_even, leftoffsets_nodes_to_even_odd, leftoffsets_nodes_to_odd_even : boolean;
+  signal leftoffsets_nodes_to_odd_odd, leftoffsets_nodes_row_odd_0, leftoffsets_nodes_row_odd_1 : boolean;
+  signal leftoffsets_nodes_row_odd_2, leftoffsets_nodes_row_odd_3, leftoffsets_nodes_column_odd_0 : boolean;
+  signal leftoffsets_nodes_column_odd_1, leftoffsets_nodes_column_odd_2, leftoffsets_nodes_column_odd_3 : boolean;
+  signal leftoffsets_nodes_written, leftoffsets_nodes_even_even_write_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_even_read_word, leftoffsets_nodes_even_even_ready_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_odd_write_word, leftoffsets_nodes_even_odd_read_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_odd_ready_word, leftoffsets_nodes_odd_even_write_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_even_read_word, leftoffsets_nodes_odd_even_ready_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_odd_write_word, leftoffsets_nodes_odd_odd_read_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_odd_ready_word : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_even_read_address : natural range 0 to 368;
   signal leftoffsets_nodes_even_odd_read_address : natural range 0 to 367;
   signal leftoffsets_nodes_odd_even_read_address : natural range 0 to 347;
   signal leftoffsets_nodes_odd_odd_read_address : natural range 0 to 346;
-  signal leftoffsets_nodes_row_odd_0, leftoffsets_nodes_row_odd_1, leftoffsets_nodes_row_odd_2 : boolean;
-  signal leftoffsets_nodes_column_odd_0, leftoffsets_nodes_column_odd_1, leftoffsets_nodes_column_odd_2 : boolean;
   signal leftoffsets_x_upper_0, leftoffsets_x_upper_1, leftoffsets_x_value : natural range 0 to 65535;
   signal leftoffsets_y_upper_0, leftoffsets_y_upper_1, leftoffsets_y_value : natural range 0 to 65535;
   signal leftoffsets_x_fall_0, leftoffsets_x_fall_1, leftoffsets_y_fall_0 : integer range -65535 to 65535;
@@ -141,6 +152,8 @@ architecture rtl of stereo_rectify_vga is
   signal leftoffsets_x_first, leftoffsets_y_first : natural range 0 to 16777456;
   signal leftoffsets_x_rise, leftoffsets_y_rise : integer range -1048575 to 1048575;
   -- rightoffsets
+  signal rightoffsets_nodes_to_even_even, rightoffsets_nodes_to_even_odd, rightoffsets_nodes_to_odd_even : boolean;
+  signal rightoffsets_nodes_to_odd_odd : boolean;
   signal rightoffsets_nodes_even_even_write_address, rightoffsets_nodes_even_odd_write_address : natural range 0 to 511;
   signal rightoffsets_nodes_odd_even_write_address, rightoffsets_nodes_odd_odd_write_address : natural range 0 to 511;
   signal rightoffsets_nodes_even_even_write_word, rightoffsets_nodes_even_even_read_word : unsigned(31 downto 0);
@@ -181,55 +194,70 @@ architecture rtl of stereo_rectify_vga is
   signal righttaps_weight_x, righttaps_weight_y : natural range 0 to 31;
   signal righttaps_column_shown_0, righttaps_column_shown_1, righttaps_row_shown_0, righttaps_row_shown_1 : boolean;
   -- leftsampler
+  signal leftsampler_rows_even_line, leftsampler_rows_odd_line, leftsampler_rows_write_line : natural range 0 to 8191;
+  signal leftsampler_rows_even_column, leftsampler_rows_odd_column : natural range 0 to 8191;
   signal leftsampler_rows_even_even_read_address, leftsampler_rows_even_even_write_address : natural range 0 to 8191;
   signal leftsampler_rows_even_odd_read_address, leftsampler_rows_even_odd_write_address : natural range 0 to 8191;
   signal leftsampler_rows_odd_even_read_address, leftsampler_rows_odd_even_write_address : natural range 0 to 8191;
   signal leftsampler_rows_odd_odd_read_address, leftsampler_rows_odd_odd_write_address : natural range 0 to 8191;
   signal leftsampler_pixel_column_0, leftsampler_pixel_column_1 : natural range 0 to 8191;
-  signal leftsampler_rows_even_even_write_word, leftsampler_rows_even_even_ready_word : natural range 0 to 255;
-  signal leftsampler_rows_even_odd_write_word, leftsampler_rows_even_odd_ready_word : natural range 0 to 255;
-  signal leftsampler_rows_odd_even_write_word, leftsampler_rows_odd_even_ready_word : natural range 0 to 255;
-  signal leftsampler_rows_odd_odd_write_word, leftsampler_rows_odd_odd_ready_word : natural range 0 to 255;
-  signal leftsampler_pixel_upper_0, leftsampler_pixel_upper_1, leftsampler_pixel_value : natural range 0 to 255;
+  signal leftsampler_rows_write_column : natural range 0 to 512;
+  signal leftsampler_rows_to_even_even, leftsampler_rows_to_even_odd, leftsampler_rows_to_odd_even : boolean;
+  signal leftsampler_rows_to_odd_odd, leftsampler_rows_row_odd_0, leftsampler_rows_row_odd_1 : boolean;
+  signal leftsampler_rows_row_odd_2, leftsampler_rows_row_odd_3, leftsampler_rows_column_odd_0 : boolean;
+  signal leftsampler_rows_column_odd_1, leftsampler_rows_column_odd_2, leftsampler_rows_column_odd_3 : boolean;
+  signal leftsampler_rows_written, leftsampler_rows_even_even_write_word : natural range 0 to 255;
+  signal leftsampler_rows_even_even_ready_word, leftsampler_rows_even_odd_write_word : natural range 0 to 255;
+  signal leftsampler_rows_even_odd_ready_word, leftsampler_rows_odd_even_write_word : natural range 0 to 255;
+  signal leftsampler_rows_odd_even_ready_word, leftsampler_rows_odd_odd_write_word : natural range 0 to 255;
+  signal leftsampler_rows_odd_odd_ready_word, leftsampler_pixel_upper_0 : natural range 0 to 255;
+  signal leftsampler_pixel_upper_1, leftsampler_pixel_value : natural range 0 to 255;
   signal leftsampler_rows_even_even_read_word, leftsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal leftsampler_rows_odd_even_read_word, leftsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
-  signal leftsampler_rows_row_odd_0, leftsampler_rows_row_odd_1, leftsampler_rows_row_odd_2 : boolean;
-  signal leftsampler_rows_column_odd_0, leftsampler_rows_column_odd_1, leftsampler_rows_column_odd_2 : boolean;
   signal leftsampler_weight_x_held_0, leftsampler_weight_x_held_1, leftsampler_weight_x_held_2 : natural range 0 to 31;
-  signal leftsampler_weight_y_held_0, leftsampler_weight_y_held_1, leftsampler_weight_y_held_2 : natural range 0 to 31;
-  signal leftsampler_pixel_weight_y, leftsampler_pixel_weight_x_0, leftsampler_pixel_weight_x_1 : natural range 0 to 31;
+  signal leftsampler_weight_x_held_3, leftsampler_weight_y_held_0, leftsampler_weight_y_held_1 : natural range 0 to 31;
+  signal leftsampler_weight_y_held_2, leftsampler_weight_y_held_3, leftsampler_pixel_weight_y : natural range 0 to 31;
+  signal leftsampler_pixel_weight_x_0, leftsampler_pixel_weight_x_1 : natural range 0 to 31;
   signal leftsampler_pixel_weight_x_2 : natural range 0 to 31;
   signal leftsampler_shown_held_0, leftsampler_shown_held_1, leftsampler_shown_held_2 : natural range 0 to 15;
+  signal leftsampler_shown_held_3 : natural range 0 to 15;
   signal leftsampler_pixel_fall_0, leftsampler_pixel_fall_1 : integer range -255 to 255;
   signal leftsampler_pixel_first : natural range 0 to 262624;
   signal leftsampler_pixel_rise : integer range -8191 to 8191;
   -- rightsampler
+  signal rightsampler_rows_even_line, rightsampler_rows_odd_line : natural range 0 to 8191;
+  signal rightsampler_rows_even_column, rightsampler_rows_odd_column : natural range 0 to 8191;
   signal rightsampler_rows_even_even_read_address, rightsampler_rows_even_odd_read_address : natural range 0 to 8191;
   signal rightsampler_rows_odd_even_read_address, rightsampler_rows_odd_odd_read_address : natural range 0 to 8191;
   signal rightsampler_pixel_column_0, rightsampler_pixel_column_1 : natural range 0 to 8191;
-  signal rightsampler_rows_even_even_write_word, rightsampler_rows_even_even_ready_word : natural range 0 to 255;
-  signal rightsampler_rows_even_odd_write_word, rightsampler_rows_even_odd_ready_word : natural range 0 to 255;
-  signal rightsampler_rows_odd_even_write_word, rightsampler_rows_odd_even_ready_word : natural range 0 to 255;
-  signal rightsampler_rows_odd_odd_write_word, rightsampler_rows_odd_odd_ready_word : natural range 0 to 255;
-  signal rightsampler_pixel_upper_0, rightsampler_pixel_upper_1, rightsampler_pixel_value : natural range 0 to 255;
+  signal rightsampler_rows_written, rightsampler_rows_even_even_write_word : natural range 0 to 255;
+  signal rightsampler_rows_even_even_ready_word, rightsampler_rows_even_odd_write_word : natural range 0 to 255;
+  signal rightsampler_rows_even_odd_ready_word, rightsampler_rows_odd_even_write_word : natural range 0 to 255;
+  signal rightsampler_rows_odd_even_ready_word, rightsampler_rows_odd_odd_write_word : natural range 0 to 255;
+  signal rightsampler_rows_odd_odd_ready_word, rightsampler_pixel_upper_0 : natural range 0 to 255;
+  signal rightsampler_pixel_upper_1, rightsampler_pixel_value : natural range 0 to 255;
   signal rightsampler_rows_even_even_read_word, rightsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal rightsampler_rows_odd_even_read_word, rightsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
   signal rightsampler_rows_row_odd_0, rightsampler_rows_row_odd_1, rightsampler_rows_row_odd_2 : boolean;
-  signal rightsampler_rows_column_odd_0, rightsampler_rows_column_odd_1, rightsampler_rows_column_odd_2 : boolean;
+  signal rightsampler_rows_row_odd_3, rightsampler_rows_column_odd_0, rightsampler_rows_column_odd_1 : boolean;
+  signal rightsampler_rows_column_odd_2, rightsampler_rows_column_odd_3 : boolean;
   signal rightsampler_weight_x_held_0, rightsampler_weight_x_held_1 : natural range 0 to 31;
-  signal rightsampler_weight_x_held_2, rightsampler_weight_y_held_0 : natural range 0 to 31;
-  signal rightsampler_weight_y_held_1, rightsampler_weight_y_held_2 : natural range 0 to 31;
+  signal rightsampler_weight_x_held_2, rightsampler_weight_x_held_3 : natural range 0 to 31;
+  signal rightsampler_weight_y_held_0, rightsampler_weight_y_held_1 : natural range 0 to 31;
+  signal rightsampler_weight_y_held_2, rightsampler_weight_y_held_3 : natural range 0 to 31;
   signal rightsampler_pixel_weight_y, rightsampler_pixel_weight_x_0 : natural range 0 to 31;
   signal rightsampler_pixel_weight_x_1, rightsampler_pixel_weight_x_2 : natural range 0 to 31;
   signal rightsampler_shown_held_0, rightsampler_shown_held_1, rightsampler_shown_held_2 : natural range 0 to 15;
+  signal rightsampler_shown_held_3 : natural range 0 to 15;
   signal rightsampler_pixel_fall_0, rightsampler_pixel_fall_1 : integer range -255 to 255;
   signal rightsampler_pixel_first : natural range 0 to 262624;
   signal rightsampler_pixel_rise : integer range -8191 to 8191;
   -- valid
   signal valid_held_0, valid_held_1, valid_held_2, valid_held_3, valid_held_4, valid_held_5, valid_held_6 : boolean;
+  signal valid_held_7 : boolean;
   -- starts
   signal starts_held_0, starts_held_1, starts_held_2, starts_held_3, starts_held_4, starts_held_5 : boolean;
-  signal starts_held_6 : boolean;
+  signal starts_held_6, starts_held_7 : boolean;
   signal leftsampler_rows_even_even_read_word_memory_write_data : unsigned(7 downto 0);
   signal leftsampler_rows_even_odd_read_word_memory_write_data : unsigned(7 downto 0);
   signal leftsampler_rows_odd_even_read_word_memory_write_data : unsigned(7 downto 0);
@@ -260,8 +288,8 @@ begin
   in_left_pixel <= to_integer(unsigned(left_pixel));
   rectified_left <= std_logic_vector(to_unsigned(leftsampler_pixel_value, 8));
   rectified_right <= std_logic_vector(to_unsigned(rightsampler_pixel_value, 8));
-  rectified_start_of_frame <= as_bit(valid_held_6 and starts_held_6);
-  rectified_valid <= as_bit(valid_held_6);
+  rectified_start_of_frame <= as_bit(valid_held_7 and starts_held_7);
+  rectified_valid <= as_bit(valid_held_7);
 
   leftsampler_rows_even_even_read_word_memory_write_data <= to_unsigned(leftsampler_rows_even_even_write_word, 8);
   leftsampler_rows_even_even_read_word_memory : entity work.line_memory
@@ -394,11 +422,7 @@ begin
   process (clock)
     variable counter_column_is_equal, counter_next_frame_is_equal, counter_next_frame_choice : boolean;
     variable counter_next_frame_choice_2, counter_next_frame_is_equal_2, counter_next_frame_choice_3 : boolean;
-    variable counter_group_differs, grid_node_row_all, leftoffsets_nodes_even_even_write_address_any : boolean;
-    variable leftoffsets_nodes_even_odd_write_address_any, leftoffsets_nodes_odd_even_write_address_any : boolean;
-    variable leftoffsets_nodes_odd_odd_write_address_any, rightoffsets_nodes_even_even_write_address_any : boolean;
-    variable rightoffsets_nodes_even_odd_write_address_any, rightoffsets_nodes_odd_even_write_address_any : boolean;
-    variable rightoffsets_nodes_odd_odd_write_address_any, sample_place_column_is_equal : boolean;
+    variable counter_group_differs, grid_node_row_all, sample_place_column_is_equal : boolean;
     variable sample_place_next_frame_is_equal, sample_place_next_frame_choice : boolean;
     variable sample_place_next_frame_is_equal_2, sample_place_next_frame_choice_2, sample_place_group_differs : boolean;
     variable lefttaps_taps_column_is_less, lefttaps_taps_row_is_not_less, lefttaps_taps_row_is_less : boolean;
@@ -412,16 +436,11 @@ begin
     variable righttaps_taps_row_value_3, righttaps_taps_row_choice_5, righttaps_taps_row_choice_6 : boolean;
     variable righttaps_taps_row_value_4, righttaps_taps_row_choice_7, righttaps_taps_row_choice_8 : boolean;
     variable righttaps_taps_row_value_5, righttaps_taps_row_choice_9, righttaps_taps_row_choice_10 : boolean;
-    variable leftsampler_rows_even_even_write_address_any, leftsampler_rows_even_odd_write_address_any : boolean;
-    variable leftsampler_rows_odd_even_write_address_any, leftsampler_rows_odd_odd_write_address_any : boolean;
     variable counter_group_choice, sample_place_group_choice : natural range 0 to 15;
     variable counter_group_choice_2, counter_group_choice_3, grid_node_row_choice : natural range 0 to 511;
     variable leftoffsets_nodes_even_even_write_address_value, sample_place_group_choice_2 : natural range 0 to 511;
     variable sample_place_group_choice_3 : natural range 0 to 511;
     variable grid_node_row_sum : natural range 495 to 1006;
-    variable leftoffsets_nodes_even_even_read_address_choice : natural range 0 to 336;
-    variable leftoffsets_nodes_even_even_read_address_value : natural range 0 to 32;
-    variable leftoffsets_nodes_odd_even_read_address_product : natural range 0 to 315;
     variable leftoffsets_x_upper_0_choice, leftoffsets_x_upper_0_choice_2 : natural range 0 to 65535;
     variable leftoffsets_x_upper_0_choice_3, leftoffsets_x_upper_1_choice : natural range 0 to 65535;
     variable leftoffsets_x_upper_1_choice_2, leftoffsets_x_upper_1_choice_3 : natural range 0 to 65535;
@@ -438,22 +457,14 @@ begin
     variable leftoffsets_y_upper_0_choice_3, leftoffsets_y_upper_1_choice : unsigned(31 downto 0);
     variable leftoffsets_y_upper_1_choice_2, leftoffsets_y_upper_1_choice_3 : unsigned(31 downto 0);
     variable leftoffsets_y_fall_0_choice, leftoffsets_y_fall_1_choice : unsigned(31 downto 0);
-    variable leftoffsets_nodes_even_even_write_word_sum, rightoffsets_y_upper_0_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_upper_0_choice_2, rightoffsets_y_upper_0_choice_3 : unsigned(31 downto 0);
-    variable rightoffsets_y_upper_1_choice, rightoffsets_y_upper_1_choice_2 : unsigned(31 downto 0);
-    variable rightoffsets_y_upper_1_choice_3, rightoffsets_y_fall_0_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_fall_1_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_upper_0_choice, rightoffsets_y_upper_0_choice_2 : unsigned(31 downto 0);
+    variable rightoffsets_y_upper_0_choice_3, rightoffsets_y_upper_1_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_upper_1_choice_2, rightoffsets_y_upper_1_choice_3 : unsigned(31 downto 0);
+    variable rightoffsets_y_fall_0_choice, rightoffsets_y_fall_1_choice : unsigned(31 downto 0);
     variable sample_place_column_sum : natural range 1 to 1024;
     variable lefttaps_taps_row_difference, righttaps_taps_row_difference : integer range -1518 to 529;
     variable lefttaps_taps_row_sum, lefttaps_taps_row_choice_6, lefttaps_taps_row_choice_7 : natural range 0 to 63;
     variable righttaps_taps_row_choice_11, righttaps_taps_row_choice_12 : natural range 0 to 63;
-    variable leftsampler_rows_even_even_read_address_choice : natural range 0 to 8191;
-    variable leftsampler_rows_even_even_read_address_value : natural range 0 to 8191;
-    variable leftsampler_rows_even_even_write_address_value : natural range 0 to 8191;
-    variable rightsampler_rows_even_even_read_address_choice : natural range 0 to 8191;
-    variable rightsampler_rows_even_even_read_address_value : natural range 0 to 8191;
-    variable leftsampler_rows_odd_even_read_address_product : natural range 0 to 9951;
-    variable rightsampler_rows_odd_even_read_address_product : natural range 0 to 9951;
     variable leftsampler_shown_held_0_choice, rightsampler_shown_held_0_choice : natural range 0 to 3;
     variable leftsampler_pixel_upper_0_choice, leftsampler_pixel_upper_0_choice_2 : natural range 0 to 255;
     variable leftsampler_pixel_upper_0_choice_3, leftsampler_pixel_upper_0_choice_4 : natural range 0 to 255;
@@ -469,6 +480,7 @@ begin
     variable rightsampler_pixel_fall_1_choice, rightsampler_pixel_fall_1_choice_2 : natural range 0 to 255;
     variable leftsampler_pixel_column_0_product, leftsampler_pixel_column_1_product : integer range -7905 to 7905;
     variable rightsampler_pixel_column_0_product, rightsampler_pixel_column_1_product : integer range -7905 to 7905;
+    variable leftsampler_rows_even_even_write_address_value : natural range 0 to 8191;
   begin
     if rising_edge(clock) then
       -- counter
@@ -525,6 +537,10 @@ begin
       delay_held_7_right <= delay_held_6_right;
       delay_held_7_start_of_frame <= delay_held_6_start_of_frame;
       delay_held_7_valid <= delay_held_6_valid;
+      delay_held_8_left <= delay_held_7_left;
+      delay_held_8_right <= delay_held_7_right;
+      delay_held_8_start_of_frame <= delay_held_7_start_of_frame;
+      delay_held_8_valid <= delay_held_7_valid;
       -- grid
       grid_node_row_all := counter_group_differs and (16 < counter_group);
       grid_node_row_sum := counter_group + 495;
@@ -539,86 +555,99 @@ begin
       grid_weight_x_held_1 <= grid_weight_x_held_0;
       grid_weight_x_held_2 <= grid_weight_x_held_1;
       grid_weight_x_held_3 <= grid_weight_x_held_2;
+      grid_weight_x_held_4 <= grid_weight_x_held_3;
       grid_weight_y_held_0 <= grid_node_row_sum mod 16 when grid_node_row_all else 0;
       grid_weight_y_held_1 <= grid_weight_y_held_0;
       grid_weight_y_held_2 <= grid_weight_y_held_1;
       grid_weight_y_held_3 <= grid_weight_y_held_2;
+      grid_weight_y_held_4 <= grid_weight_y_held_3;
       -- leftoffsets
-      leftoffsets_nodes_even_even_read_address_choice := 0 when grid_node_row = 31 else ((grid_node_row + 1) / 2) * 21;
-      leftoffsets_nodes_even_even_read_address_value := (grid_node_column + 1) / 2;
-      leftoffsets_nodes_odd_even_read_address_product := (grid_node_row / 2) * 21;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         leftoffsets_x_upper_0_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
       else
         leftoffsets_x_upper_0_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         leftoffsets_x_upper_0_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
       else
         leftoffsets_x_upper_0_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      leftoffsets_x_upper_0_choice_3 := leftoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_x_upper_0_choice_3 := leftoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_3 else
         leftoffsets_x_upper_0_choice_2;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         leftoffsets_x_upper_1_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
         leftoffsets_x_upper_1_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         leftoffsets_x_upper_1_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
       else
         leftoffsets_x_upper_1_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      leftoffsets_x_upper_1_choice_3 := leftoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_x_upper_1_choice_3 := leftoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_3 else
         leftoffsets_x_upper_1_choice_2;
-      leftoffsets_x_fall_0_choice := leftoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_x_fall_0_choice := leftoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
         leftoffsets_x_upper_0_choice;
-      leftoffsets_x_fall_1_choice := leftoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_x_fall_1_choice := leftoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
         leftoffsets_x_upper_1_choice;
       leftoffsets_x_column_0_product := leftoffsets_x_fall_0 * leftoffsets_x_weight_y;
       leftoffsets_x_column_1_product := leftoffsets_x_fall_1 * leftoffsets_x_weight_y;
-      leftoffsets_y_upper_0_choice := leftoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_2 else
+      leftoffsets_y_upper_0_choice := leftoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_odd_even_ready_word;
-      leftoffsets_y_upper_0_choice_2 := leftoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_2 else
+      leftoffsets_y_upper_0_choice_2 := leftoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_even_even_ready_word;
-      leftoffsets_y_upper_0_choice_3 := leftoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_y_upper_0_choice_3 := leftoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_3 else
         leftoffsets_y_upper_0_choice_2;
-      leftoffsets_y_upper_1_choice := leftoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_2 else
+      leftoffsets_y_upper_1_choice := leftoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_odd_odd_ready_word;
-      leftoffsets_y_upper_1_choice_2 := leftoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_2 else
+      leftoffsets_y_upper_1_choice_2 := leftoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_even_odd_ready_word;
-      leftoffsets_y_upper_1_choice_3 := leftoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_y_upper_1_choice_3 := leftoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_3 else
         leftoffsets_y_upper_1_choice_2;
-      leftoffsets_y_fall_0_choice := leftoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_y_fall_0_choice := leftoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
         leftoffsets_y_upper_0_choice;
-      leftoffsets_y_fall_1_choice := leftoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+      leftoffsets_y_fall_1_choice := leftoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
         leftoffsets_y_upper_1_choice;
       leftoffsets_y_column_0_product := leftoffsets_y_fall_0 * leftoffsets_x_weight_y;
       leftoffsets_y_column_1_product := leftoffsets_y_fall_1 * leftoffsets_x_weight_y;
-      leftoffsets_nodes_even_even_read_address <= leftoffsets_nodes_even_even_read_address_choice +
-        leftoffsets_nodes_even_even_read_address_value;
+      leftoffsets_nodes_even_line <= 0 when grid_node_row = 31 else ((grid_node_row + 1) / 2) * 21;
+      leftoffsets_nodes_odd_line <= (grid_node_row / 2) * 21;
+      leftoffsets_nodes_write_line <= (((in_node_row mod 1024) / 2) * 21) mod 512;
+      leftoffsets_nodes_even_column <= (grid_node_column + 1) / 2;
+      leftoffsets_nodes_odd_column <= grid_node_column / 2;
+      leftoffsets_nodes_write_column <= (in_node_column mod 1024) / 2;
+      leftoffsets_nodes_to_even_even <= (not ((in_node_column mod 2) = 1)) and (not ((in_node_row mod 2) = 1)) and
+        in_node_valid and (not in_node_right);
+      leftoffsets_nodes_to_even_odd <= ((in_node_column mod 2) = 1) and (not ((in_node_row mod 2) = 1)) and
+        in_node_valid and (not in_node_right);
+      leftoffsets_nodes_to_odd_even <= (not ((in_node_column mod 2) = 1)) and ((in_node_row mod 2) = 1) and
+        in_node_valid and (not in_node_right);
+      leftoffsets_nodes_to_odd_odd <= ((in_node_column mod 2) = 1) and ((in_node_row mod 2) = 1) and in_node_valid and
+        (not in_node_right);
+      leftoffsets_nodes_written <= to_unsigned(to_integer(((to_unsigned(in_node_y, 16)) xor (to_unsigned(32768, 16)))),
+        16) & to_unsigned(to_integer(((to_unsigned(in_node_x, 16)) xor (to_unsigned(32768, 16)))), 16);
+      leftoffsets_nodes_even_even_read_address <= leftoffsets_nodes_even_line + leftoffsets_nodes_even_column;
       leftoffsets_nodes_even_even_ready_word <= leftoffsets_nodes_even_even_read_word;
-      leftoffsets_nodes_even_odd_read_address <= leftoffsets_nodes_even_even_read_address_choice + (grid_node_column /
-        2);
+      leftoffsets_nodes_even_odd_read_address <= leftoffsets_nodes_even_line + leftoffsets_nodes_odd_column;
       leftoffsets_nodes_even_odd_ready_word <= leftoffsets_nodes_even_odd_read_word;
-      leftoffsets_nodes_odd_even_read_address <= leftoffsets_nodes_even_even_read_address_value +
-        leftoffsets_nodes_odd_even_read_address_product;
+      leftoffsets_nodes_odd_even_read_address <= leftoffsets_nodes_odd_line + leftoffsets_nodes_even_column;
       leftoffsets_nodes_odd_even_ready_word <= leftoffsets_nodes_odd_even_read_word;
-      leftoffsets_nodes_odd_odd_read_address <= leftoffsets_nodes_odd_even_read_address_product + (grid_node_column /
-        2);
+      leftoffsets_nodes_odd_odd_read_address <= leftoffsets_nodes_odd_line + leftoffsets_nodes_odd_column;
       leftoffsets_nodes_odd_odd_ready_word <= leftoffsets_nodes_odd_odd_read_word;
       leftoffsets_nodes_row_odd_0 <= (grid_node_row mod 2) = 1;
       leftoffsets_nodes_row_odd_1 <= leftoffsets_nodes_row_odd_0;
       leftoffsets_nodes_row_odd_2 <= leftoffsets_nodes_row_odd_1;
+      leftoffsets_nodes_row_odd_3 <= leftoffsets_nodes_row_odd_2;
       leftoffsets_nodes_column_odd_0 <= (grid_node_column mod 2) = 1;
       leftoffsets_nodes_column_odd_1 <= leftoffsets_nodes_column_odd_0;
       leftoffsets_nodes_column_odd_2 <= leftoffsets_nodes_column_odd_1;
+      leftoffsets_nodes_column_odd_3 <= leftoffsets_nodes_column_odd_2;
       leftoffsets_x_upper_0 <= leftoffsets_x_upper_0_choice_3;
       leftoffsets_x_upper_1 <= leftoffsets_x_upper_1_choice_3;
       leftoffsets_x_fall_0 <= leftoffsets_x_fall_0_choice - leftoffsets_x_upper_0_choice_3;
       leftoffsets_x_fall_1 <= leftoffsets_x_fall_1_choice - leftoffsets_x_upper_1_choice_3;
-      leftoffsets_x_weight_y <= grid_weight_y_held_3;
-      leftoffsets_x_weight_x_0 <= grid_weight_x_held_3;
+      leftoffsets_x_weight_y <= grid_weight_y_held_4;
+      leftoffsets_x_weight_x_0 <= grid_weight_x_held_4;
       leftoffsets_x_weight_x_1 <= leftoffsets_x_weight_x_0;
       leftoffsets_x_weight_x_2 <= leftoffsets_x_weight_x_1;
       leftoffsets_x_column_0 <= (((leftoffsets_x_upper_0 + ((leftoffsets_x_column_0_product mod 1048576) / 16)) mod
@@ -645,90 +674,81 @@ begin
       leftoffsets_y_rise <= leftoffsets_y_column_1 - leftoffsets_y_column_0;
       leftoffsets_y_value <= ((((leftoffsets_y_first / 16) + (((leftoffsets_y_rise * leftoffsets_x_weight_x_2) mod
         33554432) / 16)) mod 2097152) * 16) / 512;
-      leftoffsets_nodes_even_even_write_address_value := (((in_node_column mod 1024) / 2) + (((in_node_row mod 1024) /
-        2) * 21)) mod 512;
-      leftoffsets_nodes_even_even_write_word_sum := to_unsigned(to_integer(((to_unsigned(in_node_y, 16)) xor
-        (to_unsigned(32768, 16)))), 16) & to_unsigned(to_integer(((to_unsigned(in_node_x, 16)) xor (to_unsigned(32768,
-        16)))), 16);
-      leftoffsets_nodes_even_even_write_address_any := ((in_node_column mod 2) = 1) or ((in_node_row mod 2) = 1) or
-        (not in_node_valid) or in_node_right;
-      if not leftoffsets_nodes_even_even_write_address_any then
+      leftoffsets_nodes_even_even_write_address_value := (leftoffsets_nodes_write_line +
+        leftoffsets_nodes_write_column) mod 512;
+      if leftoffsets_nodes_to_even_even then
         leftoffsets_nodes_even_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        leftoffsets_nodes_even_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        leftoffsets_nodes_even_even_write_word <= leftoffsets_nodes_written;
       end if;
-      leftoffsets_nodes_even_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or ((in_node_row mod 2) = 1)
-        or (not in_node_valid) or in_node_right;
-      if not leftoffsets_nodes_even_odd_write_address_any then
+      if leftoffsets_nodes_to_even_odd then
         leftoffsets_nodes_even_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        leftoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        leftoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_written;
       end if;
-      leftoffsets_nodes_odd_even_write_address_any := ((in_node_column mod 2) = 1) or (not ((in_node_row mod 2) = 1))
-        or (not in_node_valid) or in_node_right;
-      if not leftoffsets_nodes_odd_even_write_address_any then
+      if leftoffsets_nodes_to_odd_even then
         leftoffsets_nodes_odd_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        leftoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        leftoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_written;
       end if;
-      leftoffsets_nodes_odd_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or (not ((in_node_row mod 2) =
-        1)) or (not in_node_valid) or in_node_right;
-      if not leftoffsets_nodes_odd_odd_write_address_any then
+      if leftoffsets_nodes_to_odd_odd then
         leftoffsets_nodes_odd_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        leftoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        leftoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_written;
       end if;
       -- rightoffsets
-      rightoffsets_nodes_even_even_write_address_any := ((in_node_column mod 2) = 1) or ((in_node_row mod 2) = 1) or
-        (not in_node_valid) or (not in_node_right);
-      if not rightoffsets_nodes_even_even_write_address_any then
-        rightoffsets_nodes_even_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        rightoffsets_nodes_even_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
-      end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         rightoffsets_x_upper_0_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
       else
         rightoffsets_x_upper_0_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         rightoffsets_x_upper_0_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
       else
         rightoffsets_x_upper_0_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      rightoffsets_x_upper_0_choice_3 := rightoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_x_upper_0_choice_3 := rightoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_3 else
         rightoffsets_x_upper_0_choice_2;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         rightoffsets_x_upper_1_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
         rightoffsets_x_upper_1_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
       end if;
-      if leftoffsets_nodes_column_odd_2 then
+      if leftoffsets_nodes_column_odd_3 then
         rightoffsets_x_upper_1_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
       else
         rightoffsets_x_upper_1_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      rightoffsets_x_upper_1_choice_3 := rightoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_x_upper_1_choice_3 := rightoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_3 else
         rightoffsets_x_upper_1_choice_2;
-      rightoffsets_x_fall_0_choice := rightoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_x_fall_0_choice := rightoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
         rightoffsets_x_upper_0_choice;
-      rightoffsets_x_fall_1_choice := rightoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_x_fall_1_choice := rightoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
         rightoffsets_x_upper_1_choice;
       rightoffsets_x_column_0_product := rightoffsets_x_fall_0 * leftoffsets_x_weight_y;
       rightoffsets_x_column_1_product := rightoffsets_x_fall_1 * leftoffsets_x_weight_y;
-      rightoffsets_y_upper_0_choice := rightoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_2 else
+      rightoffsets_y_upper_0_choice := rightoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
         rightoffsets_nodes_odd_even_ready_word;
-      rightoffsets_y_upper_0_choice_2 := rightoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_2
+      rightoffsets_y_upper_0_choice_2 := rightoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3
         else rightoffsets_nodes_even_even_ready_word;
-      rightoffsets_y_upper_0_choice_3 := rightoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_y_upper_0_choice_3 := rightoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_3 else
         rightoffsets_y_upper_0_choice_2;
-      rightoffsets_y_upper_1_choice := rightoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_2 else
+      rightoffsets_y_upper_1_choice := rightoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3 else
         rightoffsets_nodes_odd_odd_ready_word;
-      rightoffsets_y_upper_1_choice_2 := rightoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_2
+      rightoffsets_y_upper_1_choice_2 := rightoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3
         else rightoffsets_nodes_even_odd_ready_word;
-      rightoffsets_y_upper_1_choice_3 := rightoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_y_upper_1_choice_3 := rightoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_3 else
         rightoffsets_y_upper_1_choice_2;
-      rightoffsets_y_fall_0_choice := rightoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_y_fall_0_choice := rightoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
         rightoffsets_y_upper_0_choice;
-      rightoffsets_y_fall_1_choice := rightoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_2 else
+      rightoffsets_y_fall_1_choice := rightoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
         rightoffsets_y_upper_1_choice;
       rightoffsets_y_column_0_product := rightoffsets_y_fall_0 * leftoffsets_x_weight_y;
       rightoffsets_y_column_1_product := rightoffsets_y_fall_1 * leftoffsets_x_weight_y;
+      rightoffsets_nodes_to_even_even <= (not ((in_node_column mod 2) = 1)) and (not ((in_node_row mod 2) = 1)) and
+        in_node_valid and in_node_right;
+      rightoffsets_nodes_to_even_odd <= ((in_node_column mod 2) = 1) and (not ((in_node_row mod 2) = 1)) and
+        in_node_valid and in_node_right;
+      rightoffsets_nodes_to_odd_even <= (not ((in_node_column mod 2) = 1)) and ((in_node_row mod 2) = 1) and
+        in_node_valid and in_node_right;
+      rightoffsets_nodes_to_odd_odd <= ((in_node_column mod 2) = 1) and ((in_node_row mod 2) = 1) and in_node_valid and
+        in_node_right;
       rightoffsets_nodes_even_even_ready_word <= rightoffsets_nodes_even_even_read_word;
       rightoffsets_nodes_even_odd_ready_word <= rightoffsets_nodes_even_odd_read_word;
       rightoffsets_nodes_odd_even_ready_word <= rightoffsets_nodes_odd_even_read_word;
@@ -761,23 +781,21 @@ begin
       rightoffsets_y_rise <= rightoffsets_y_column_1 - rightoffsets_y_column_0;
       rightoffsets_y_value <= ((((rightoffsets_y_first / 16) + (((rightoffsets_y_rise * leftoffsets_x_weight_x_2) mod
         33554432) / 16)) mod 2097152) * 16) / 512;
-      rightoffsets_nodes_even_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or ((in_node_row mod 2) = 1)
-        or (not in_node_valid) or (not in_node_right);
-      if not rightoffsets_nodes_even_odd_write_address_any then
+      if rightoffsets_nodes_to_even_even then
+        rightoffsets_nodes_even_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
+        rightoffsets_nodes_even_even_write_word <= leftoffsets_nodes_written;
+      end if;
+      if rightoffsets_nodes_to_even_odd then
         rightoffsets_nodes_even_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        rightoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        rightoffsets_nodes_even_odd_write_word <= leftoffsets_nodes_written;
       end if;
-      rightoffsets_nodes_odd_even_write_address_any := ((in_node_column mod 2) = 1) or (not ((in_node_row mod 2) = 1))
-        or (not in_node_valid) or (not in_node_right);
-      if not rightoffsets_nodes_odd_even_write_address_any then
+      if rightoffsets_nodes_to_odd_even then
         rightoffsets_nodes_odd_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        rightoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        rightoffsets_nodes_odd_even_write_word <= leftoffsets_nodes_written;
       end if;
-      rightoffsets_nodes_odd_odd_write_address_any := (not ((in_node_column mod 2) = 1)) or (not ((in_node_row mod 2) =
-        1)) or (not in_node_valid) or (not in_node_right);
-      if not rightoffsets_nodes_odd_odd_write_address_any then
+      if rightoffsets_nodes_to_odd_odd then
         rightoffsets_nodes_odd_odd_write_address <= leftoffsets_nodes_even_even_write_address_value;
-        rightoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_even_even_write_word_sum;
+        rightoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_written;
       end if;
       -- sample
       sample_place_column_is_equal := sample_place_column = 639;
@@ -786,25 +804,25 @@ begin
       sample_place_next_frame_choice := sample_place_next_frame and ((sample_place_column /= 639) or
         (sample_place_group = 497)) when sample_place_next_frame_is_equal else sample_place_next_frame;
       sample_place_next_frame_is_equal_2 := sample_place_group = 479;
-      sample_place_next_frame_choice_2 := (not delay_held_7_start_of_frame) or sample_place_column_is_equal when
-        sample_place_next_frame_is_equal_2 else not delay_held_7_start_of_frame;
-      if delay_held_7_valid then
-        sample_place_column <= 0 when delay_held_7_start_of_frame or sample_place_column_is_equal else
+      sample_place_next_frame_choice_2 := (not delay_held_8_start_of_frame) or sample_place_column_is_equal when
+        sample_place_next_frame_is_equal_2 else not delay_held_8_start_of_frame;
+      if delay_held_8_valid then
+        sample_place_column <= 0 when delay_held_8_start_of_frame or sample_place_column_is_equal else
           sample_place_column_sum mod 1024;
         sample_place_next_frame <= sample_place_next_frame_choice_2 when sample_place_next_frame_choice else
-          sample_place_next_frame_is_equal_2 and delay_held_7_start_of_frame and sample_place_column_is_equal;
+          sample_place_next_frame_is_equal_2 and delay_held_8_start_of_frame and sample_place_column_is_equal;
       end if;
       sample_place_group_choice := 15 when sample_place_next_frame_is_equal_2 and sample_place_column_is_equal else 0;
       sample_place_group_differs := sample_place_group /= 497;
       sample_place_group_choice_2 := 17 when sample_place_next_frame_is_equal and sample_place_next_frame else
         (sample_place_group + 1) mod 512;
       sample_place_group_choice_3 := sample_place_group_choice_2 when sample_place_column_is_equal and
-        delay_held_7_valid and sample_place_group_differs else sample_place_group;
-      sample_place_group <= sample_place_group_choice * 32 when delay_held_7_start_of_frame and delay_held_7_valid else
+        delay_held_8_valid and sample_place_group_differs else sample_place_group;
+      sample_place_group <= sample_place_group_choice * 32 when delay_held_8_start_of_frame and delay_held_8_valid else
         sample_place_group_choice_3;
-      sample_pixels_left <= delay_held_7_left;
-      sample_pixels_right <= delay_held_7_right;
-      sample_pixels_valid <= delay_held_7_valid;
+      sample_pixels_left <= delay_held_8_left;
+      sample_pixels_right <= delay_held_8_right;
+      sample_pixels_valid <= delay_held_8_valid;
       sample_row <= (sample_place_group + 495) mod 512;
       sample_leaves <= sample_place_group_differs and (16 < sample_place_group);
       sample_starts <= (sample_place_group = 17) and (sample_place_column = 0);
@@ -819,7 +837,7 @@ begin
       sample_kept_pixels_right <= sample_taken_pixels_right;
       sample_kept_pixels_valid <= sample_taken_pixels_valid;
       sample_kept_starts <= sample_starts;
-      if sample_place_column_is_equal and delay_held_7_valid then
+      if sample_place_column_is_equal and delay_held_8_valid then
         sample_slot <= 0 when sample_slot = 33 else (sample_slot + 1) mod 64;
       end if;
       -- lefttaps
@@ -927,76 +945,88 @@ begin
       righttaps_row_shown_1 <= righttaps_taps_row_is_not_less and ((righttaps_offset_y / 32) < 528) and (((sample_row +
         (righttaps_offset_y / 32) + 65025) mod 65536) < 480);
       -- leftsampler
-      leftsampler_rows_even_even_read_address_choice := 0 when lefttaps_taps_row = 33 else (((lefttaps_taps_row + 1) /
-        2) * 321) mod 8192;
-      leftsampler_rows_even_even_read_address_value := ((lefttaps_taps_column + 1) mod 16384) / 2;
-      leftsampler_rows_odd_even_read_address_product := (lefttaps_taps_row / 2) * 321;
       if lefttaps_row_shown_0 then
         leftsampler_shown_held_0_choice := (as_number(lefttaps_column_shown_1) * 2) +
           as_number(lefttaps_column_shown_0);
       else
         leftsampler_shown_held_0_choice := 0;
       end if;
-      leftsampler_pixel_upper_0_choice := leftsampler_rows_odd_odd_ready_word when leftsampler_rows_column_odd_2 else
+      leftsampler_pixel_upper_0_choice := leftsampler_rows_odd_odd_ready_word when leftsampler_rows_column_odd_3 else
         leftsampler_rows_odd_even_ready_word;
-      leftsampler_pixel_upper_0_choice_2 := leftsampler_rows_even_odd_ready_word when leftsampler_rows_column_odd_2
+      leftsampler_pixel_upper_0_choice_2 := leftsampler_rows_even_odd_ready_word when leftsampler_rows_column_odd_3
         else leftsampler_rows_even_even_ready_word;
-      leftsampler_pixel_upper_0_choice_3 := leftsampler_pixel_upper_0_choice when leftsampler_rows_row_odd_2 else
+      leftsampler_pixel_upper_0_choice_3 := leftsampler_pixel_upper_0_choice when leftsampler_rows_row_odd_3 else
         leftsampler_pixel_upper_0_choice_2;
-      leftsampler_pixel_upper_0_choice_4 := leftsampler_pixel_upper_0_choice_3 when (leftsampler_shown_held_2 mod 2) =
+      leftsampler_pixel_upper_0_choice_4 := leftsampler_pixel_upper_0_choice_3 when (leftsampler_shown_held_3 mod 2) =
         1 else 0;
-      leftsampler_pixel_upper_1_choice := leftsampler_rows_odd_even_ready_word when leftsampler_rows_column_odd_2 else
+      leftsampler_pixel_upper_1_choice := leftsampler_rows_odd_even_ready_word when leftsampler_rows_column_odd_3 else
         leftsampler_rows_odd_odd_ready_word;
-      leftsampler_pixel_upper_1_choice_2 := leftsampler_rows_even_even_ready_word when leftsampler_rows_column_odd_2
+      leftsampler_pixel_upper_1_choice_2 := leftsampler_rows_even_even_ready_word when leftsampler_rows_column_odd_3
         else leftsampler_rows_even_odd_ready_word;
-      leftsampler_pixel_upper_1_choice_3 := leftsampler_pixel_upper_1_choice when leftsampler_rows_row_odd_2 else
+      leftsampler_pixel_upper_1_choice_3 := leftsampler_pixel_upper_1_choice when leftsampler_rows_row_odd_3 else
         leftsampler_pixel_upper_1_choice_2;
-      leftsampler_pixel_upper_1_choice_4 := leftsampler_pixel_upper_1_choice_3 when ((leftsampler_shown_held_2 / 2) mod
+      leftsampler_pixel_upper_1_choice_4 := leftsampler_pixel_upper_1_choice_3 when ((leftsampler_shown_held_3 / 2) mod
         2) = 1 else 0;
-      leftsampler_pixel_fall_0_choice := leftsampler_pixel_upper_0_choice_2 when leftsampler_rows_row_odd_2 else
+      leftsampler_pixel_fall_0_choice := leftsampler_pixel_upper_0_choice_2 when leftsampler_rows_row_odd_3 else
         leftsampler_pixel_upper_0_choice;
-      leftsampler_pixel_fall_0_choice_2 := leftsampler_pixel_fall_0_choice when ((leftsampler_shown_held_2 / 4) mod 2)
+      leftsampler_pixel_fall_0_choice_2 := leftsampler_pixel_fall_0_choice when ((leftsampler_shown_held_3 / 4) mod 2)
         = 1 else 0;
-      leftsampler_pixel_fall_1_choice := leftsampler_pixel_upper_1_choice_2 when leftsampler_rows_row_odd_2 else
+      leftsampler_pixel_fall_1_choice := leftsampler_pixel_upper_1_choice_2 when leftsampler_rows_row_odd_3 else
         leftsampler_pixel_upper_1_choice;
-      leftsampler_pixel_fall_1_choice_2 := leftsampler_pixel_fall_1_choice when (leftsampler_shown_held_2 / 8) = 1 else
+      leftsampler_pixel_fall_1_choice_2 := leftsampler_pixel_fall_1_choice when (leftsampler_shown_held_3 / 8) = 1 else
         0;
       leftsampler_pixel_column_0_product := leftsampler_pixel_fall_0 * leftsampler_pixel_weight_y;
       leftsampler_pixel_column_1_product := leftsampler_pixel_fall_1 * leftsampler_pixel_weight_y;
-      leftsampler_rows_even_even_read_address <= (leftsampler_rows_even_even_read_address_choice +
-        leftsampler_rows_even_even_read_address_value) mod 8192;
+      leftsampler_rows_even_line <= 0 when lefttaps_taps_row = 33 else (((lefttaps_taps_row + 1) / 2) * 321) mod 8192;
+      leftsampler_rows_odd_line <= ((lefttaps_taps_row / 2) * 321) mod 8192;
+      leftsampler_rows_write_line <= ((sample_kept_row / 2) * 321) mod 8192;
+      leftsampler_rows_even_column <= ((lefttaps_taps_column + 1) mod 16384) / 2;
+      leftsampler_rows_odd_column <= lefttaps_taps_column / 2;
+      leftsampler_rows_write_column <= sample_kept_column / 2;
+      leftsampler_rows_to_even_even <= sample_kept_pixels_valid and (not ((sample_kept_column mod 2) = 1)) and (not
+        ((sample_kept_row mod 2) = 1));
+      leftsampler_rows_to_even_odd <= sample_kept_pixels_valid and ((sample_kept_column mod 2) = 1) and (not
+        ((sample_kept_row mod 2) = 1));
+      leftsampler_rows_to_odd_even <= sample_kept_pixels_valid and (not ((sample_kept_column mod 2) = 1)) and
+        ((sample_kept_row mod 2) = 1);
+      leftsampler_rows_to_odd_odd <= sample_kept_pixels_valid and ((sample_kept_column mod 2) = 1) and
+        ((sample_kept_row mod 2) = 1);
+      leftsampler_rows_written <= sample_kept_pixels_left;
+      leftsampler_rows_even_even_read_address <= (leftsampler_rows_even_line + leftsampler_rows_even_column) mod 8192;
       leftsampler_rows_even_even_ready_word <= to_integer(leftsampler_rows_even_even_read_word);
-      leftsampler_rows_even_odd_read_address <= (leftsampler_rows_even_even_read_address_choice + (lefttaps_taps_column
-        / 2)) mod 8192;
+      leftsampler_rows_even_odd_read_address <= (leftsampler_rows_even_line + leftsampler_rows_odd_column) mod 8192;
       leftsampler_rows_even_odd_ready_word <= to_integer(leftsampler_rows_even_odd_read_word);
-      leftsampler_rows_odd_even_read_address <= (leftsampler_rows_odd_even_read_address_product +
-        leftsampler_rows_even_even_read_address_value) mod 8192;
+      leftsampler_rows_odd_even_read_address <= (leftsampler_rows_odd_line + leftsampler_rows_even_column) mod 8192;
       leftsampler_rows_odd_even_ready_word <= to_integer(leftsampler_rows_odd_even_read_word);
-      leftsampler_rows_odd_odd_read_address <= (leftsampler_rows_odd_even_read_address_product + (lefttaps_taps_column
-        / 2)) mod 8192;
+      leftsampler_rows_odd_odd_read_address <= (leftsampler_rows_odd_line + leftsampler_rows_odd_column) mod 8192;
       leftsampler_rows_odd_odd_ready_word <= to_integer(leftsampler_rows_odd_odd_read_word);
       leftsampler_rows_row_odd_0 <= (lefttaps_taps_row mod 2) = 1;
       leftsampler_rows_row_odd_1 <= leftsampler_rows_row_odd_0;
       leftsampler_rows_row_odd_2 <= leftsampler_rows_row_odd_1;
+      leftsampler_rows_row_odd_3 <= leftsampler_rows_row_odd_2;
       leftsampler_rows_column_odd_0 <= (lefttaps_taps_column mod 2) = 1;
       leftsampler_rows_column_odd_1 <= leftsampler_rows_column_odd_0;
       leftsampler_rows_column_odd_2 <= leftsampler_rows_column_odd_1;
+      leftsampler_rows_column_odd_3 <= leftsampler_rows_column_odd_2;
       leftsampler_weight_x_held_0 <= lefttaps_weight_x;
       leftsampler_weight_x_held_1 <= leftsampler_weight_x_held_0;
       leftsampler_weight_x_held_2 <= leftsampler_weight_x_held_1;
+      leftsampler_weight_x_held_3 <= leftsampler_weight_x_held_2;
       leftsampler_weight_y_held_0 <= lefttaps_weight_y;
       leftsampler_weight_y_held_1 <= leftsampler_weight_y_held_0;
       leftsampler_weight_y_held_2 <= leftsampler_weight_y_held_1;
+      leftsampler_weight_y_held_3 <= leftsampler_weight_y_held_2;
       leftsampler_shown_held_0 <= leftsampler_shown_held_0_choice + (as_number(lefttaps_column_shown_0) * 4) +
         (as_number(lefttaps_column_shown_1) * 8) when lefttaps_row_shown_1 else leftsampler_shown_held_0_choice;
       leftsampler_shown_held_1 <= leftsampler_shown_held_0;
       leftsampler_shown_held_2 <= leftsampler_shown_held_1;
+      leftsampler_shown_held_3 <= leftsampler_shown_held_2;
       leftsampler_pixel_upper_0 <= leftsampler_pixel_upper_0_choice_4;
       leftsampler_pixel_upper_1 <= leftsampler_pixel_upper_1_choice_4;
       leftsampler_pixel_fall_0 <= leftsampler_pixel_fall_0_choice_2 - leftsampler_pixel_upper_0_choice_4;
       leftsampler_pixel_fall_1 <= leftsampler_pixel_fall_1_choice_2 - leftsampler_pixel_upper_1_choice_4;
-      leftsampler_pixel_weight_y <= leftsampler_weight_y_held_2;
-      leftsampler_pixel_weight_x_0 <= leftsampler_weight_x_held_2;
+      leftsampler_pixel_weight_y <= leftsampler_weight_y_held_3;
+      leftsampler_pixel_weight_x_0 <= leftsampler_weight_x_held_3;
       leftsampler_pixel_weight_x_1 <= leftsampler_pixel_weight_x_0;
       leftsampler_pixel_weight_x_2 <= leftsampler_pixel_weight_x_1;
       leftsampler_pixel_column_0 <= (((leftsampler_pixel_upper_0 + ((leftsampler_pixel_column_0_product mod 8192) /
@@ -1008,103 +1038,99 @@ begin
       leftsampler_pixel_rise <= leftsampler_pixel_column_1 - leftsampler_pixel_column_0;
       leftsampler_pixel_value <= (((((leftsampler_pixel_first / 32) + (((leftsampler_pixel_weight_x_2 *
         leftsampler_pixel_rise) mod 524288) / 32)) mod 16384) * 32) / 1024) mod 256;
-      leftsampler_rows_even_even_write_address_value := ((sample_kept_column / 2) + ((sample_kept_row / 2) * 321)) mod
-        8192;
-      leftsampler_rows_even_even_write_address_any := (not sample_kept_pixels_valid) or ((sample_kept_column mod 2) =
-        1) or ((sample_kept_row mod 2) = 1);
-      if not leftsampler_rows_even_even_write_address_any then
+      leftsampler_rows_even_even_write_address_value := (leftsampler_rows_write_line + leftsampler_rows_write_column)
+        mod 8192;
+      if leftsampler_rows_to_even_even then
         leftsampler_rows_even_even_write_address <= leftsampler_rows_even_even_write_address_value;
-        leftsampler_rows_even_even_write_word <= sample_kept_pixels_left;
+        leftsampler_rows_even_even_write_word <= leftsampler_rows_written;
       end if;
-      leftsampler_rows_even_odd_write_address_any := (not sample_kept_pixels_valid) or (not ((sample_kept_column mod 2)
-        = 1)) or ((sample_kept_row mod 2) = 1);
-      if not leftsampler_rows_even_odd_write_address_any then
+      if leftsampler_rows_to_even_odd then
         leftsampler_rows_even_odd_write_address <= leftsampler_rows_even_even_write_address_value;
-        leftsampler_rows_even_odd_write_word <= sample_kept_pixels_left;
+        leftsampler_rows_even_odd_write_word <= leftsampler_rows_written;
       end if;
-      leftsampler_rows_odd_even_write_address_any := (not sample_kept_pixels_valid) or ((sample_kept_column mod 2) = 1)
-        or (not ((sample_kept_row mod 2) = 1));
-      if not leftsampler_rows_odd_even_write_address_any then
+      if leftsampler_rows_to_odd_even then
         leftsampler_rows_odd_even_write_address <= leftsampler_rows_even_even_write_address_value;
-        leftsampler_rows_odd_even_write_word <= sample_kept_pixels_left;
+        leftsampler_rows_odd_even_write_word <= leftsampler_rows_written;
       end if;
-      leftsampler_rows_odd_odd_write_address_any := (not sample_kept_pixels_valid) or (not ((sample_kept_column mod 2)
-        = 1)) or (not ((sample_kept_row mod 2) = 1));
-      if not leftsampler_rows_odd_odd_write_address_any then
+      if leftsampler_rows_to_odd_odd then
         leftsampler_rows_odd_odd_write_address <= leftsampler_rows_even_even_write_address_value;
-        leftsampler_rows_odd_odd_write_word <= sample_kept_pixels_left;
+        leftsampler_rows_odd_odd_write_word <= leftsampler_rows_written;
       end if;
       -- rightsampler
-      rightsampler_rows_even_even_read_address_choice := 0 when righttaps_taps_row = 33 else (((righttaps_taps_row + 1)
-        / 2) * 321) mod 8192;
-      rightsampler_rows_even_even_read_address_value := ((righttaps_taps_column + 1) mod 16384) / 2;
-      rightsampler_rows_odd_even_read_address_product := (righttaps_taps_row / 2) * 321;
       if righttaps_row_shown_0 then
         rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown_1) * 2) +
           as_number(righttaps_column_shown_0);
       else
         rightsampler_shown_held_0_choice := 0;
       end if;
-      rightsampler_pixel_upper_0_choice := rightsampler_rows_odd_odd_ready_word when rightsampler_rows_column_odd_2
+      rightsampler_pixel_upper_0_choice := rightsampler_rows_odd_odd_ready_word when rightsampler_rows_column_odd_3
         else rightsampler_rows_odd_even_ready_word;
-      rightsampler_pixel_upper_0_choice_2 := rightsampler_rows_even_odd_ready_word when rightsampler_rows_column_odd_2
+      rightsampler_pixel_upper_0_choice_2 := rightsampler_rows_even_odd_ready_word when rightsampler_rows_column_odd_3
         else rightsampler_rows_even_even_ready_word;
-      rightsampler_pixel_upper_0_choice_3 := rightsampler_pixel_upper_0_choice when rightsampler_rows_row_odd_2 else
+      rightsampler_pixel_upper_0_choice_3 := rightsampler_pixel_upper_0_choice when rightsampler_rows_row_odd_3 else
         rightsampler_pixel_upper_0_choice_2;
-      rightsampler_pixel_upper_0_choice_4 := rightsampler_pixel_upper_0_choice_3 when (rightsampler_shown_held_2 mod 2)
+      rightsampler_pixel_upper_0_choice_4 := rightsampler_pixel_upper_0_choice_3 when (rightsampler_shown_held_3 mod 2)
         = 1 else 0;
-      rightsampler_pixel_upper_1_choice := rightsampler_rows_odd_even_ready_word when rightsampler_rows_column_odd_2
+      rightsampler_pixel_upper_1_choice := rightsampler_rows_odd_even_ready_word when rightsampler_rows_column_odd_3
         else rightsampler_rows_odd_odd_ready_word;
-      rightsampler_pixel_upper_1_choice_2 := rightsampler_rows_even_even_ready_word when rightsampler_rows_column_odd_2
+      rightsampler_pixel_upper_1_choice_2 := rightsampler_rows_even_even_ready_word when rightsampler_rows_column_odd_3
         else rightsampler_rows_even_odd_ready_word;
-      rightsampler_pixel_upper_1_choice_3 := rightsampler_pixel_upper_1_choice when rightsampler_rows_row_odd_2 else
+      rightsampler_pixel_upper_1_choice_3 := rightsampler_pixel_upper_1_choice when rightsampler_rows_row_odd_3 else
         rightsampler_pixel_upper_1_choice_2;
-      rightsampler_pixel_upper_1_choice_4 := rightsampler_pixel_upper_1_choice_3 when ((rightsampler_shown_held_2 / 2)
+      rightsampler_pixel_upper_1_choice_4 := rightsampler_pixel_upper_1_choice_3 when ((rightsampler_shown_held_3 / 2)
         mod 2) = 1 else 0;
-      rightsampler_pixel_fall_0_choice := rightsampler_pixel_upper_0_choice_2 when rightsampler_rows_row_odd_2 else
+      rightsampler_pixel_fall_0_choice := rightsampler_pixel_upper_0_choice_2 when rightsampler_rows_row_odd_3 else
         rightsampler_pixel_upper_0_choice;
-      rightsampler_pixel_fall_0_choice_2 := rightsampler_pixel_fall_0_choice when ((rightsampler_shown_held_2 / 4) mod
+      rightsampler_pixel_fall_0_choice_2 := rightsampler_pixel_fall_0_choice when ((rightsampler_shown_held_3 / 4) mod
         2) = 1 else 0;
-      rightsampler_pixel_fall_1_choice := rightsampler_pixel_upper_1_choice_2 when rightsampler_rows_row_odd_2 else
+      rightsampler_pixel_fall_1_choice := rightsampler_pixel_upper_1_choice_2 when rightsampler_rows_row_odd_3 else
         rightsampler_pixel_upper_1_choice;
-      rightsampler_pixel_fall_1_choice_2 := rightsampler_pixel_fall_1_choice when (rightsampler_shown_held_2 / 8) = 1
+      rightsampler_pixel_fall_1_choice_2 := rightsampler_pixel_fall_1_choice when (rightsampler_shown_held_3 / 8) = 1
         else 0;
       rightsampler_pixel_column_0_product := rightsampler_pixel_weight_y * rightsampler_pixel_fall_0;
       rightsampler_pixel_column_1_product := rightsampler_pixel_weight_y * rightsampler_pixel_fall_1;
-      rightsampler_rows_even_even_read_address <= (rightsampler_rows_even_even_read_address_choice +
-        rightsampler_rows_even_even_read_address_value) mod 8192;
+      rightsampler_rows_even_line <= 0 when righttaps_taps_row = 33 else (((righttaps_taps_row + 1) / 2) * 321) mod
+        8192;
+      rightsampler_rows_odd_line <= ((righttaps_taps_row / 2) * 321) mod 8192;
+      rightsampler_rows_even_column <= ((righttaps_taps_column + 1) mod 16384) / 2;
+      rightsampler_rows_odd_column <= righttaps_taps_column / 2;
+      rightsampler_rows_written <= sample_kept_pixels_right;
+      rightsampler_rows_even_even_read_address <= (rightsampler_rows_even_line + rightsampler_rows_even_column) mod
+        8192;
       rightsampler_rows_even_even_ready_word <= to_integer(rightsampler_rows_even_even_read_word);
-      rightsampler_rows_even_odd_read_address <= (rightsampler_rows_even_even_read_address_choice +
-        (righttaps_taps_column / 2)) mod 8192;
+      rightsampler_rows_even_odd_read_address <= (rightsampler_rows_even_line + rightsampler_rows_odd_column) mod 8192;
       rightsampler_rows_even_odd_ready_word <= to_integer(rightsampler_rows_even_odd_read_word);
-      rightsampler_rows_odd_even_read_address <= (rightsampler_rows_odd_even_read_address_product +
-        rightsampler_rows_even_even_read_address_value) mod 8192;
+      rightsampler_rows_odd_even_read_address <= (rightsampler_rows_odd_line + rightsampler_rows_even_column) mod 8192;
       rightsampler_rows_odd_even_ready_word <= to_integer(rightsampler_rows_odd_even_read_word);
-      rightsampler_rows_odd_odd_read_address <= (rightsampler_rows_odd_even_read_address_product +
-        (righttaps_taps_column / 2)) mod 8192;
+      rightsampler_rows_odd_odd_read_address <= (rightsampler_rows_odd_line + rightsampler_rows_odd_column) mod 8192;
       rightsampler_rows_odd_odd_ready_word <= to_integer(rightsampler_rows_odd_odd_read_word);
       rightsampler_rows_row_odd_0 <= (righttaps_taps_row mod 2) = 1;
       rightsampler_rows_row_odd_1 <= rightsampler_rows_row_odd_0;
       rightsampler_rows_row_odd_2 <= rightsampler_rows_row_odd_1;
+      rightsampler_rows_row_odd_3 <= rightsampler_rows_row_odd_2;
       rightsampler_rows_column_odd_0 <= (righttaps_taps_column mod 2) = 1;
       rightsampler_rows_column_odd_1 <= rightsampler_rows_column_odd_0;
       rightsampler_rows_column_odd_2 <= rightsampler_rows_column_odd_1;
+      rightsampler_rows_column_odd_3 <= rightsampler_rows_column_odd_2;
       rightsampler_weight_x_held_0 <= righttaps_weight_x;
       rightsampler_weight_x_held_1 <= rightsampler_weight_x_held_0;
       rightsampler_weight_x_held_2 <= rightsampler_weight_x_held_1;
+      rightsampler_weight_x_held_3 <= rightsampler_weight_x_held_2;
       rightsampler_weight_y_held_0 <= righttaps_weight_y;
       rightsampler_weight_y_held_1 <= rightsampler_weight_y_held_0;
       rightsampler_weight_y_held_2 <= rightsampler_weight_y_held_1;
+      rightsampler_weight_y_held_3 <= rightsampler_weight_y_held_2;
       rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_0) * 4) +
         (as_number(righttaps_column_shown_1) * 8) when righttaps_row_shown_1 else rightsampler_shown_held_0_choice;
       rightsampler_shown_held_1 <= rightsampler_shown_held_0;
       rightsampler_shown_held_2 <= rightsampler_shown_held_1;
+      rightsampler_shown_held_3 <= rightsampler_shown_held_2;
       rightsampler_pixel_upper_0 <= rightsampler_pixel_upper_0_choice_4;
       rightsampler_pixel_upper_1 <= rightsampler_pixel_upper_1_choice_4;
       rightsampler_pixel_fall_0 <= rightsampler_pixel_fall_0_choice_2 - rightsampler_pixel_upper_0_choice_4;
       rightsampler_pixel_fall_1 <= rightsampler_pixel_fall_1_choice_2 - rightsampler_pixel_upper_1_choice_4;
-      rightsampler_pixel_weight_y <= rightsampler_weight_y_held_2;
-      rightsampler_pixel_weight_x_0 <= rightsampler_weight_x_held_2;
+      rightsampler_pixel_weight_y <= rightsampler_weight_y_held_3;
+      rightsampler_pixel_weight_x_0 <= rightsampler_weight_x_held_3;
       rightsampler_pixel_weight_x_1 <= rightsampler_pixel_weight_x_0;
       rightsampler_pixel_weight_x_2 <= rightsampler_pixel_weight_x_1;
       rightsampler_pixel_column_0 <= (((rightsampler_pixel_upper_0 + ((rightsampler_pixel_column_0_product mod 8192) /
@@ -1116,17 +1142,17 @@ begin
       rightsampler_pixel_rise <= rightsampler_pixel_column_1 - rightsampler_pixel_column_0;
       rightsampler_pixel_value <= (((((rightsampler_pixel_first / 32) + (((rightsampler_pixel_rise *
         rightsampler_pixel_weight_x_2) mod 524288) / 32)) mod 16384) * 32) / 1024) mod 256;
-      if not leftsampler_rows_even_even_write_address_any then
-        rightsampler_rows_even_even_write_word <= sample_kept_pixels_right;
+      if leftsampler_rows_to_even_even then
+        rightsampler_rows_even_even_write_word <= rightsampler_rows_written;
       end if;
-      if not leftsampler_rows_even_odd_write_address_any then
-        rightsampler_rows_even_odd_write_word <= sample_kept_pixels_right;
+      if leftsampler_rows_to_even_odd then
+        rightsampler_rows_even_odd_write_word <= rightsampler_rows_written;
       end if;
-      if not leftsampler_rows_odd_even_write_address_any then
-        rightsampler_rows_odd_even_write_word <= sample_kept_pixels_right;
+      if leftsampler_rows_to_odd_even then
+        rightsampler_rows_odd_even_write_word <= rightsampler_rows_written;
       end if;
-      if not leftsampler_rows_odd_odd_write_address_any then
-        rightsampler_rows_odd_odd_write_word <= sample_kept_pixels_right;
+      if leftsampler_rows_to_odd_odd then
+        rightsampler_rows_odd_odd_write_word <= rightsampler_rows_written;
       end if;
       -- valid
       valid_held_0 <= sample_kept_pixels_valid;
@@ -1136,6 +1162,7 @@ begin
       valid_held_4 <= valid_held_3;
       valid_held_5 <= valid_held_4;
       valid_held_6 <= valid_held_5;
+      valid_held_7 <= valid_held_6;
       -- starts
       starts_held_0 <= sample_kept_starts;
       starts_held_1 <= starts_held_0;
@@ -1144,6 +1171,7 @@ begin
       starts_held_4 <= starts_held_3;
       starts_held_5 <= starts_held_4;
       starts_held_6 <= starts_held_5;
+      starts_held_7 <= starts_held_6;
       if reset = '1' then
         counter_column <= 0;
         counter_group <= 497;
@@ -1164,16 +1192,31 @@ begin
         delay_held_6_valid <= false;
         delay_held_7_start_of_frame <= false;
         delay_held_7_valid <= false;
+        delay_held_8_start_of_frame <= false;
+        delay_held_8_valid <= false;
         grid_node_column <= 0;
         grid_node_row <= 0;
         grid_weight_x_held_0 <= 0;
         grid_weight_x_held_1 <= 0;
         grid_weight_x_held_2 <= 0;
         grid_weight_x_held_3 <= 0;
+        grid_weight_x_held_4 <= 0;
         grid_weight_y_held_0 <= 0;
         grid_weight_y_held_1 <= 0;
         grid_weight_y_held_2 <= 0;
         grid_weight_y_held_3 <= 0;
+        grid_weight_y_held_4 <= 0;
+        leftoffsets_nodes_even_line <= 0;
+        leftoffsets_nodes_odd_line <= 0;
+        leftoffsets_nodes_write_line <= 0;
+        leftoffsets_nodes_even_column <= 0;
+        leftoffsets_nodes_odd_column <= 0;
+        leftoffsets_nodes_write_column <= 0;
+        leftoffsets_nodes_to_even_even <= false;
+        leftoffsets_nodes_to_even_odd <= false;
+        leftoffsets_nodes_to_odd_even <= false;
+        leftoffsets_nodes_to_odd_odd <= false;
+        leftoffsets_nodes_written <= to_unsigned(0, 32);
         leftoffsets_nodes_even_even_read_address <= 0;
         leftoffsets_nodes_even_even_write_address <= 0;
         leftoffsets_nodes_even_even_write_word <= to_unsigned(0, 32);
@@ -1193,9 +1236,11 @@ begin
         leftoffsets_nodes_row_odd_0 <= false;
         leftoffsets_nodes_row_odd_1 <= false;
         leftoffsets_nodes_row_odd_2 <= false;
+        leftoffsets_nodes_row_odd_3 <= false;
         leftoffsets_nodes_column_odd_0 <= false;
         leftoffsets_nodes_column_odd_1 <= false;
         leftoffsets_nodes_column_odd_2 <= false;
+        leftoffsets_nodes_column_odd_3 <= false;
         leftoffsets_x_upper_0 <= 0;
         leftoffsets_x_upper_1 <= 0;
         leftoffsets_x_fall_0 <= 0;
@@ -1218,6 +1263,10 @@ begin
         leftoffsets_y_first <= 0;
         leftoffsets_y_rise <= 0;
         leftoffsets_y_value <= 0;
+        rightoffsets_nodes_to_even_even <= false;
+        rightoffsets_nodes_to_even_odd <= false;
+        rightoffsets_nodes_to_odd_even <= false;
+        rightoffsets_nodes_to_odd_odd <= false;
         rightoffsets_nodes_even_even_write_address <= 0;
         rightoffsets_nodes_even_even_write_word <= to_unsigned(0, 32);
         rightoffsets_nodes_even_even_ready_word <= to_unsigned(0, 32);
@@ -1269,6 +1318,16 @@ begin
         righttaps_offset_y <= 0;
         righttaps_taps_column <= 0;
         righttaps_taps_row <= 0;
+        leftsampler_rows_even_line <= 0;
+        leftsampler_rows_odd_line <= 0;
+        leftsampler_rows_write_line <= 0;
+        leftsampler_rows_even_column <= 0;
+        leftsampler_rows_odd_column <= 0;
+        leftsampler_rows_write_column <= 0;
+        leftsampler_rows_to_even_even <= false;
+        leftsampler_rows_to_even_odd <= false;
+        leftsampler_rows_to_odd_even <= false;
+        leftsampler_rows_to_odd_odd <= false;
         leftsampler_rows_even_even_read_address <= 0;
         leftsampler_rows_even_even_write_address <= 0;
         leftsampler_rows_even_odd_read_address <= 0;
@@ -1277,6 +1336,10 @@ begin
         leftsampler_rows_odd_even_write_address <= 0;
         leftsampler_rows_odd_odd_read_address <= 0;
         leftsampler_rows_odd_odd_write_address <= 0;
+        rightsampler_rows_even_line <= 0;
+        rightsampler_rows_odd_line <= 0;
+        rightsampler_rows_even_column <= 0;
+        rightsampler_rows_odd_column <= 0;
         rightsampler_rows_even_even_read_address <= 0;
         rightsampler_rows_even_odd_read_address <= 0;
         rightsampler_rows_odd_even_read_address <= 0;
@@ -1288,6 +1351,7 @@ begin
         valid_held_4 <= false;
         valid_held_5 <= false;
         valid_held_6 <= false;
+        valid_held_7 <= false;
         starts_held_0 <= false;
         starts_held_1 <= false;
         starts_held_2 <= false;
@@ -1295,6 +1359,7 @@ begin
         starts_held_4 <= false;
         starts_held_5 <= false;
         starts_held_6 <= false;
+        starts_held_7 <= false;
       end if;
     end if;
   end process;

@@ -24,6 +24,17 @@ WORK = ROOT / "build" / "implementation"
 
 
 @dataclass(frozen=True)
+class Design:
+    """What goes through the tools."""
+
+    entity: str
+    files: list[Path]  # in compile order
+    seeds: list[int]
+    router: str
+    without_bypass: str  # of yosys.script
+
+
+@dataclass(frozen=True)
 class Job:
     config: str
     vhdl: Path  # folder with manifest.json and VHDL
@@ -37,13 +48,10 @@ class Job:
     def entity(self) -> str:
         return rtl.ip_entity(self.config) if self.shell else rtl.entity(self.config)
 
-    @property
-    def bypasses(self) -> bool:
-        """Whether its line memories need them."""
-        return rtl.folder(self.config).parent.name not in yosys.WITHOUT_BYPASS
-
-    def files(self) -> list[Path]:
-        return design.vhdl_files(self.config) if self.shell else manifest.vhdl_files(self.vhdl)
+    def design(self) -> Design:
+        files = design.vhdl_files(self.config) if self.shell else manifest.vhdl_files(self.vhdl)
+        without_bypass = yosys.memories_without_bypass(rtl.folder(self.config).parent.name)
+        return Design(self.entity, files, self.seeds, self.router, without_bypass)
 
 
 @dataclass(frozen=True)
@@ -63,14 +71,14 @@ def check_writable(out: Path) -> None:
         raise FlowError(f"cannot create {out}: {error.strerror}") from None
 
 
-def synthesize(job: Job, target: Target, stage: Callable[[str], None]) -> Netlist:
+def synthesize(job: Design, target: Target, stage: Callable[[str], None]) -> Netlist:
     work = WORK / job.entity / (target.family or target.name)
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     stage("ghdl --synth")
-    verilog = re.sub(rf"\bmodule {job.entity}\b", f"module {TOP}", ghdl.to_verilog(job.files(), work, job.entity))
+    verilog = re.sub(rf"\bmodule {job.entity}\b", f"module {TOP}", ghdl.to_verilog(job.files, work, job.entity))
     stage("yosys")
-    area, lost = yosys.synthesize(target, verilog, work, job.bypasses)
+    area, lost = yosys.synthesize(target, verilog, work, job.without_bypass)
     names = {}
     if target.device:
         names = nextpnr.register_names(verilog, json.loads((work / "netlist.json").read_text()))
@@ -78,7 +86,7 @@ def synthesize(job: Job, target: Target, stage: Callable[[str], None]) -> Netlis
 
 
 def implement_target(
-    job: Job, target: Target, made: dict[str, Netlist], progress: Progress
+    job: Design, target: Target, made: dict[str, Netlist], progress: Progress
 ) -> tuple[record.Result, list[str]]:
     """Area and, where there is a router, clock on one target. `made`: the netlists of the families so far. Returns
     (result, memories that became flip-flops)."""
@@ -116,6 +124,11 @@ def implement_target(
     return result, netlist.lost
 
 
+def progress_bar() -> Progress:
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
+    return Progress(*columns, TextColumn("steps"), TimeElapsedColumn())
+
+
 def run_job(job: Job) -> int:
     """Implements one configuration on its targets. Returns the exit code."""
     entry = manifest.read(job.vhdl)
@@ -124,10 +137,9 @@ def run_job(job: Job) -> int:
     all_lost: list[str] = []
     made: dict[str, Netlist] = {}
     shell = design.digests() if job.shell else None
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
-    with Progress(*columns, TextColumn("steps"), TimeElapsedColumn()) as bar:
+    with progress_bar() as bar:
         for name in job.targets:
-            result, lost = implement_target(job, TARGETS[name], made, bar)
+            result, lost = implement_target(job.design(), TARGETS[name], made, bar)
             record.merge(job.out, entry, name, result, shell)
             bar.console.print(summary(job.entity, name, entry["parameters"], result), highlight=False, soft_wrap=True)
             all_lost += [f"{memory} on {name}" for memory in lost]
@@ -139,13 +151,27 @@ def run_job(job: Job) -> int:
 
 
 def summary(entity: str, target: str, parameters: Parameters, result: record.Result) -> str:
-    luts, name = figures.lut_count(result), TARGETS[target].lut_name
     matches = not rtl.is_stage(parameters)  # a stage has no disparities
     evaluations = f", {figures.evaluations_per_clock(parameters):g} disparity evaluations a clock" if matches else ""
+    text = area_and_clock(entity, target, result)
+    text.insert(1, f"  {figures.clocks_per_frame(parameters)} clocks a frame{evaluations}")
+    if "fmax_mhz" in result:
+        fmax = result["fmax_mhz"]["median"]
+        text.append(f"  {figures.frames_per_second(parameters, fmax):.1f} frames a second")
+        if matches:
+            speed = figures.speed(parameters, fmax, figures.lut_count(result))
+            text[-1] += (
+                f", {speed['mde_per_second']:.0f} million disparity evaluations a second, "
+                f"{speed['evaluations_per_second_per_lut'] / 1e3:.0f} thousand evaluations a second per LUT"
+            )
+    return "\n".join(text)
+
+
+def area_and_clock(entity: str, target: str, result: record.Result) -> list[str]:
+    """Lines of a summary that any design has."""
     text = [
-        f"{entity} on {target}: {luts} {name}, {result['ffs']} flip-flops, {result['memory_bits']} memory bits in "
-        f"{result['block_rams']} block RAMs and LUT RAM",
-        f"  {figures.clocks_per_frame(parameters)} clocks a frame{evaluations}",
+        f"{entity} on {target}: {figures.lut_count(result)} {TARGETS[target].lut_name}, {result['ffs']} flip-flops, "
+        f"{result['memory_bits']} memory bits in {result['block_rams']} block RAMs and LUT RAM"
     ]
     if "does_not_fit" in result:
         text.append(f"  does not fit on {result['device']}: {figures.overfull(result['does_not_fit'])}")
@@ -158,12 +184,4 @@ def summary(entity: str, target: str, parameters: Parameters, result: record.Res
             f"{result['device']}, {result['lut_sites']} LUT sites",
             f"  slowest path: {path['from']} to {path['to']}, block {path['block']}",
         ]
-        frames = figures.frames_per_second(parameters, fmax["median"])
-        text.append(f"  {frames:.1f} frames a second")
-        if matches:
-            speed = figures.speed(parameters, fmax["median"], luts)
-            text[-1] += (
-                f", {speed['mde_per_second']:.0f} million disparity evaluations a second, "
-                f"{speed['evaluations_per_second_per_lut'] / 1e3:.0f} thousand evaluations a second per LUT"
-            )
-    return "\n".join(text)
+    return text

@@ -35,20 +35,25 @@ def version() -> str:
 # The memories of the cell line_memory.vhd, as ghdl names them. In these families a core looks at no word that is read
 # in the clock in which it is written (test_memory_collisions.py): without a bypass around the RAM, its output register
 # is the RAM's own.
-LINE_MEMORIES = "m:*column_n*_memory"
-WITHOUT_BYPASS = ("block_matching",)
+LINE_MEMORIES = "*column_n*_memory"
+_WITHOUT_BYPASS = ("block_matching",)
 
 
-def script(target: Target, bypasses: bool = True) -> str:
+def memories_without_bypass(family: str, core: str = "") -> str:
+    """For `script`, of a core of that family; `core`: what the names begin with that stand in it."""
+    return f"m:{core}{LINE_MEMORIES}" if family in _WITHOUT_BYPASS else ""
+
+
+def script(target: Target, without_bypass: str = "") -> str:
     """The commands: synthesis with two looks at the memories that are not mapped yet, before and after their
-    mapping. bypasses: what a line memory reads in the clock in which it is written counts."""
+    mapping. without_bypass: memories of which no word counts that is read in the clock in which it is written."""
     synthesis = target.synthesis
     # Only nextpnr reads a netlist.
     netlist = "; write_json netlist.json" if target.device else ""
     lines = [
         f"read_verilog {TOP}.v",
         target.prepare,
-        *([] if bypasses else [f"setattr -set no_rw_check 1 {LINE_MEMORIES}"]),
+        *([f"setattr -set no_rw_check 1 {without_bypass}"] if without_bypass else []),
         f"{synthesis} -run begin:{target.map_memories}",
         "tee -q -o memories.txt dump t:$mem_v2",
         f"{synthesis} -run {target.map_memories}:map_ffram",
@@ -59,10 +64,10 @@ def script(target: Target, bypasses: bool = True) -> str:
     return "\n".join(lines) + "\n"
 
 
-def synthesize(target: Target, verilog: str, work: Path, bypasses: bool = True) -> tuple[Area, list[str]]:
+def synthesize(target: Target, verilog: str, work: Path, without_bypass: str = "") -> tuple[Area, list[str]]:
     """Runs yosys in the folder `work`. Returns the area, and the names of memories that became flip-flops."""
     (work / f"{TOP}.v").write_text(verilog)
-    (work / "synthesis.ys").write_text(script(target, bypasses))
+    (work / "synthesis.ys").write_text(script(target, without_bypass))
     run([*find_yosys(), "-s", "synthesis.ys"], cwd=work, log=work / "yosys.log")
     try:
         cells = json.loads((work / "stat.json").read_text())["modules"]["\\" + TOP]["num_cells_by_type"]

@@ -10,7 +10,7 @@ from ..implementation.results import Configuration
 
 PAGE = ROOT / "docs" / "integration.md"
 BEGIN, END = "<!-- camera: made by scripts/performance.py -->", "<!-- end of camera -->"
-EXAMPLES = ("ambrosch2007", "niitsuma_640", "han_640", "census_450", "sgm_450")
+EXAMPLES = ("ambrosch2007", "niitsuma_640", "vga_64", "han_640", "census_450", "sgm_450")
 MHZ = 27.0
 SHELL_CLOCKS = 5  # of stereo_ip beside those of its core; test_kit_vhdl.py measures them
 

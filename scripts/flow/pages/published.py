@@ -88,6 +88,7 @@ SYSTEMS = [
     System("OpenCV StereoBM, block 15", "450x375, D=64, checks, subpixel", None, _OURS, "opencv_bm"),
     System("best block matching in quality.md", "450x375, D=48, census 9x3, 9x9", None, _OURS, "census_450"),
     System("the same, full width", "450x375, D=48, census 9x3, 9x9", None, _OURS, "census_450_full"),
+    System("of two cameras: every check, subpixel", "640x480, D=64, census 9x3, 9x9", None, _OURS, "vga_64"),
     System("semi-global, three paths", "450x375, D=64, census 5x5, 3x3", None, _OURS, "sgm_450"),
     System("semi-global, three paths, single pixels", "640x480, D=128, census 9x5", None, _OURS, "sgm_640"),
     System("semi-global, three paths, single pixels", "1280x720, D=64, census 9x5", None, _OURS, "sgm_1280"),

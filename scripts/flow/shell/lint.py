@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..base import ghdl, rtl
 from ..base.errors import FlowError
-from ..base.tools import Say, find_ghdl, find_verilator, find_yosys, run
+from ..base.tools import ROOT, Say, find_ghdl, find_verilator, find_yosys, run
 from ..synthesis import manifest
 from . import design, example, template
 
@@ -19,6 +19,9 @@ GHDL_WARNINGS = (
     *("runtime-error", "shared", "hide", "unused", "others", "pure", "static", "error"),
 )
 NETLIST_WARNINGS = ("LATCH", "MULTIDRIVEN", "SELRANGE", "UNDRIVEN", "IMPLICIT", "PINMISSING")
+CAMERA_TABLES, CAMERA_DEPTH = (
+    ROOT / "examples" / "camera_system" / f"camera_{name}.vhd" for name in ("tables", "depth")
+)
 LONGEST_LINE = 128
 LONGEST_FILE = 400
 FIRST_LINE = "-- SPDX-License-Identifier: Apache-2.0"
@@ -95,6 +98,7 @@ def check(config: str, work: Path, shell: Path | None = None, say: Say = print) 
     written = [*shared, template.path(config)]
     core = [path for path in manifest.core_files(config) if path != memory]
     examples = [example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")]
+    examples += [CAMERA_TABLES, CAMERA_DEPTH]
     found = [sentence for path in (memory, *written, *joiner, *examples) for sentence in layout(path)]
     found += analysis([memory], work)
     ghdl.analyse(core, work, "core.log")
@@ -104,6 +108,9 @@ def check(config: str, work: Path, shell: Path | None = None, say: Say = print) 
         found += netlist(
             [memory, *shared, *joiner], "stereo_joiner", work, {"width_px": 640, "height_px": 480, "depth": 1024}
         )
+        nodes: ghdl.Generics = {"table_columns": 41, "table_rows": 31, "depth_entries": 1024, "subpixel": "true"}
+        found += netlist([CAMERA_TABLES], "camera_tables", work, nodes)
+        found += netlist([memory, CAMERA_DEPTH], "camera_depth", work, {"place_bits": 10, "disparity_bits": 16})
     for sentence in found:
         say(sentence)
     return len(found)

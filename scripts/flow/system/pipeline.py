@@ -10,7 +10,7 @@ from ..base import files
 from ..base.configurations import Configuration, configuration, designs, option
 from ..base.tools import Word, find_stereo_hls, run
 from ..cosim import vectors
-from .template import System
+from .template import System, depths_of
 
 LARGEST_MM = 65535
 Image = Sequence[Sequence[int]]  # rows of grey values
@@ -26,12 +26,12 @@ class Node(NamedTuple):
 Table = Sequence[Sequence[Node]]  # rows of nodes
 
 
-def depth_table(focal_baseline: int, offset: int = 0) -> list[int]:
+def depth_table(system: System, focal_baseline: int, offset: int = 0) -> list[int]:
     """As examples/camera_system/README.md says. `focal_baseline`: in sixteenths of pixels times millimetres; `offset`:
     in sixteenths of pixels."""
-    depths = []
-    for disparity in range(256):
-        parallax = 16 * disparity - offset
+    table, depths = depths_of(rows_of(system)[1]), []
+    for entry in range(table.entries):
+        parallax = (entry if table.subpixel else 16 * entry) - offset
         depth = (2 * focal_baseline + parallax) // (2 * parallax) if parallax > 0 else 0
         depths.append(depth if depth <= LARGEST_MM else 0)
     return depths

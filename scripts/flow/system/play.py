@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A camera_system in Verilator: tables and two cameras' streams in, frames of depths out."""
+"""A camera_system in Verilator or GHDL: tables and two cameras' streams in, frames of depths out."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 from ..base import builds, ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, run_with_progress
+from ..base.tools import ROOT, Word, find_ghdl, run, run_with_progress
 from ..cosim import simulators
 from .pipeline import Image, Table
 from .template import System, vhdl_files
 
-BENCH = ROOT / "hls_tb" / "system" / "camera_bench.cpp"
+BENCHES = ROOT / "hls_tb" / "system"
 WORK = ROOT / "build" / "camera_system"
 WATCHDOG_SECONDS = 300
 NODE_PLACE, NODE_OFFSETS, DEPTH = 0x00, 0x04, 0x08
@@ -32,6 +32,7 @@ class Frame:
     error: bool = False  # as its last beat says
     start: int = 0  # clocks
     line_starts: list[int] = field(default_factory=list)
+    line_ends: list[int] = field(default_factory=list)
 
 
 @dataclass
@@ -63,15 +64,26 @@ def beats(image: Image) -> list[Beat]:
     ]
 
 
-class Verilated:
+class Simulation:
+    """A system, built once and played any number of times."""
+
+    bench = BENCHES / "camera_bench.cpp"
+
     def __init__(self, system: System, files: list[Path] | None = None) -> None:
         self.system, self.files = system, files or vhdl_files(system)
-        makers = [BENCH, *(Path(module) for module in (__file__, simulators.__file__, ghdl.__file__))]
-        tools = simulators.Verilator.tools()
-        self._built = builds.build_once(WORK / system.name, self.files, makers, tools, self._build)
+        makers = [self.bench, *(Path(module) for module in (__file__, simulators.__file__, ghdl.__file__))]
+        folder = WORK / type(self).__name__.lower() / system.name
+        self._built = builds.build_once(folder, self.files, makers, self._tools(), self._build)
+
+    @staticmethod
+    def _tools() -> dict[str, str]:
+        raise NotImplementedError
 
     def _build(self, work: Path, files: list[Path]) -> None:
-        simulators.verilate(work, files, self.system.entity, [BENCH])
+        raise NotImplementedError
+
+    def _command(self, stream: Path, observed: Path) -> list[Word]:
+        raise NotImplementedError
 
     def play(
         self,
@@ -84,14 +96,44 @@ class Verilated:
         """`sink`: how often it waits in percent, and the seed."""
         out.mkdir(parents=True, exist_ok=True)
         stream, observed = out / "stream.txt", out / "observed.txt"
-        lines = [f"t {address:x} {data:x}" for address, data in writes] + [f"s {sink[0]} {sink[1]}"]
-        lines += [f"l {b.gap} {b.pixel:x} {b.flags}" for b in left] + [
-            f"r {b.gap} {b.pixel:x} {b.flags}" for b in right
-        ]
+        observed.unlink(missing_ok=True)
+        lines = [f"t {address:02x} {data:08x}" for address, data in writes] + [f"s {sink[0]} {sink[1]}"]
+        lines += [f"l {b.gap} {b.pixel:02x} {b.flags}" for b in left]
+        lines += [f"r {b.gap} {b.pixel:02x} {b.flags}" for b in right]
         stream.write_text("\n".join(lines) + "\n")
-        command = [simulators.verilated_bench(self._built.folder), stream.resolve(), observed.resolve()]
-        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=out)
+        command = self._command(stream.resolve(), observed.resolve())
+        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=self._built.folder)
         return read(observed)
+
+
+class Verilated(Simulation):
+    @staticmethod
+    def _tools() -> dict[str, str]:
+        return simulators.Verilator.tools()
+
+    def _build(self, work: Path, files: list[Path]) -> None:
+        simulators.verilate(work, files, self.system.entity, [self.bench])
+
+    def _command(self, stream: Path, observed: Path) -> list[Word]:
+        return [simulators.verilated_bench(self._built.folder), stream, observed]
+
+
+class InGhdl(Simulation):
+    bench = BENCHES / "tb_camera_system.vhd"
+
+    @staticmethod
+    def _tools() -> dict[str, str]:
+        return simulators.Ghdl.tools()
+
+    def _build(self, work: Path, files: list[Path]) -> None:
+        copy = work / self.bench.name
+        copy.write_text(self.bench.read_text().replace("camera_system_NAME", self.system.entity))
+        ghdl.analyse([*files, copy], work)
+        run([find_ghdl(), "-e", ghdl.STANDARD, self.bench.stem], cwd=work, log=work / "elaborate.log")
+
+    def _command(self, stream: Path, observed: Path) -> list[Word]:
+        generics = ghdl.options_of({"stream_file": str(stream), "observed_file": str(observed)})
+        return [find_ghdl(), "-r", ghdl.STANDARD, self.bench.stem, *generics, "--ieee-asserts=disable-at-0"]
 
 
 def read(path: Path) -> Observation:
@@ -116,6 +158,8 @@ def read(path: Path) -> Observation:
             if new_line:
                 frame.line_starts.append(clock)
             new_line = bool(flags & 4)
+            if new_line:
+                frame.line_ends.append(clock)
             frame.words.append(data)
             frame.error = bool(flags & 2)
     return seen

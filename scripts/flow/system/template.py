@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple, cast
 
 from ..base import rtl
+from ..base.configurations import Parameters, option
 from ..base.errors import FlowError
 from ..base.tools import ROOT
 from ..shell import design
@@ -18,6 +19,7 @@ PARTS = ("camera_tables", "camera_depth")
 DEPTH_CLOCKS = 2  # of camera_depth
 DEPTH_BITS = 16
 SKEW_LINES = 8  # that either camera may be ahead
+CORE = "core"  # the matching core's instance
 
 
 class System(NamedTuple):
@@ -34,9 +36,32 @@ class System(NamedTuple):
         return FOLDER / f"{self.entity}.vhd"
 
 
+class Depths(NamedTuple):
+    """The table of camera_depth."""
+
+    subpixel: bool  # an entry for each sixteenth of a pixel
+    place_bits: int
+
+    @property
+    def entries(self) -> int:
+        return 1 << self.place_bits
+
+
+def depths_of(parameters: Parameters) -> Depths:
+    """What the disparities of a matching core need."""
+    subpixel = bool(option(parameters, "subpixel"))
+    largest = option(parameters, "min_disparity") + parameters["disparities"] - 1
+    # Subpixel adds half a pixel at most.
+    return Depths(subpixel, (16 * largest + 15 if subpixel else largest).bit_length())
+
+
 SYSTEMS = {
     system.name: system
-    for system in (System("tiny", "rectify_tiny", "tiny"), System("vga", "rectify_vga", "niitsuma_640"))
+    for system in (
+        System("tiny", "rectify_tiny", "tiny"),
+        System("tiny_checked", "rectify_tiny", "tiny_all"),
+        System("vga", "rectify_vga", "vga_64"),
+    )
 }
 _CAMERAS = tuple(
     (f"s_{side}_axis_{name}", direction, kind)
@@ -91,26 +116,25 @@ _SHELL_LITE, _TABLES_LITE = _lite("s_axil", 6, True), _lite("s_tables_axil", 5, 
 _SIGNALS = {
     "reset, core_reset, pair_tvalid, pair_tready, pair_tlast": "std_logic",
     "pair_tdata, node_column, node_row, node_x, node_y": "std_logic_vector(15 downto 0)",
-    "skew_lines, write_mm, depth_mm": "std_logic_vector(15 downto 0)",
+    "skew_lines, write_disparity, write_mm, depth_mm": "std_logic_vector(15 downto 0)",
     "pair_tuser, pixel_valid, depth_known": "std_logic_vector(0 downto 0)",
     "faults": "std_logic_vector(2 downto 0)",
     "left_pixel, right_pixel, rectified_left, rectified_right": "std_logic_vector(7 downto 0)",
-    "disparity, write_disparity": "std_logic_vector(7 downto 0)",
     "start_of_frame, valid, node_valid, node_right, rectified_start_of_frame, rectified_valid": "std_logic",
     "disparity_valid, disparity_start_of_frame, disparity_end_of_line": "std_logic",
     "depth_valid, depth_start_of_frame, depth_end_of_line": "std_logic",
 }
 
 
-def _check(system: System, stage: dict[str, int], core: dict[str, int]) -> None:
+def _check(system: System, stage: dict[str, int], core: dict[str, int], lowest: int) -> None:
     for key in ("width_px", "height_px", "pixels_per_clock"):
         if stage[key] != core[key]:
             raise FlowError(
                 f"{system.rectification} and {system.matching} differ in {key}: {stage[key]} and {core[key]}"
             )
     # A gap between frames passes through the rectification, which gives a pair for each pair.
-    if core["disparity_bits"] != 8:
-        raise FlowError(f"{system.matching} has subpixel, which camera_system does not take")
+    if lowest < 0:
+        raise FlowError(f"{system.matching} has disparities below 0, which camera_system does not take")
 
 
 def text(system: System) -> str:
@@ -118,7 +142,9 @@ def text(system: System) -> str:
     entry, before = (manifest.read(rtl.folder(name)) for name in (system.matching, system.rectification))
     core, parameters = design.generics(entry), cast(dict[str, int], before["parameters"])
     stage = {name: parameters[name] for name in rtl.STAGES["rectification"].generics}
-    _check(system, stage, core)
+    _check(system, stage, core, option(entry["parameters"], "min_disparity"))
+    table = depths_of(entry["parameters"])
+    signals = _SIGNALS | {"disparity": f"std_logic_vector({core['disparity_bits'] - 1} downto 0)"}
     shell: dict[str, int | str] = {
         **core,
         "disparity_bits": DEPTH_BITS,
@@ -173,6 +199,9 @@ def text(system: System) -> str:
     depth |= {name: name for name in results}
     depth |= {"depth_mm": "depth_mm", "depth_known": "depth_known"}
     depth |= {name: name for name in ("depth_valid", "depth_start_of_frame", "depth_end_of_line")}
+    sizes: dict[str, int | str] = {name: parameters[name] for name in ("table_columns", "table_rows")}
+    sizes |= {"depth_entries": table.entries, "subpixel": str(table.subpixel).lower()}
+    depth_sizes = {"place_bits": table.place_bits, "disparity_bits": core["disparity_bits"]}
     lines = [
         "-- SPDX-License-Identifier: Apache-2.0",
         f"-- Two cameras to depths: {system.rectification}, {system.matching}. Do not edit; made by",
@@ -189,7 +218,7 @@ def text(system: System) -> str:
         "end entity;",
         "",
         f"architecture rtl of {system.entity} is",
-        *(f"  signal {names} : {kind};" for names, kind in _SIGNALS.items()),
+        *(f"  signal {names} : {kind};" for names, kind in signals.items()),
         "begin",
         "  -- A soft reset leaves the tables as they are.",
         "  process (aclk)",
@@ -203,13 +232,13 @@ def text(system: System) -> str:
         "",
         instance("shell", "stereo_shell", shell, to_shell),
         "",
-        instance("tables", "camera_tables", {k: parameters[k] for k in ("table_columns", "table_rows")}, tables),
+        instance("tables", "camera_tables", sizes, tables),
         "",
         instance("rectification", rtl.entity(system.rectification), stage, rectification),
         "",
-        instance("core", rtl.core_entity(system.matching), core, matching),
+        instance(CORE, rtl.core_entity(system.matching), core, matching),
         "",
-        instance("depth", "camera_depth", {}, depth),
+        instance("depth", "camera_depth", depth_sizes, depth),
         "end architecture;",
         "",
     ]
@@ -221,8 +250,11 @@ def vhdl_files(system: System) -> list[Path]:
     return [
         *manifest.core_files(system.rectification),
         *manifest.core_files(system.matching)[1:],  # the memory cell stands there
-        *design.shell_files(),
-        *design.joiner_files(),
-        *(FOLDER / f"{name}.vhd" for name in PARTS),
-        system.path,
+        *own_files(system),
     ]
+
+
+def own_files(system: System) -> list[Path]:
+    """Without the generated cores."""
+    parts = [FOLDER / f"{name}.vhd" for name in PARTS]
+    return [*design.shell_files(), *design.joiner_files(), *parts, system.path]

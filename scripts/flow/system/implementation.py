@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Area and clock of a whole camera_system, by the tools that implement the cores."""
+
+from pathlib import Path
+
+from ..base import rtl
+from ..base.errors import EXIT_MISMATCH, FlowError
+from ..base.tools import find_ghdl
+from ..implementation import job, yosys
+from ..implementation.record import Result
+from ..implementation.targets import TARGETS
+from .template import CORE, System, vhdl_files
+
+TARGET = "ecp5"
+
+
+def design(system: System, seeds: list[int], router: str) -> job.Design:
+    """`bypasses` stay around the memories outside the matching core."""
+    family = rtl.folder(system.matching).parent.name
+    files: list[Path] = vhdl_files(system)
+    return job.Design(system.entity, files, seeds, router, yosys.memories_without_bypass(family, f"{CORE}."))
+
+
+def implement(system: System, seeds: list[int], router: str) -> dict[str, Result]:
+    """{target: result}; prints what it found."""
+    find_ghdl()
+    yosys.find_yosys()
+    with job.progress_bar() as bar:
+        result, lost = job.implement_target(design(system, seeds, router), TARGETS[TARGET], {}, bar)
+        text = "\n".join(job.area_and_clock(system.entity, TARGET, result))
+        bar.console.print(text, highlight=False, soft_wrap=True)
+    if lost:
+        raise FlowError(f"{system.entity}: a memory became flip-flops instead of RAM: {', '.join(lost)}", EXIT_MISMATCH)
+    return {TARGET: result}
