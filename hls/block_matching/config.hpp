@@ -62,7 +62,7 @@ struct Config : Image, Matching, Structure {
 
    /// Largest cost of one pair of pixels.
    constexpr int largest_pixel_cost() const {
-      const int largest_difference = prefilter == Prefilter::xsobel ? 2 * prefilter_cap : 255;
+      const int largest_difference = prefilter == Prefilter::xsobel ? 2 * prefilter_cap : largest_pixel();
       return cost == Cost::census ? census_width_px * census_height_px - 1
              : cost == Cost::ssd  ? largest_difference * largest_difference
                                   : largest_difference;
@@ -107,7 +107,9 @@ struct Config : Image, Matching, Structure {
 
    /// Bits of what is compared: of a grey value, a filtered pixel or a census transform.
    constexpr int feature_bits() const {
-      return cost == Cost::census ? census_width_px * census_height_px - 1 : prefilter == Prefilter::xsobel ? 7 : 8;
+      return cost == Cost::census             ? census_width_px * census_height_px - 1
+             : prefilter == Prefilter::xsobel ? pixel_bits - 1
+                                              : pixel_bits;
    }
    constexpr bool remembers_signs() const {
       return sign_memory && cost == Cost::sad && aggregation == Aggregation::direct;
@@ -160,7 +162,9 @@ struct Config : Image, Matching, Structure {
       if (run_time_settings && !holds_settings())
          return "with run-time settings the image must be higher, for a frame's first disparity to leave before the "
                 "next one";
-      if (largest_window_cost() >= 1 << 26) return "window costs must stay below 2^26";
+      if (run_time_settings && has_texture_check() && int64_t(prefilter_cap) * window_px * window_px >= 1 << 16)
+         return "with run-time settings prefilter_cap * window_px^2 must stay below 2^16";
+      if (int64_t(largest_column_cost()) * window_px >= 1 << 26) return "window costs must stay below 2^26";
       if (has_uniqueness_check() && largest_window_cost() >= 1 << 24)
          return "with a uniqueness check window costs must stay below 2^24";
       return {};

@@ -87,6 +87,8 @@ STEREO_ROW(study_cost1, study, study, cost_clocks = 1);
 STEREO_ROW(study_group4, study, study, winner_group = 4);
 STEREO_ROW(study_slice4, study, study, slice_disparities = 4);
 STEREO_ROW(study_slice16, study, study, slice_disparities = 16);
+STEREO_ROW(study_10bit, study, study, pixel_bits = 10);
+STEREO_ROW(study_12bit, study, study, pixel_bits = 12);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
 STEREO_ROW(tiny_signs, option, tiny, sign_memory = true);
@@ -164,6 +166,11 @@ STEREO_ROW(tiny_full, option, tiny, full_width = true);
 STEREO_ROW(tiny_full_p2, option, tiny, pixels_per_clock = 2, window_px = 4, reference = Reference::left,
            min_disparity = 2, left_right_threshold = 1, full_width = true);
 STEREO_ROW(tiny_full_all, option, tiny_all, min_disparity = -3, full_width = true);
+STEREO_ROW(tiny_10bit, option, tiny, pixel_bits = 10);
+STEREO_ROW(tiny_12bit_all, option, tiny, pixel_bits = 12, window_px = 5, reference = Reference::left,
+           prefilter = Prefilter::xsobel, prefilter_cap = 500, ties = Ties::largest, left_right_threshold = 1,
+           uniqueness_percent = 10, texture_threshold = 2000, subpixel = true, median = true,
+           aggregation = Aggregation::recursive);
 STEREO_ROW(tiny_settings, option, tiny_unique, left_right_threshold = 2, run_time_settings = true);
 STEREO_ROW(tiny_settings_all, option, tiny_all, run_time_settings = true);
 STEREO_ROW(tiny_settings_left_p2, option, tiny_all_left_p2, height_px = 16, run_time_settings = true);

@@ -9,6 +9,7 @@
 #include "frontend/raster.hpp"
 #include "frontend/transform.hpp"
 #include "support/optional_block.hpp"
+#include "support/pixel_bits.hpp"
 #include "support/schedule.hpp"
 #include "support/settings.hpp"
 #include "winner/left_right_check.hpp"
@@ -117,7 +118,7 @@ struct Core {
    HLS_INLINE StereoOutput output() const { return shown(map()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
-   HLS_INLINE void clock(const StereoInput& in) {
+   HLS_INLINE void clock(const CoreInput<C>& in) {
       if constexpr (kHasMapBlock) map_block.clock(checked());
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(slices.last(), texture, settings);
@@ -135,7 +136,7 @@ struct Core {
 
    /// The same where the configuration has run-time settings. `now`: what the ports show; it counts in the clock of a
    /// start of frame.
-   HLS_INLINE void clock(const StereoInput& in, const Settings& now) {
+   HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
       clock(in);
       settings.clock(in, now);
    }

@@ -11,12 +11,13 @@ struct Matching {
    int disparities = 64;   ///< disparity range D: 0 <= d < D, 1 ... 256 and below the image width
    int window_px = 3;      ///< side B of the square matching window, 1 or more, odd or even
    int min_disparity = 0;  ///< m: disparity d stands for m + d pixels
+   int pixel_bits = 8;     ///< grey values are 0 ... 2^pixel_bits - 1; 8, 10 or 12
    Reference reference = Reference::right;
    Cost cost = Cost::sad;
    int census_width_px = 5;   ///< 3 ... 9, odd
    int census_height_px = 5;  ///< 3 ... 7, odd
    Prefilter prefilter = Prefilter::none;
-   int prefilter_cap = 31;  ///< 1 ... 63; filtered pixels are 0 ... 2*cap
+   int prefilter_cap = 31;  ///< 1 ... 63 * 2^(pixel_bits - 8); filtered pixels are 0 ... 2*cap
    Ties ties = Ties::smallest;
    int left_right_threshold = -1;  ///< largest difference of a consistent pair of disparities, below D; -1: no check
    int uniqueness_percent = 0;     ///< 0 ... 100; 0: no check
@@ -42,12 +43,13 @@ struct Matching {
       visit("disparities", self.disparities, 1, 256, "the disparity range");
       visit("window_px", self.window_px, 1, kUnlimited, "the window side");
       visit("min_disparity", self.min_disparity, -kUnlimited - 1, kUnlimited, "the smallest disparity");
+      visit("pixel_bits", self.pixel_bits, 8, 12, "the number of bits of a pixel");
       visit("reference", self.reference);
       visit("cost", self.cost);
       visit("census_width_px", self.census_width_px, 3, 9, "the census window's width");
       visit("census_height_px", self.census_height_px, 3, 7, "the census window's height");
       visit("prefilter", self.prefilter);
-      visit("prefilter_cap", self.prefilter_cap, 1, 63, "the prefilter's cap");
+      visit("prefilter_cap", self.prefilter_cap, 1, self.largest_cap(), "the prefilter's cap");
       visit("ties", self.ties);
       visit("left_right_threshold", self.left_right_threshold, -1, self.disparities - 1, "the left/right threshold");
       visit("uniqueness_percent", self.uniqueness_percent, 0, 100, "the uniqueness in percent");
@@ -60,6 +62,10 @@ struct Matching {
    /// Why nothing can be matched with these options; empty when it can.
    constexpr Sentence problem() const {
       if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
+      if (pixel_bits % 2 != 0) {
+         Sentence sentence = "the number of bits of a pixel is ";
+         return sentence << pixel_bits << " but must be 8, 10 or 12";
+      }
       if (census_width_px % 2 == 0 || census_height_px % 2 == 0) {
          Sentence sentence = "the census window is ";
          return sentence << census_width_px << "x" << census_height_px << " but both sides must be odd";
@@ -70,7 +76,11 @@ struct Matching {
       return {};
    }
 
+   constexpr int largest_pixel() const { return (1 << pixel_bits) - 1; }
+
   private:
+   /// The same share of the range of grey values for each width.
+   constexpr int largest_cap() const { return pixel_bits < 8 || pixel_bits > 12 ? kUnlimited : 63 << (pixel_bits - 8); }
    /// Of a window; without the prefilter there is no check whose threshold could be too high.
    constexpr int largest_texture() const {
       if (prefilter == Prefilter::none || prefilter_cap < 1 || window_px < 1 ||

@@ -13,15 +13,16 @@ template <const auto& C>
 struct FeatureDistance<C, Cost::sad> {
    using First = int16_t;
    static HLS_INLINE First first(Feature<C> a, Feature<C> b) { return int16_t(a - b); }
-   static HLS_INLINE uint8_t second(First d) { return uint8_t((d ^ (d >> 15)) + uint8_t(d < 0)); }
+   static HLS_INLINE Feature<C> second(First d) { return Feature<C>((d ^ (d >> 15)) + uint8_t(d < 0)); }
 };
 
 template <const auto& C>
 struct FeatureDistance<C, Cost::ssd> {
    using First = int16_t;
+   using Square = uint_of_bits<16 * sizeof(Feature<C>)>;
    static HLS_INLINE First first(Feature<C> a, Feature<C> b) { return int16_t(a - b); }
    /// Of the signed difference: where there are multipliers, nothing stands before them.
-   static HLS_INLINE uint16_t second(First d) { return uint16_t(int32_t(d) * d); }
+   static HLS_INLINE Square second(First d) { return Square(int32_t(d) * d); }
 };
 
 /// The bits of the first step are counted in groups of three, one full adder each, in lanes of 2 bits.

@@ -31,12 +31,12 @@ struct SadCost {
    static constexpr int kPairs = (kTaps - 1) / 2;
    static constexpr int kKnown = C.remembers_signs() ? kTaps - kPixels : 0;  ///< taps whose signs are known
 
-   int16_t difference[kTaps][Count];      ///< search - reference, -255 ... 255; its magnitude where the sign is known
+   int16_t difference[kTaps][Count];      ///< search - reference; its magnitude where the sign is known
    bool newest_negative[kPixels][Count];  ///< of the newest taps, inside the frame or not
    PixelTag difference_tag;
    uint16_t pair[kPairs + 1][Count];  ///< |d| + |d| of taps 2j+1 and 2j+2, less 1 where `negative`
    bool negative[kPairs + 1][Count];
-   uint8_t single[kTaps][Count];  ///< |d|, less 1 where `single_negative`; only of the taps that stand alone
+   Feature<C> single[kTaps][Count];  ///< |d|, less 1 where `single_negative`; only of the taps that stand alone
    bool single_negative[kTaps][Count];
    PixelTag pair_tag;
    ColumnCost<C> column[kPixels][Count];  ///< 0 in the border columns
@@ -83,6 +83,8 @@ struct SadCost {
    }
 
   private:
+   using Sum = uint_of_bits<(sizeof(ColumnCost<C>) > 2 ? 32 : 16)>;
+
    struct NoSigns {
       static HLS_INLINE bool negative(int, int) { return false; }
    };
@@ -120,7 +122,7 @@ struct SadCost {
             const Feature<C> search = shift.search[t][i], reference = shift.reference[t];
             const int16_t d =
                 int16_t(select<Feature<C>>(turned, reference, search) - select<Feature<C>>(turned, search, reference));
-            difference[t][i] = t < kKnown ? int16_t(uint8_t(d)) : d;
+            difference[t][i] = t < kKnown ? int16_t(Feature<C>(d)) : d;
             if constexpr (C.remembers_signs())
                if (t >= kKnown) {
                   difference[t][i] = select<int16_t>((shift.tag.newest_inside >> (t - kKnown) & 1) != 0, d, 0);
@@ -131,12 +133,12 @@ struct SadCost {
       difference_tag = shift.tag;
    }
 
-   /// d, or its complement where it is negative: 0 ... 255.
-   static HLS_INLINE uint8_t folded(int16_t d) { return uint8_t(d ^ (d >> 15)); }
+   /// d, or its complement where it is negative.
+   static HLS_INLINE Feature<C> folded(int16_t d) { return Feature<C>(d ^ (d >> 15)); }
 
    HLS_INLINE bool is_negative(int t, int i) const { return t >= kKnown && difference[t][i] < 0; }
-   HLS_INLINE uint8_t without_carry(int t, int i) const {
-      return t < kKnown ? uint8_t(difference[t][i]) : folded(difference[t][i]);
+   HLS_INLINE Feature<C> without_carry(int t, int i) const {
+      return t < kKnown ? Feature<C>(difference[t][i]) : folded(difference[t][i]);
    }
 
    HLS_INLINE void add_pairs() {
@@ -152,7 +154,7 @@ struct SadCost {
          HLS_UNROLL
          for (int t = 0; t < kTaps; ++t) {
             const bool plus = is_negative(t, i);
-            single[t][i] = uint8_t(without_carry(t, i) + uint8_t(plus && !is_folded(t)));
+            single[t][i] = Feature<C>(without_carry(t, i) + uint8_t(plus && !is_folded(t)));
             single_negative[t][i] = plus && is_folded(t);
          }
       }
@@ -164,14 +166,13 @@ struct SadCost {
       for (int p = 0; p < kPixels; ++p) {
          HLS_UNROLL
          for (int i = 0; i < Count; ++i) {
-            uint16_t sum = 0;
+            Sum sum = 0;
             HLS_UNROLL
-            for (int j = p / 2; j < p / 2 + pairs_of(p); ++j)
-               sum = uint16_t(sum + pair[j][i] + uint16_t(negative[j][i]));
-            if (starts_single(p)) sum = uint16_t(sum + single[p][i] + uint16_t(single_negative[p][i]));
+            for (int j = p / 2; j < p / 2 + pairs_of(p); ++j) sum = Sum(sum + pair[j][i] + uint16_t(negative[j][i]));
+            if (starts_single(p)) sum = Sum(sum + single[p][i] + uint16_t(single_negative[p][i]));
             if (ends_single(p)) {
                const int last = p + C.window_px - 1;
-               sum = uint16_t(sum + single[last][i] + uint16_t(single_negative[last][i]));
+               sum = Sum(sum + single[last][i] + uint16_t(single_negative[last][i]));
             }
             column[p][i] = select<ColumnCost<C>>(pair_tag.border_column, 0, ColumnCost<C>(sum));
          }

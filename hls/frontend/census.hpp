@@ -13,7 +13,7 @@ struct Census {
    static constexpr int kRows = kPixels + 2 * C.transform_rows();
    static constexpr int kColumns = C.census_width_px;
 
-   uint8_t column[kColumns][kRows];  ///< [age][row]; 0 outside the image
+   Pixel<C> column[kColumns][kRows];  ///< [age][row]; 0 outside the image
    Feature<C> feature[kPixels];
 
    HLS_INLINE Census() { start(*this); }
@@ -25,7 +25,7 @@ struct Census {
    }
 
    template <class Inside>
-   HLS_INLINE void clock(bool move, const uint8_t (&pixel)[kRows], const bool (&row_inside)[kRows],
+   HLS_INLINE void clock(bool move, const Pixel<C> (&pixel)[kRows], const bool (&row_inside)[kRows],
                          const Inside& column_inside) {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) feature[p] = transform(p, column_inside);
@@ -33,15 +33,15 @@ struct Census {
       for (int row = 0; row < kRows; ++row) {
          HLS_UNROLL
          for (int age = kColumns - 1; age > 0; --age)
-            column[age][row] = select<uint8_t>(move, column[age - 1][row], column[age][row]);
-         column[0][row] = select<uint8_t>(move, select<uint8_t>(row_inside[row], pixel[row], 0), column[0][row]);
+            column[age][row] = select<Pixel<C>>(move, column[age - 1][row], column[age][row]);
+         column[0][row] = select<Pixel<C>>(move, select<Pixel<C>>(row_inside[row], pixel[row], 0), column[0][row]);
       }
    }
 
   private:
    template <class Inside>
    HLS_INLINE Feature<C> transform(int p, const Inside& column_inside) const {
-      const uint8_t centre = column[kColumns / 2][p + C.transform_rows()];
+      const Pixel<C> centre = column[kColumns / 2][p + C.transform_rows()];
       Feature<C> bits = 0;
       int bit = 0;
       HLS_UNROLL

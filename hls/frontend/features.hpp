@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/matching_options.hpp"
-#include "support/ports.hpp"
+#include "support/pixel_bits.hpp"
 #include "support/registers.hpp"
 
 namespace stereo {
@@ -33,7 +33,7 @@ struct FeatureGroup {
 
 /// The group of a core that compares grey values.
 template <const auto& C>
-HLS_INLINE FeatureGroup<C> grey_values(const StereoInput& in) {
+HLS_INLINE FeatureGroup<C> grey_values(const CoreInput<C>& in) {
    FeatureGroup<C> group;
    HLS_UNROLL
    for (int p = 0; p < C.pixels_per_clock; ++p) {

@@ -10,8 +10,8 @@
 namespace stereo {
 
 /// Replaces the pixels of both images by what is compared: filtered pixels (7 clocks) or census transforms (6 clocks).
-/// The groups come out transform_groups() rows and transform_columns() columns later. Memory: two times W x 8 x kStored
-/// bits.
+/// The groups come out transform_groups() rows and transform_columns() columns later. Memory: two times W x pixel bits
+/// x kStored.
 template <const auto& C>
 struct Transform {
    static constexpr int kPixels = C.pixels_per_clock;
@@ -19,7 +19,7 @@ struct Transform {
    static constexpr int kColumns = C.transform_columns();
    static constexpr int kRows = kPixels + 2 * kAround;
    static constexpr int kStored = C.transform_groups() * kPixels + kAround;
-   using Rows = RowBuffer<8, kPixels, kStored, C.width_px>;
+   using Rows = RowBuffer<kPixelBits<C>, kPixels, kStored, C.width_px>;
    using Filter = std::conditional_t<C.cost == Cost::census, Census<C>, XSobel<C>>;
    using Counter = RasterCounter<C.width_px, C.row_groups(), C.transform_groups(), true>;
    /// Input 1, row buffers 2, whole columns 1, filter.
@@ -46,13 +46,13 @@ struct Transform {
       }
    };
 
-   uint8_t left[kPixels], right[kPixels];  // clock 1
+   Pixel<C> left[kPixels], right[kPixels];  // clock 1
    bool valid;
    Counter counter;
    Rows left_rows, right_rows;  // clocks 2 and 3
    Place read, ready;
    uint16_t write_column;
-   uint8_t left_column[kRows], right_column[kRows];  // clock 4
+   Pixel<C> left_column[kRows], right_column[kRows];  // clock 4
    Place columns;
    Filter left_filter, right_filter;  // from clock 5 on
    Place filtering[Filter::kClocks];  ///< [j]: beside what the filters make in their clock j
@@ -96,7 +96,7 @@ struct Transform {
       return out;
    }
 
-   HLS_INLINE void clock(const StereoInput& in) {
+   HLS_INLINE void clock(const CoreInput<C>& in) {
       HLS_UNROLL
       for (int j = Filter::kClocks - 1; j > 0; --j) copy(filtering[j], filtering[j - 1]);
       left_filter.clock(columns.valid, left_column, columns.row_inside, filtering[0].column_inside);

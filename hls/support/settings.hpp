@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "support/ports.hpp"
+#include "support/pixel_bits.hpp"
 #include "support/registers.hpp"
 
 namespace stereo {
@@ -69,7 +69,7 @@ struct FrameSettings {
       visit("left_right_threshold", left_right_threshold, C.has_left_right_check() ? C.left_right_threshold : 0);
    }
 
-   HLS_INLINE void clock(const StereoInput& in, const CheckSettings& now) {
+   HLS_INLINE void clock(const CoreInput<C>& in, const CheckSettings& now) {
       const bool starts = in.valid & in.start_of_frame;
       texture_threshold = select<uint16_t>(starts, now.texture_threshold, texture_threshold);
       uniqueness_percent = select<uint8_t>(starts, now.uniqueness_percent, uniqueness_percent);

@@ -86,7 +86,7 @@ TEST_P(NamedCoreTest, EqualsTheReference) {
 
 /// Records and bubbles of one frame and of some records behind it; the clocks of the records.
 struct TimedFrame {
-   std::vector<StereoInput> clocks;
+   std::vector<WideInput> clocks;
    std::vector<uint64_t> clock_of_record;
 
    TimedFrame(const CoreShape& core, int records, int stall_percent) {
@@ -94,9 +94,9 @@ struct TimedFrame {
       StimulusWriter writer(image.pixels_per_clock, stall_percent, test_seed());
       writer.rows(random_pair(image.width_px, image.height_px, test_seed()), {0, image.height_px});
       writer.random_records(records);
-      std::vector<StereoInput> sent;
+      std::vector<WideInput> sent;
       int count = 0;
-      for (const StereoInput& in : writer.clocks) {
+      for (const WideInput& in : writer.clocks) {
          if (in.valid && count == records) break;
          if (in.valid) clock_of_record.push_back(sent.size());
          count += in.valid ? 1 : 0;

@@ -27,7 +27,10 @@ architecture original of stereo_core_NAME is
   signal running : std_logic := '0';
   signal valid_flag, start_flag, line_flag : std_logic_vector(0 downto 0);
   signal pixels_valid : std_logic_vector(7 downto 0);
+  signal left, right : std_logic_vector(PIXELS - 1 downto 0) := (others => '0');  -- as wide as a C++ type
 begin
+  left(left_pixel'length - 1 downto 0) <= left_pixel;
+  right(right_pixel'length - 1 downto 0) <= right_pixel;
   running <= '1' when rising_edge(clock);
   disparity_valid <= valid_flag(0);
   pixel_valid <= pixels_valid(pixel_valid'range);
@@ -37,7 +40,7 @@ begin
   core : entity bambu.stereo_core
     port map (
       clock => clock, reset => running, start_port => '1', done_port => open,
-      left_pixel => left_pixel, right_pixel => right_pixel,
+      left_pixel => left, right_pixel => right,
       start_of_frame(0) => start_of_frame, valid(0) => valid,
       -- settings
       disparity => disparity, pixel_valid => pixels_valid, disparity_valid => valid_flag,

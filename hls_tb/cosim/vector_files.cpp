@@ -16,7 +16,7 @@ std::string word_text(const Lane& lanes, int pixels, int lane_bits) {
    using Value = std::remove_cvref_t<decltype(lanes[0])>;
    const uint64_t word = lane_word<Value>(lanes, pixels, lane_bits);
    std::string text;
-   for (int bit = lane_bits * pixels - 4; bit >= 0; bit -= 4) text += kHexDigits[word >> bit & 15];
+   for (int bit = (lane_bits * pixels + 3) / 4 * 4 - 4; bit >= 0; bit -= 4) text += kHexDigits[word >> bit & 15];
    return text;
 }
 
@@ -33,17 +33,18 @@ void write_stimulus(std::ostream& out, const Stimulus& stimulus) {
    out << "stereo-hls stimulus 2 config=" << stimulus.config << " pixels=" << pixels
        << " clocks=" << stimulus.clocks.size();
    if (stimulus.ports.count > 0) out << " settings=" << stimulus.ports.count;
+   if (stimulus.pixel_bits != 8) out << " pixel_bits=" << stimulus.pixel_bits;
    out << '\n';
    std::string settings;
    for (const Setting& port : stimulus.ports) settings += ' ' + setting_text(uint32_t(port.start));
    auto change = stimulus.settings.begin();
    auto reset = stimulus.resets.begin();
    for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
-      const StereoInput& in = stimulus.clocks[clock];
+      const WideInput& in = stimulus.clocks[clock];
       const bool resets = reset != stimulus.resets.end() && *reset == clock;
       if (resets) ++reset;
-      out << int(in.valid) + 2 * int(in.start_of_frame) + 4 * int(resets) << ' ' << word_text(in.left, pixels, 8) << ' '
-          << word_text(in.right, pixels, 8);
+      out << int(in.valid) + 2 * int(in.start_of_frame) + 4 * int(resets) << ' '
+          << word_text(in.left, pixels, stimulus.pixel_bits) << ' ' << word_text(in.right, pixels, stimulus.pixel_bits);
       if (change != stimulus.settings.end() && change->clock == clock) {
          settings.clear();
          for (const uint32_t value : change++->values) settings += ' ' + setting_text(value);

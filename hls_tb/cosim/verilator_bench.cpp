@@ -17,9 +17,9 @@ namespace {
 constexpr long kProgressClocks = 1000;
 
 /// The next line of the stimulus.
-bool read_fields(std::FILE* stimulus, unsigned (&fields)[kFields]) {
-   for (unsigned& field : fields)
-      if (std::fscanf(stimulus, "%x", &field) != 1) return false;
+bool read_fields(std::FILE* stimulus, unsigned long long (&fields)[kFields]) {
+   for (unsigned long long& field : fields)
+      if (std::fscanf(stimulus, "%llx", &field) != 1) return false;
    return true;
 }
 
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
    char line[256];
    if (!std::fgets(line, sizeof line, stimulus)) return 2;  // format line, checked before the simulation starts
    long clock = 0;
-   unsigned fields[kFields];
+   unsigned long long fields[kFields];
    while (read_fields(stimulus, fields)) {
       drive_inputs(model, fields);
       model.clock = 0;

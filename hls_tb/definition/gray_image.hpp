@@ -8,29 +8,45 @@
 
 namespace stereo {
 
-/// An 8-bit picture in raster order, row 0 first.
-struct GrayImage {
+/// A picture in raster order, row 0 first.
+template <class Pixel>
+struct RasterImage {
    int width = 0;
    int height = 0;
-   std::vector<uint8_t> pixels;
+   std::vector<Pixel> pixels;
 
-   GrayImage() = default;
-   GrayImage(int width_px, int height_px, uint8_t value = 0)
+   RasterImage() = default;
+   RasterImage(int width_px, int height_px, Pixel value = 0)
        : width(width_px), height(height_px), pixels(std::size_t(width_px) * std::size_t(height_px), value) {}
 
-   uint8_t& at(int x, int y) { return row(y)[x]; }
-   uint8_t at(int x, int y) const { return row(y)[x]; }
-   uint8_t* row(int y) { return pixels.data() + std::ptrdiff_t(y) * width; }
-   const uint8_t* row(int y) const { return pixels.data() + std::ptrdiff_t(y) * width; }
+   Pixel& at(int x, int y) { return row(y)[x]; }
+   Pixel at(int x, int y) const { return row(y)[x]; }
+   Pixel* row(int y) { return pixels.data() + std::ptrdiff_t(y) * width; }
+   const Pixel* row(int y) const { return pixels.data() + std::ptrdiff_t(y) * width; }
 
-   bool same_size(const GrayImage& other) const { return width == other.width && height == other.height; }
-   bool operator==(const GrayImage&) const = default;
+   bool same_size(const RasterImage& other) const { return width == other.width && height == other.height; }
+   bool operator==(const RasterImage&) const = default;
 };
+
+/// Grey values of 8 bits; masks, too.
+using GrayImage = RasterImage<uint8_t>;
+/// Grey values of more bits.
+using DeepImage = RasterImage<uint16_t>;
 
 /// A rectified pair.
-struct ImagePair {
-   GrayImage left, right;
+template <class Pixel>
+struct PairOf {
+   RasterImage<Pixel> left, right;
 };
+using ImagePair = PairOf<uint8_t>;
+using DeepPair = PairOf<uint16_t>;
+
+/// The same grey values.
+inline DeepImage widened(const GrayImage& image) {
+   DeepImage wide(image.width, image.height);
+   wide.pixels.assign(image.pixels.begin(), image.pixels.end());
+   return wide;
+}
 
 /// As sentences show a size: "320x240".
 inline std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }

@@ -14,7 +14,8 @@ void mirror_rows(std::vector<Pixel>& pixels, int width) {
    for (auto row = pixels.begin(); row != pixels.end(); row += width) std::reverse(row, row + width);
 }
 
-inline GrayImage mirrored(GrayImage image) {
+template <class Pixel>
+RasterImage<Pixel> mirrored(RasterImage<Pixel> image) {
    mirror_rows(image.pixels, image.width);
    return image;
 }
@@ -26,6 +27,9 @@ inline DisparityMap mirrored(DisparityMap map) {
 }
 
 /// The pair whose right image is the mirrored left one.
-inline ImagePair mirrored(const ImagePair& pair) { return {mirrored(pair.right), mirrored(pair.left)}; }
+template <class Pixel>
+PairOf<Pixel> mirrored(const PairOf<Pixel>& pair) {
+   return {mirrored(pair.right), mirrored(pair.left)};
+}
 
 }  // namespace stereo

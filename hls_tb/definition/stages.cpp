@@ -8,7 +8,10 @@
 namespace stereo {
 namespace {
 
-bool inside(const GrayImage& image, int x, int y) { return x >= 0 && x < image.width && y >= 0 && y < image.height; }
+template <class Pixel>
+bool inside(const RasterImage<Pixel>& image, int x, int y) {
+   return x >= 0 && x < image.width && y >= 0 && y < image.height;
+}
 
 /// S of one pixel, for all d.
 int smallest_sum(const CostVolume& sums, int x, int y) {
@@ -17,24 +20,24 @@ int smallest_sum(const CostVolume& sums, int x, int y) {
    return smallest;
 }
 
-}  // namespace
-
-GrayImage prefiltered(const GrayImage& image, int cap) {
+template <class Pixel>
+RasterImage<Pixel> filtered_pixels(const RasterImage<Pixel>& image, int cap) {
    const auto slope = [&](int x, int y) {
       if (y < 0) y = std::min(1, image.height - 1);
       if (y >= image.height) y = std::max(image.height - 2, 0);
       return int(image.at(x + 1, y)) - int(image.at(x - 1, y));
    };
-   GrayImage filtered(image.width, image.height, uint8_t(cap));
+   RasterImage<Pixel> filtered(image.width, image.height, Pixel(cap));
    for (int y = 0; y < image.height; ++y)
       for (int x = 1; x < image.width - 1; ++x) {
          const int value = slope(x, y - 1) + 2 * slope(x, y) + slope(x, y + 1);
-         filtered.at(x, y) = uint8_t(std::clamp(value, -cap, cap) + cap);
+         filtered.at(x, y) = Pixel(std::clamp(value, -cap, cap) + cap);
       }
    return filtered;
 }
 
-CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px) {
+template <class Pixel>
+CensusImage transforms(const RasterImage<Pixel>& image, int census_width_px, int census_height_px) {
    CensusImage census{image.width, image.height, {}};
    for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
@@ -50,6 +53,18 @@ CensusImage census_transform(const GrayImage& image, int census_width_px, int ce
          census.bits.push_back(bits);
       }
    return census;
+}
+
+}  // namespace
+
+GrayImage prefiltered(const GrayImage& image, int cap) { return filtered_pixels(image, cap); }
+DeepImage prefiltered(const DeepImage& image, int cap) { return filtered_pixels(image, cap); }
+
+CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px) {
+   return transforms(image, census_width_px, census_height_px);
+}
+CensusImage census_transform(const DeepImage& image, int census_width_px, int census_height_px) {
+   return transforms(image, census_width_px, census_height_px);
 }
 
 CostVolume column_sums(const CostVolume& costs, int window_px) {

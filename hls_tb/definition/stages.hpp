@@ -53,9 +53,11 @@ struct CensusImage {
 
 /// 1. f(x,y) = 0 ... 2*cap. In an image of one row, that row stands above and below itself.
 GrayImage prefiltered(const GrayImage& image, int cap);
+DeepImage prefiltered(const DeepImage& image, int cap);
 
 /// 2. Pixels outside the image count as 0.
 CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px);
+CensusImage census_transform(const DeepImage& image, int census_width_px, int census_height_px);
 
 /// Sum of c over the rows y-B/2 ... y+(B-1)/2 of one column; rows outside the image count 0. Same size as c.
 CostVolume column_sums(const CostVolume& costs, int window_px);

@@ -28,6 +28,11 @@ class Algorithm {
    virtual DisparityMap match_fast(const GrayImage& left, const GrayImage& right, int threads) const = 0;
    /// The same map by the definition; slow.
    virtual DisparityMap match_reference(const GrayImage& left, const GrayImage& right) const = 0;
+   /// Of grey values: 8, or what the option pixel_bits says.
+   virtual int pixel_bits() const = 0;
+   // Both for grey values of up to pixel_bits() bits, where these are more than 8.
+   virtual DisparityMap match_fast(const DeepImage& left, const DeepImage& right, int threads) const = 0;
+   virtual DisparityMap match_reference(const DeepImage& left, const DeepImage& right) const = 0;
 };
 
 // The functions of a family's namespace, seen from where no member of the same name hides them.
@@ -40,16 +45,23 @@ template <class Matching>
 MapGeometry geometry(const Matching& matching, int image_width) {
    return map_geometry(matching, image_width);
 }
-template <class Matching>
-DisparityMap fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+template <class Image, class Matching>
+DisparityMap fast(const Image& left, const Image& right, const Matching& matching, int threads) {
    if constexpr (requires { match_fast(left, right, matching, threads); })
       return match_fast(left, right, matching, threads);
    else return match_fast(left, right, matching);
 }
-template <class Matching>
-DisparityMap reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+template <class Image, class Matching>
+DisparityMap reference(const Image& left, const Image& right, const Matching& matching) {
    return match_reference(left, right, matching);
 }
+/// Whether the family has models of pixels of more than 8 bits.
+template <class Matching>
+inline constexpr bool kIsDeep = requires(const Matching& matching, const DeepImage& image) {
+   match_fast(image, image, matching);
+   match_reference(image, image, matching);
+   matching.pixel_bits;
+};
 }  // namespace of_family
 
 /// Matching: the options of a family. Its namespace has describe, map_geometry, match_fast and match_reference.
@@ -73,8 +85,23 @@ class AlgorithmOf final : public Algorithm {
    DisparityMap match_reference(const GrayImage& left, const GrayImage& right) const override {
       return of_family::reference(left, right, matching_);
    }
+   int pixel_bits() const override {
+      if constexpr (of_family::kIsDeep<Matching>) return matching_.pixel_bits;
+      else return 8;
+   }
+   DisparityMap match_fast(const DeepImage& left, const DeepImage& right, int threads) const override {
+      if constexpr (of_family::kIsDeep<Matching>) return of_family::fast(left, right, matching_, threads);
+      else throw std::invalid_argument(kOnly8Bits);
+   }
+   DisparityMap match_reference(const DeepImage& left, const DeepImage& right) const override {
+      if constexpr (of_family::kIsDeep<Matching>) return of_family::reference(left, right, matching_);
+      else throw std::invalid_argument(kOnly8Bits);
+   }
 
   private:
+   static constexpr const char* kOnly8Bits =
+       "the images have more than 8 bits a pixel, which this family does not take";
+
    Matching matching_;
 };
 

@@ -58,7 +58,7 @@ class Checker {
    /// Frames one behind the other at exactly the gap, or at the gap that a flush leaves.
    void frames_in_a_row(int frames, int stall_percent, bool flushed) {
       StimulusWriter stream = writer(stall_percent);
-      std::vector<ImagePair> sent;
+      std::vector<DeepPair> sent;
       for (int i = 0; i < frames; ++i) {
          if (i > 0 && flushed) stream.random_records(std::max(schedule_.flush_groups, schedule_.gap_groups));
          else if (i > 0) stream.gap(schedule_);
@@ -82,7 +82,7 @@ class Checker {
       }
       const int sent = 1 + random_.below(image_.width_px * image_.row_groups() + schedule_.flush_groups);
       send_part(stream, sent);
-      const ImagePair last = random_pair();
+      const DeepPair last = random_pair();
       send(stream, last);
       stream.flush(schedule_);
       HeapMemories memories;
@@ -102,7 +102,7 @@ class Checker {
       const int sent = 1 + random_.below(image_.width_px * image_.row_groups() + schedule_.flush_groups);
       send_part(before, sent);
       run(before, memories);
-      const ImagePair pair = random_pair();
+      const DeepPair pair = random_pair();
       send(after, pair);
       after.flush(schedule_);
       compare({pair}, run(after, memories), "a frame behind a reset behind " + std::to_string(sent) + " records");
@@ -121,9 +121,9 @@ class Checker {
    static std::string stalls(int percent) { return percent == 0 ? "" : ", " + std::to_string(percent) + " % bubbles"; }
 
    StimulusWriter writer(int stall_percent) {
-      return StimulusWriter(image_.pixels_per_clock, stall_percent, random_.bits());
+      return StimulusWriter(image_.pixels_per_clock, stall_percent, random_.bits(), core_.shape.pixel_bits);
    }
-   void send(StimulusWriter& to, const ImagePair& pair) const { to.rows(pair, {0, image_.height_px}); }
+   void send(StimulusWriter& to, const DeepPair& pair) const { to.rows(pair, {0, image_.height_px}); }
    /// The first records of a frame, and records without start behind them.
    void send_part(StimulusWriter& to, int records) {
       StimulusWriter whole = writer(0);
@@ -156,16 +156,17 @@ class Checker {
    }
 
    /// Few grey levels, far apart or close together: ties, extremes, sums that differ by little.
-   ImagePair random_pair() {
-      const int levels = random_.percent(50) ? 2 + random_.below(6) : 256;
-      const int step = random_.percent(50) ? 255 / (levels - 1) : 1;
-      ImagePair pair{GrayImage(image_.width_px, image_.height_px), GrayImage(image_.width_px, image_.height_px)};
-      for (GrayImage* side : {&pair.left, &pair.right})
-         for (uint8_t& pixel : side->pixels) pixel = uint8_t(random_.below(levels) * step);
+   DeepPair random_pair() {
+      const int range = 1 << core_.shape.pixel_bits;
+      const int levels = random_.percent(50) ? 2 + random_.below(6) : range;
+      const int step = random_.percent(50) ? (range - 1) / (levels - 1) : 1;
+      DeepPair pair{DeepImage(image_.width_px, image_.height_px), DeepImage(image_.width_px, image_.height_px)};
+      for (DeepImage* side : {&pair.left, &pair.right})
+         for (uint16_t& pixel : side->pixels) pixel = uint16_t(random_.below(levels) * step);
       return pair;
    }
 
-   void compare(const std::vector<ImagePair>& sent, const std::vector<CoreOutput>& outputs, const std::string& what) {
+   void compare(const std::vector<DeepPair>& sent, const std::vector<CoreOutput>& outputs, const std::string& what) {
       std::vector<DisparityMap> got;
       try {
          got = collect_frames(outputs, core_.shape);
@@ -175,8 +176,7 @@ class Checker {
       if (got.size() != sent.size())
          throw Difference(what + ": " + std::to_string(got.size()) + " maps instead of " + std::to_string(sent.size()));
       for (std::size_t i = 0; i < sent.size(); ++i) {
-         const DisparityMap expected =
-             algorithm_of_frame(sent.size() - 1 - i)->match_reference(sent[i].left, sent[i].right);
+         const DisparityMap expected = reference_map(*algorithm_of_frame(sent.size() - 1 - i), sent[i]);
          for (int y = 0; y < expected.height; ++y)
             for (int x = 0; x < expected.width; ++x)
                if (expected.at(x, y) != got[i].at(x, y) || expected.valid_at(x, y) != got[i].valid_at(x, y))
@@ -186,12 +186,23 @@ class Checker {
          ++maps_;
       }
    }
+   /// Families of 8 bits only have no other images.
+   DisparityMap reference_map(const Algorithm& algorithm, const DeepPair& pair) const {
+      if (core_.shape.pixel_bits > 8) return algorithm.match_reference(pair.left, pair.right);
+      return algorithm.match_reference(narrowed(pair.left), narrowed(pair.right));
+   }
+   static GrayImage narrowed(const DeepImage& image) {
+      GrayImage narrow(image.width, image.height);
+      std::transform(image.pixels.begin(), image.pixels.end(), narrow.pixels.begin(),
+                     [](uint16_t pixel) { return uint8_t(pixel); });
+      return narrow;
+   }
    static std::string pixel(const DisparityMap& map, int x, int y) {
       return std::to_string(map.at(x, y)) + (map.valid_at(x, y) ? "" : " (invalid)");
    }
 
    /// Every output comes latency_clocks after the record that it waits for.
-   void compare_clocks(const std::vector<StereoInput>& clocks, const std::vector<CoreOutput>& outputs) const {
+   void compare_clocks(const std::vector<WideInput>& clocks, const std::vector<CoreOutput>& outputs) const {
       std::vector<uint64_t> clock_of_record;
       for (uint64_t clock = 0; clock < clocks.size(); ++clock)
          if (clocks[clock].valid) clock_of_record.push_back(clock);

@@ -96,4 +96,17 @@ Scene make_scene(const SceneOptions& options) {
    return scene;
 }
 
+DeepPair deepened(const ImagePair& pair, int pixel_bits, uint64_t seed) {
+   Random noise(seed ^ 0xdee9);
+   const int more = pixel_bits - 8;
+   const auto of = [&](const GrayImage& image) {
+      DeepImage deep(image.width, image.height);
+      std::transform(image.pixels.begin(), image.pixels.end(), deep.pixels.begin(),
+                     [&](uint8_t pixel) { return uint16_t((pixel << more) + noise.below(1 << more)); });
+      return deep;
+   };
+   DeepImage left = of(pair.left);
+   return {std::move(left), of(pair.right)};
+}
+
 }  // namespace stereo

@@ -31,4 +31,7 @@ struct Scene {
 /// options. Throws std::invalid_argument with one sentence on options out of range.
 Scene make_scene(const SceneOptions& options);
 
+/// The pair as cameras of more bits see it: 8 upper bits as they are, the others noise.
+DeepPair deepened(const ImagePair& pair, int pixel_bits, uint64_t seed);
+
 }  // namespace stereo

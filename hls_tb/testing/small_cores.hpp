@@ -17,14 +17,14 @@ struct SmallCore {
    block_matching::Config config;
    CoreShape shape;
    /// run_core. `stages`, unless null: what they showed, when the clocks hold one frame.
-   std::vector<CoreOutput> (*run)(const std::vector<StereoInput>& clocks, HeapMemories& memories, Stages* stages);
+   std::vector<CoreOutput> (*run)(const std::vector<WideInput>& clocks, HeapMemories& memories, Stages* stages);
 };
 
 /// AllSmallConfigs, and some with options together.
 const std::vector<SmallCore>& small_cores();
 
 template <const block_matching::Config& C>
-std::vector<CoreOutput> run_recorded(const std::vector<StereoInput>& clocks, HeapMemories& memories, Stages* stages) {
+std::vector<CoreOutput> run_recorded(const std::vector<WideInput>& clocks, HeapMemories& memories, Stages* stages) {
    using Core = block_matching::Core<C>;
    StageRecorder<C> recorder;
    const auto core = std::make_unique<ClockedCoreOf<Core>>(memories);

@@ -15,7 +15,8 @@ void require(bool condition, const std::string& sentence) {
    if (!condition) throw std::invalid_argument(sentence);
 }
 
-void check_pair(const GrayImage& left, const GrayImage& right) {
+template <class Pixel>
+void check_pair(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right) {
    require_same_size<std::invalid_argument>("left", left, "right", right);
    require(left.width > 0 && left.height > 0, "the images have no pixels");
 }
@@ -24,7 +25,8 @@ void check_pair(const GrayImage& left, const GrayImage& right) {
 
 int largest_pixel_cost(const Matching& matching) {
    if (matching.cost == Cost::census) return matching.census_width_px * matching.census_height_px - 1;
-   const int largest_difference = matching.prefilter == Prefilter::xsobel ? 2 * matching.prefilter_cap : 255;
+   const int largest_difference =
+       matching.prefilter == Prefilter::xsobel ? 2 * matching.prefilter_cap : (1 << matching.pixel_bits) - 1;
    return matching.cost == Cost::ssd ? largest_difference * largest_difference : largest_difference;
 }
 
@@ -67,7 +69,10 @@ std::string describe(const Matching& matching) {
           size_text(matching.window_px, matching.window_px);
 }
 
-void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+namespace {
+
+template <class Pixel>
+void check_input(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right, const Matching& matching) {
    check_pair(left, right);
    const Sentence problem = matching.problem();
    require(problem.empty(), problem.text);
@@ -85,6 +90,29 @@ void check_matching_input(const GrayImage& left, const GrayImage& right, const M
    require(window_pixels * largest_pixel_cost(matching) <= std::numeric_limits<int>::max(),
            "the window side is " + std::to_string(matching.window_px) +
                " but window costs must stay below 2^31; give a smaller window");
+}
+
+void check_range(const char* name, const DeepImage& image, int bits) {
+   for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+         if (image.at(x, y) >> bits == 0) continue;
+         throw std::invalid_argument("the " + std::string(name) + " image has the grey value " +
+                                     std::to_string(image.at(x, y)) + " at x=" + std::to_string(x) +
+                                     " y=" + std::to_string(y) + " but pixels of " + std::to_string(bits) +
+                                     " bits are at most " + std::to_string((1 << bits) - 1));
+      }
+}
+
+}  // namespace
+
+void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_input(left, right, matching);
+}
+
+void check_matching_input(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   check_input(left, right, matching);
+   check_range("left", left, matching.pixel_bits);
+   check_range("right", right, matching.pixel_bits);
 }
 
 }  // namespace stereo::block_matching

@@ -14,6 +14,7 @@ namespace stereo::block_matching {
 /// Throws std::invalid_argument with one sentence when the pair cannot be matched with these options. Images that pass
 /// have 2 cost columns or more, and window costs below 2^31.
 void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching);
+void check_matching_input(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
 // The window around (x,y) covers the rows y-rows_above() ... y+rows_below(), and as many columns.
 constexpr int rows_above(const Matching& matching) { return matching.window_px / 2; }

@@ -8,12 +8,14 @@
 #include "definition/mirror.hpp"
 
 namespace stereo::block_matching {
+namespace {
 
-CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+template <class Pixel>
+CostVolume costs_of(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right, const Matching& matching) {
    check_matching_input(left, right, matching);
    const bool filters = matching.prefilter == Prefilter::xsobel, is_census = matching.cost == Cost::census;
-   const GrayImage l = filters ? prefiltered(left, matching.prefilter_cap) : left;
-   const GrayImage r = filters ? prefiltered(right, matching.prefilter_cap) : right;
+   const RasterImage<Pixel> l = filters ? prefiltered(left, matching.prefilter_cap) : left;
+   const RasterImage<Pixel> r = filters ? prefiltered(right, matching.prefilter_cap) : right;
    const int census_width = matching.census_width_px, census_height = matching.census_height_px;
    const CensusImage left_bits = is_census ? census_transform(l, census_width, census_height) : CensusImage();
    const CensusImage right_bits = is_census ? census_transform(r, census_width, census_height) : CensusImage();
@@ -33,7 +35,8 @@ CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, const Matc
    return costs;
 }
 
-GrayImage texture_check(const GrayImage& filtered, const Matching& matching) {
+template <class Pixel>
+GrayImage has_texture(const RasterImage<Pixel>& filtered, const Matching& matching) {
    const int columns = cost_columns(filtered.width, matching), first = first_cost_column(matching);
    const int first_centre = matching.full_width ? rows_above(matching) : 0;
    GrayImage passes(map_width(filtered.width, matching), filtered.height);
@@ -51,14 +54,15 @@ GrayImage texture_check(const GrayImage& filtered, const Matching& matching) {
    return passes;
 }
 
-DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+template <class Pixel>
+DisparityMap match(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right, const Matching& matching) {
    check_matching_input(left, right, matching);
    if (matching.reference == Reference::left) {
       Matching of_mirror = matching;
       of_mirror.reference = Reference::right;
-      return mirrored(match_reference(mirrored(right), mirrored(left), of_mirror));
+      return mirrored(match(mirrored(right), mirrored(left), of_mirror));
    }
-   const CostVolume costs = pixel_costs(left, right, matching);
+   const CostVolume costs = costs_of(left, right, matching);
    const CostVolume sums = matching.full_width ? full_width_sums(all_window_sums(costs, matching.window_px),
                                                                  matching.window_px, matching.min_disparity)
                                                : window_sums(costs, matching.window_px);
@@ -69,8 +73,29 @@ DisparityMap match_reference(const GrayImage& left, const GrayImage& right, cons
       keep_passing(map, left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
    if (matching.has_uniqueness_check()) keep_passing(map, uniqueness_check(sums, best, matching.uniqueness_percent));
    if (matching.has_texture_check())
-      keep_passing(map, texture_check(prefiltered(right, matching.prefilter_cap), matching));
+      keep_passing(map, has_texture(prefiltered(right, matching.prefilter_cap), matching));
    return map;
+}
+
+}  // namespace
+
+CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   return costs_of(left, right, matching);
+}
+CostVolume pixel_costs(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   return costs_of(left, right, matching);
+}
+
+GrayImage texture_check(const GrayImage& filtered, const Matching& matching) { return has_texture(filtered, matching); }
+GrayImage texture_check(const DeepImage& filtered, const Matching& matching) { return has_texture(filtered, matching); }
+
+DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   // What the prefilter gives may need the bits that the pixels do not.
+   if (matching.pixel_bits > 8) return match(widened(left), widened(right), matching);
+   return match(left, right, matching);
+}
+DisparityMap match_reference(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   return match(left, right, matching);
 }
 
 }  // namespace stereo::block_matching

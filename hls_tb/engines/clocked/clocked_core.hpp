@@ -19,7 +19,7 @@ class ClockedCore {
    /// What the registers show in this clock.
    virtual StereoOutput output() const = 0;
    /// The clock edge.
-   virtual void clock(const StereoInput& in) = 0;
+   virtual void clock(const WideInput& in) = 0;
    /// What the ports of the settings show from now on, in the order of CoreShape::settings; until then, what the
    /// configuration says. Nothing where there are no such ports.
    virtual void set(const std::vector<uint32_t>& settings) = 0;
@@ -49,7 +49,7 @@ class ClockedCoreOf final : public ClockedCore {
    }
 
    StereoOutput output() const override { return core_.output(); }
-   void clock(const StereoInput& in) override {
+   void clock(const WideInput& in) override {
       if constexpr (kHasSettings) core_.clock(in, settings_);
       else core_.clock(in);
    }

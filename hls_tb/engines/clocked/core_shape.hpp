@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/image.hpp"
+#include "support/pixel_bits.hpp"
 #include "support/schedule.hpp"
 #include "support/settings.hpp"
 
@@ -15,6 +16,7 @@ struct CoreShape {
    int steps_per_pixel;  ///< of a disparity: 1, or 16 for sixteenths of a pixel
    Schedule schedule;
    SettingList settings;  ///< that its ports take; none where they are constants
+   int pixel_bits = 8;    ///< of a grey value
 };
 
 template <class Core>
@@ -26,7 +28,8 @@ constexpr CoreShape core_shape() {
            Core::kConfig.disparity_bits(),
            Core::kConfig.steps_per_pixel(),
            Core::kSchedule,
-           settings};
+           settings,
+           kPixelBits<Core::kConfig>};
 }
 
 }  // namespace stereo

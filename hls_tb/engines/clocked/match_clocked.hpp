@@ -10,5 +10,6 @@ namespace stereo {
 /// The map of one frame by the clocked core. Throws std::invalid_argument with one sentence when the images do not fit
 /// the configuration.
 DisparityMap match_clocked(const CoreModule& core, const ImagePair& pair);
+DisparityMap match_clocked(const CoreModule& core, const DeepPair& pair);
 
 }  // namespace stereo

@@ -55,12 +55,12 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& s
    std::vector<TraceSink::Value> values;
    const auto add = [&values](uint64_t word) { values.push_back({word, false}); };
    for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
-      const StereoInput& in = stimulus.clocks[clock];
+      const WideInput& in = stimulus.clocks[clock];
       if (change != stimulus.settings.end() && change->clock == clock) core->set(settings = change++->values);
       const StereoOutput output = core->output();
       values.clear();
-      add(lane_word<uint8_t>(in.left, pixels, 8));
-      add(lane_word<uint8_t>(in.right, pixels, 8));
+      add(lane_word<uint16_t>(in.left, pixels, module.shape.pixel_bits));
+      add(lane_word<uint16_t>(in.right, pixels, module.shape.pixel_bits));
       add(in.start_of_frame);
       add(in.valid);
       add(lane_word<uint16_t>(output.disparity, pixels, module.shape.disparity_bits));
@@ -88,7 +88,7 @@ Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, 
    constexpr int kStallPercent = 20;
    constexpr uint64_t kSeed = 1;
    const Image& image = shape.image;
-   StimulusWriter writer(image.pixels_per_clock, kStallPercent, kSeed);
+   StimulusWriter writer(image.pixels_per_clock, kStallPercent, kSeed, shape.pixel_bits);
    writer.bubbles(4);
    const auto records_of_a_frame = [&writer](int count) {
       writer.record({.left = {0x5a}, .right = {0xa5}, .start_of_frame = true, .valid = true});

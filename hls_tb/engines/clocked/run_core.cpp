@@ -3,13 +3,13 @@
 
 namespace stereo {
 
-std::vector<CoreOutput> run_core(const CoreModule& module, const std::vector<StereoInput>& clocks,
+std::vector<CoreOutput> run_core(const CoreModule& module, const std::vector<WideInput>& clocks,
                                  HeapMemories& memories) {
    const auto core = module.make(memories);
    return run_core(*core, module.shape.image.pixels_per_clock, clocks, [] {});
 }
 
-std::vector<CoreOutput> run_core(const CoreModule& module, const std::vector<StereoInput>& clocks) {
+std::vector<CoreOutput> run_core(const CoreModule& module, const std::vector<WideInput>& clocks) {
    HeapMemories memories;
    return run_core(module, clocks, memories);
 }

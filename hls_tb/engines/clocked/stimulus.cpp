@@ -13,16 +13,22 @@ int least_rows(const CoreShape& core) {
    return (core.schedule.groups_to_first_output + width - 1) / width * core.image.pixels_per_clock;
 }
 
-void check(const std::string& name, const CoreShape& core, const ImagePair& pair, const StimulusOptions& options,
+template <class Pixel>
+void check(const std::string& name, const CoreShape& core, const PairOf<Pixel>& pair, const StimulusOptions& options,
            RowRange rows) {
    const auto require = [](bool condition, const std::string& sentence) {
       if (!condition) throw std::invalid_argument(sentence);
    };
    const Image& config = core.image;
-   for (const GrayImage* image : {&pair.left, &pair.right})
+   for (const RasterImage<Pixel>* image : {&pair.left, &pair.right}) {
       require(image->width == config.width_px && image->height == config.height_px,
               "an image is " + size_text(*image) + " but configuration " + name + " takes " +
                   size_text(config.width_px, config.height_px));
+      const Pixel largest = *std::max_element(image->pixels.begin(), image->pixels.end());
+      require(largest >> core.pixel_bits == 0, "an image has the grey value " + std::to_string(largest) +
+                                                   " but configuration " + name + " takes pixels of " +
+                                                   std::to_string(core.pixel_bits) + " bits");
+   }
    require(options.frames >= 1, "the number of frames must be at least 1");
    require(options.stall_percent >= 0 && options.stall_percent <= 95, "the stall percentage must be 0 ... 95");
    const std::string range = "the row range " + std::to_string(rows.first) + ":" + std::to_string(rows.end);
@@ -60,15 +66,16 @@ std::vector<uint32_t> random_settings(const SettingList& ports, Random& random) 
    return values;
 }
 
-void StimulusWriter::record(const StereoInput& in) {
+void StimulusWriter::record(const WideInput& in) {
    while (random_.percent(stall_percent_)) bubbles(1);
    clocks.push_back(in);
 }
 
-void StimulusWriter::rows(const ImagePair& images, RowRange range, bool upside_down) {
+template <class Pixel>
+void StimulusWriter::rows(const PairOf<Pixel>& images, RowRange range, bool upside_down) {
    for (int group = range.first; group < range.end; group += pixels_per_clock_)
       for (int x = 0; x < images.left.width; ++x) {
-         StereoInput in{.start_of_frame = x == 0 && group == range.first, .valid = true};
+         WideInput in{.start_of_frame = x == 0 && group == range.first, .valid = true};
          for (int p = 0; p < pixels_per_clock_; ++p) {
             const int y = upside_down ? images.left.height - 1 - (group + p) : group + p;
             in.left[p] = images.left.at(x, y);
@@ -78,9 +85,12 @@ void StimulusWriter::rows(const ImagePair& images, RowRange range, bool upside_d
       }
 }
 
+template void StimulusWriter::rows(const ImagePair&, RowRange, bool);
+template void StimulusWriter::rows(const DeepPair&, RowRange, bool);
+
 void StimulusWriter::random_records(int count) {
    for (int i = 0; i < count; ++i) {
-      StereoInput in = garbage();
+      WideInput in = garbage();
       in.valid = true;
       record(in);
    }
@@ -89,7 +99,7 @@ void StimulusWriter::random_records(int count) {
 void StimulusWriter::reset(int count) {
    for (int i = 0; i < count; ++i) {
       resets.push_back(clocks.size());
-      StereoInput in = garbage();
+      WideInput in = garbage();
       in.valid = random_.percent(50);
       in.start_of_frame = random_.percent(50);
       clocks.push_back(in);
@@ -98,26 +108,30 @@ void StimulusWriter::reset(int count) {
 
 void StimulusWriter::bubbles(int count) {
    for (int i = 0; i < count; ++i) {
-      StereoInput in = garbage();
+      WideInput in = garbage();
       in.start_of_frame = random_.percent(50);
       clocks.push_back(in);
    }
 }
 
-StereoInput StimulusWriter::garbage() {
-   StereoInput in;
+WideInput StimulusWriter::garbage() {
+   const auto pixel = [this] { return uint16_t(random_.bits() & ((1u << pixel_bits_) - 1)); };
+   WideInput in;
    for (int p = 0; p < pixels_per_clock_; ++p) {
-      in.left[p] = random_.byte();
-      in.right[p] = random_.byte();
+      in.left[p] = pixel();
+      in.right[p] = pixel();
    }
    return in;
 }
 
-Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair,
-                       const StimulusOptions& options) {
+namespace {
+
+template <class Pixel>
+Stimulus whole_frames(const std::string& config_name, const CoreShape& core, const PairOf<Pixel>& pair,
+                      const StimulusOptions& options) {
    const RowRange rows = options.rows.value_or(RowRange{0, core.image.height_px});
    check(config_name, core, pair, options, rows);
-   StimulusWriter writer(core.image.pixels_per_clock, options.stall_percent, options.seed);
+   StimulusWriter writer(core.image.pixels_per_clock, options.stall_percent, options.seed, core.pixel_bits);
    for (int frame = 0; frame < options.frames; ++frame) {
       if (frame > 0) writer.gap(core.schedule);
       writer.rows(pair, rows, frame % 2 == 1);
@@ -125,17 +139,19 @@ Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, co
    if (rows.end - rows.first == core.image.height_px) writer.flush(core.schedule);
    writer.drain(core.schedule);
    Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks)};
+   stimulus.pixel_bits = core.pixel_bits;
    set_random_frames(stimulus, core.settings, options.seed);
    return stimulus;
 }
 
-Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair, int count,
-                              int stall_percent, uint64_t seed) {
+template <class Pixel>
+Stimulus broken_frames(const std::string& config_name, const CoreShape& core, const PairOf<Pixel>& pair, int count,
+                       int stall_percent, uint64_t seed) {
    const RowRange all{0, core.image.height_px};
    check(config_name, core, pair, {.stall_percent = stall_percent}, all);
    const int width = core.image.width_px, frame = width * core.image.row_groups();
    Random random(seed ^ 0x5eed);  // what happens; the writer's is for bubbles and garbage
-   StimulusWriter writer(core.image.pixels_per_clock, stall_percent, seed);
+   StimulusWriter writer(core.image.pixels_per_clock, stall_percent, seed, core.pixel_bits);
    const auto whole_frame = [&] { writer.rows(pair, all, random.percent(50)); };
    const auto part_of_a_frame = [&] {
       StimulusWriter whole(core.image.pixels_per_clock, 0, random.bits());
@@ -166,8 +182,29 @@ Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& c
    writer.flush(core.schedule);
    writer.drain(core.schedule);
    Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
+   stimulus.pixel_bits = core.pixel_bits;
    set_random_frames(stimulus, core.settings, seed);
    return stimulus;
+}
+
+}  // namespace
+
+Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair,
+                       const StimulusOptions& options) {
+   return whole_frames(config_name, core, pair, options);
+}
+Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair, int count,
+                              int stall_percent, uint64_t seed) {
+   return broken_frames(config_name, core, pair, count, stall_percent, seed);
+}
+
+Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, const DeepPair& pair,
+                       const StimulusOptions& options) {
+   return whole_frames(config_name, core, pair, options);
+}
+Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const DeepPair& pair, int count,
+                              int stall_percent, uint64_t seed) {
+   return broken_frames(config_name, core, pair, count, stall_percent, seed);
 }
 
 CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {

@@ -26,10 +26,11 @@ struct SettingsChange {
 struct Stimulus {
    std::string config;    ///< the configuration's name
    int pixels_per_clock;  ///< lanes in use, 1, 2 or 4; lane p holds row p of a group of rows
-   std::vector<StereoInput> clocks;
+   std::vector<WideInput> clocks;
    std::vector<uint64_t> resets = {};          ///< the clocks with reset, in ascending order
    SettingList ports = {};                     ///< of the settings; none where the core has no such ports
    std::vector<SettingsChange> settings = {};  ///< in ascending order; without any the ports show what the row says
+   int pixel_bits = 8;                         ///< of a grey value
 };
 
 /// A valid output of a core: one column of a group of rows.
@@ -70,14 +71,15 @@ struct StimulusOptions {
 /// Puts records and bubbles in a row. Bubbles and flush records carry garbage on the lanes in use, 0 on the others.
 class StimulusWriter {
   public:
-   StimulusWriter(int pixels_per_clock, int stall_percent, uint64_t seed)
-       : pixels_per_clock_(pixels_per_clock), stall_percent_(stall_percent), random_(seed) {}
+   StimulusWriter(int pixels_per_clock, int stall_percent, uint64_t seed, int pixel_bits = 8)
+       : pixels_per_clock_(pixels_per_clock), stall_percent_(stall_percent), random_(seed), pixel_bits_(pixel_bits) {}
 
    /// Random bubbles, then the record.
-   void record(const StereoInput& in);
+   void record(const WideInput& in);
    /// These rows of the images, a whole number of groups, as the top of a frame; upside down: row y is the y-th from
    /// below.
-   void rows(const ImagePair& images, RowRange range, bool upside_down = false);
+   template <class Pixel>
+   void rows(const PairOf<Pixel>& images, RowRange range, bool upside_down = false);
    void random_records(int count);
    void bubbles(int count);
    /// The random records that bring out the last rows of a frame.
@@ -89,20 +91,23 @@ class StimulusWriter {
    /// Clocks with reset and garbage.
    void reset(int count);
 
-   std::vector<StereoInput> clocks;
+   std::vector<WideInput> clocks;
    std::vector<uint64_t> resets;  ///< the clocks with reset
 
   private:
-   StereoInput garbage();
+   WideInput garbage();
 
    int pixels_per_clock_;
    int stall_percent_;
    Random random_;
+   int pixel_bits_;
 };
 
 /// Whole frames are followed by a flush, parts of frames by bubbles only: they lack the rows that end a frame.
 /// Throws std::invalid_argument with one sentence when the options or the images do not fit the configuration.
 Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair,
+                       const StimulusOptions& options = {});
+Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, const DeepPair& pair,
                        const StimulusOptions& options = {});
 
 /// What a stream does that no camera should do: records without a start of frame, frames broken off anywhere, most
@@ -110,6 +115,8 @@ Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, co
 /// any clock. `count` such events, then a whole frame; frames show the pair and the pair upside down. Throws
 /// std::invalid_argument with one sentence when the images do not fit the configuration.
 Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair, int count,
+                              int stall_percent, uint64_t seed);
+Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const DeepPair& pair, int count,
                               int stall_percent, uint64_t seed);
 
 /// Random settings within their limits.
@@ -122,7 +129,7 @@ void set_frames(Stimulus& stimulus, const SettingList& ports, Random& random, Ne
    stimulus.ports = ports;
    if (ports.count == 0) return;
    for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
-      const StereoInput& in = stimulus.clocks[clock];
+      const WideInput& in = stimulus.clocks[clock];
       const bool starts = in.valid && in.start_of_frame;
       const bool started = clock > 0 && stimulus.clocks[clock - 1].valid && stimulus.clocks[clock - 1].start_of_frame;
       if (starts) {

@@ -21,7 +21,7 @@ namespace {
 ImagePair pair_for(const Image& image) { return random_pair(image.width_px, image.height_px, test_seed()); }
 
 std::ptrdiff_t valid_clocks(const Stimulus& made) {
-   return std::ranges::count_if(made.clocks, [](const StereoInput& in) { return in.valid; });
+   return std::ranges::count_if(made.clocks, [](const WideInput& in) { return in.valid; });
 }
 
 class StimulusTest : public ::testing::TestWithParam<const char*> {
@@ -66,7 +66,7 @@ TEST_P(StimulusTest, RecordsAreColumnsOfNeighbouringRows) {
    for (int y = 0; y < C.height_px; ++y)
       for (int x = 0; x < C.width_px; ++x) {
          const int group = y / C.pixels_per_clock, lane = y % C.pixels_per_clock;
-         const StereoInput& in = made.clocks[std::size_t(group * C.width_px + x)];
+         const WideInput& in = made.clocks[std::size_t(group * C.width_px + x)];
          ASSERT_EQ(in.left[lane], pair.left.at(x, y)) << "x=" << x << " y=" << y;
          ASSERT_EQ(in.right[lane], pair.right.at(x, y)) << "x=" << x << " y=" << y;
       }
@@ -78,7 +78,7 @@ TEST_P(StimulusTest, GarbageIsOnTheLanesInUseOnly) {
    writer.random_records(200);
    for (const bool valid : {false, true})
       for (int p = 0; p < kMostPixels; ++p) {
-         const auto has_garbage = [&](const StereoInput& in) {
+         const auto has_garbage = [&](const WideInput& in) {
             return in.valid == valid && (in.left[p] != 0 || in.right[p] != 0);
          };
          EXPECT_EQ(std::ranges::any_of(writer.clocks, has_garbage), p < C.pixels_per_clock) << "lane " << p;
@@ -115,7 +115,7 @@ TEST_P(StimulusTest, RowsAreTheTopOfAFrame) {
    const Stimulus made = stimulus({.rows = RowRange{kFirst, kFirst + kHeight}, .stall_percent = 30});
    EXPECT_EQ(valid_clocks(made), records);
    EXPECT_FALSE(
-       std::ranges::any_of(made.clocks.end() - schedule().latency_clocks - 4, made.clocks.end(), &StereoInput::valid));
+       std::ranges::any_of(made.clocks.end() - schedule().latency_clocks - 4, made.clocks.end(), &WideInput::valid));
    ImagePair crop{GrayImage(C.width_px, kHeight), GrayImage(C.width_px, kHeight)};
    std::copy_n(pair.left.row(kFirst), crop.left.pixels.size(), crop.left.pixels.begin());
    std::copy_n(pair.right.row(kFirst), crop.right.pixels.size(), crop.right.pixels.begin());
@@ -177,7 +177,7 @@ TEST_P(StimulusTest, StallsAddBubblesWithGarbageAndChangeNothingElse) {
    const Stimulus full_speed = stimulus({}), stalled = stimulus({.stall_percent = 50});
    EXPECT_EQ(valid_clocks(full_speed), valid_clocks(stalled));
    EXPECT_GT(stalled.clocks.size(), full_speed.clocks.size() * 3 / 2);
-   const auto bubble_that_starts = [](const StereoInput& in) { return !in.valid && in.start_of_frame; };
+   const auto bubble_that_starts = [](const WideInput& in) { return !in.valid && in.start_of_frame; };
    EXPECT_TRUE(std::ranges::any_of(stalled.clocks, bubble_that_starts));
    const auto expected = maps(full_speed);
    const auto got = maps(stalled);

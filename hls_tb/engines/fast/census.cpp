@@ -10,8 +10,8 @@ namespace stereo::fast {
 namespace {
 
 /// Appends a bit to each transform of a row: is the other pixel larger?
-template <class Bits>
-STEREO_INTO_CLONES void append(Bits* __restrict bits, const uint8_t* __restrict centre, const uint8_t* __restrict other,
+template <class Bits, class Pixel>
+STEREO_INTO_CLONES void append(Bits* __restrict bits, const Pixel* __restrict centre, const Pixel* __restrict other,
                                int count) {
    for (int x = 0; x < count; ++x) {
       const Bits larger = Bits(other[x] > centre[x]);
@@ -20,6 +20,10 @@ STEREO_INTO_CLONES void append(Bits* __restrict bits, const uint8_t* __restrict 
 }
 STEREO_VECTOR_CLONES void append_bits(uint64_t* __restrict bits, const uint8_t* __restrict centre,
                                       const uint8_t* __restrict other, int count) {
+   append(bits, centre, other, count);
+}
+STEREO_VECTOR_CLONES void append_bits(uint64_t* __restrict bits, const uint16_t* __restrict centre,
+                                      const uint16_t* __restrict other, int count) {
    append(bits, centre, other, count);
 }
 STEREO_VECTOR_CLONES void append_bits(uint8_t* __restrict bits, const uint8_t* __restrict centre,
@@ -45,22 +49,31 @@ void for_each_other(int height, int census_width_px, int census_height_px, int t
 
 /// Appends the bits of one other pixel to a row of transforms. Beyond the image no pixel is larger than the centre: the
 /// bit stays 0.
-template <class Bits>
-void append_to_row(Bits* bits, const GrayImage& image, int y, int row, int dx) {
+template <class Bits, class Pixel>
+void append_to_row(Bits* bits, const RasterImage<Pixel>& image, int y, int row, int dx) {
    const int first = std::max(0, -dx), end = std::min(image.width, image.width - dx);
    for (int x = 0; x < std::min(first, image.width); ++x) bits[x] = Bits(bits[x] << 1);
    if (first < end) append_bits(bits + first, image.row(y) + first, image.row(row) + first + dx, end - first);
    for (int x = std::max(end, 0); x < image.width; ++x) bits[x] = Bits(bits[x] << 1);
 }
 
-}  // namespace
-
-std::vector<uint64_t> census(const GrayImage& image, int census_width_px, int census_height_px, int threads) {
+template <class Pixel>
+std::vector<uint64_t> transforms_of(const RasterImage<Pixel>& image, int census_width_px, int census_height_px,
+                                    int threads) {
    std::vector<uint64_t> transforms(image.pixels.size());
    for_each_other(image.height, census_width_px, census_height_px, threads, [&](int y, int row, int dx, int) {
       append_to_row(transforms.data() + std::ptrdiff_t(y) * image.width, image, y, row, dx);
    });
    return transforms;
+}
+
+}  // namespace
+
+std::vector<uint64_t> census(const GrayImage& image, int census_width_px, int census_height_px, int threads) {
+   return transforms_of(image, census_width_px, census_height_px, threads);
+}
+std::vector<uint64_t> census(const DeepImage& image, int census_width_px, int census_height_px, int threads) {
+   return transforms_of(image, census_width_px, census_height_px, threads);
 }
 
 std::vector<uint8_t> census_planes(const GrayImage& image, int census_width_px, int census_height_px, int threads) {

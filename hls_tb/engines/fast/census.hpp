@@ -10,6 +10,7 @@ namespace stereo::fast {
 
 /// The census transform of docs/algorithm.md, of each pixel in raster order. The window has odd sides, at most 9x7.
 std::vector<uint64_t> census(const GrayImage& image, int census_width_px, int census_height_px, int threads);
+std::vector<uint64_t> census(const DeepImage& image, int census_width_px, int census_height_px, int threads);
 
 /// The same transforms in planes of eight bits, [plane][y][x], for those who only count the bits in which two differ:
 /// bits stand in another order.

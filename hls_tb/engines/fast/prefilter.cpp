@@ -10,20 +10,29 @@ namespace stereo::fast {
 namespace {
 
 /// Columns 1 ... width-2 of a row; the rows beside it are above and below.
-STEREO_VECTOR_CLONES void filter_row(uint8_t* __restrict filtered, const uint8_t* __restrict above,
-                                     const uint8_t* __restrict row, const uint8_t* __restrict below, int width,
-                                     int cap) {
+template <class Pixel>
+STEREO_INTO_CLONES void filter(Pixel* __restrict filtered, const Pixel* __restrict above, const Pixel* __restrict row,
+                               const Pixel* __restrict below, int width, int cap) {
    for (int x = 1; x < width - 1; ++x) {
       const int16_t slope =
           int16_t(above[x + 1] - above[x - 1] + 2 * (row[x + 1] - row[x - 1]) + below[x + 1] - below[x - 1]);
-      filtered[x] = uint8_t(std::min(std::max(int(slope), -cap), cap) + cap);
+      filtered[x] = Pixel(std::min(std::max(int(slope), -cap), cap) + cap);
    }
 }
+STEREO_VECTOR_CLONES void filter_row(uint8_t* __restrict filtered, const uint8_t* __restrict above,
+                                     const uint8_t* __restrict row, const uint8_t* __restrict below, int width,
+                                     int cap) {
+   filter(filtered, above, row, below, width, cap);
+}
+STEREO_VECTOR_CLONES void filter_row(uint16_t* __restrict filtered, const uint16_t* __restrict above,
+                                     const uint16_t* __restrict row, const uint16_t* __restrict below, int width,
+                                     int cap) {
+   filter(filtered, above, row, below, width, cap);
+}
 
-}  // namespace
-
-GrayImage prefilter_xsobel(const GrayImage& image, int cap, int threads) {
-   GrayImage filtered(image.width, image.height, uint8_t(cap));
+template <class Pixel>
+RasterImage<Pixel> filtered_image(const RasterImage<Pixel>& image, int cap, int threads) {
+   RasterImage<Pixel> filtered(image.width, image.height, Pixel(cap));
    const int last = image.height - 1;
    for_each_band(image.height, threads, [&](int first, int end) {
       for (int y = first; y < end; ++y) {
@@ -33,5 +42,10 @@ GrayImage prefilter_xsobel(const GrayImage& image, int cap, int threads) {
    });
    return filtered;
 }
+
+}  // namespace
+
+GrayImage prefilter_xsobel(const GrayImage& image, int cap, int threads) { return filtered_image(image, cap, threads); }
+DeepImage prefilter_xsobel(const DeepImage& image, int cap, int threads) { return filtered_image(image, cap, threads); }
 
 }  // namespace stereo::fast

@@ -7,5 +7,6 @@ namespace stereo::fast {
 
 /// The prefilter of docs/algorithm.md; values 0 ... 2*cap.
 GrayImage prefilter_xsobel(const GrayImage& image, int cap, int threads);
+DeepImage prefilter_xsobel(const DeepImage& image, int cap, int threads);
 
 }  // namespace stereo::fast

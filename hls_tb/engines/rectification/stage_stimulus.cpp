@@ -130,7 +130,7 @@ void trace_stage(const Stage& stage, int clocks, std::ostream& out) {
    sink->names(names);
    std::vector<TraceSink::Value> values;
    const auto add = [&values](uint64_t word) { values.push_back({word, false}); };
-   for (const StereoInput& in : stream.clocks) {
+   for (const WideInput& in : stream.clocks) {
       const TableWrite node = nodes.percent(80) ? nodes.next() : nodes.none();
       const StereoInput shown = core->output();
       values.clear();

@@ -38,10 +38,9 @@ struct Arguments {
 };
 
 /// The pair at the size that is matched.
-ImagePair load_pair_to_match(const Arguments& arguments, const Configuration& configuration,
-                             const Algorithm& algorithm) {
+template <class Pair>
+Pair sized_pair(Pair pair, const Arguments& arguments, const Configuration& configuration, const Algorithm& algorithm) {
    const Image& wanted = configuration.shape.image;
-   ImagePair pair = load_pair(arguments.left, arguments.right);
    if (arguments.engine == Engine::clocked || arguments.fit != Fit::none)
       pair = fit_pair(std::move(pair), wanted.width_px, wanted.height_px, arguments.fit);
    else if (pair.left.width != wanted.width_px || pair.left.height != wanted.height_px)
@@ -132,20 +131,17 @@ void add_truth(Facts& facts, const Arguments& arguments, const TruthScore& truth
    facts.text << '\n' << line_of(bad_remark(arguments.config, truth.bad, truth.compared));
 }
 
-void match(const Arguments& arguments) {
-   const Configuration& configuration = require_configuration(arguments.config);
-   require_settable(arguments.engine, arguments.settings);
-   const auto set_algorithm = named_algorithm(arguments.config, arguments.settings);
-   const Algorithm& algorithm = *set_algorithm;
-   const ImagePair pair = load_pair_to_match(arguments, configuration, algorithm);
+template <class Pair>
+void match_pair(const Arguments& arguments, const Algorithm& algorithm, const Pair& matched) {
+   const ImagePair& pair = shown_pair(matched, algorithm.pixel_bits());
    std::cout << rectification_warning(pair);
    double milliseconds = 0;
    const MapGeometry geometry = algorithm.map_geometry(pair.left.width);
-   const auto match_once = [&](const ImagePair& images) {
+   const auto match_once = [&](const Pair& images) {
       return match_named(arguments.config, images, algorithm, arguments.threads, arguments.engine);
    };
    const auto [map, confidence] =
-       timed(milliseconds, [&] { return match_and_process(match_once, pair, geometry, arguments.postprocessing); });
+       timed(milliseconds, [&] { return match_and_process(match_once, matched, geometry, arguments.postprocessing); });
 
    Facts facts;
    add_matching(facts, arguments, map, algorithm, pair, milliseconds);
@@ -167,6 +163,18 @@ void match(const Arguments& arguments) {
    out.add_json("match.json", facts.json);
    std::cout << facts.text.str();
    out.commit();
+}
+
+void match(const Arguments& arguments) {
+   const Configuration& configuration = require_configuration(arguments.config);
+   require_settable(arguments.engine, arguments.settings);
+   const auto algorithm = named_algorithm(arguments.config, arguments.settings);
+   const auto match_loaded = [&](auto pair) {
+      match_pair(arguments, *algorithm, sized_pair(std::move(pair), arguments, configuration, *algorithm));
+   };
+   if (const int bits = algorithm->pixel_bits(); bits > 8)
+      match_loaded(load_deep_pair(arguments.left, arguments.right, bits));
+   else match_loaded(load_pair(arguments.left, arguments.right));
 }
 
 }  // namespace

@@ -32,14 +32,29 @@ void require_settable(Engine engine, const std::vector<std::string>& settings) {
                        ": a clocked core has its options built in; leave --set out, or take --engine fast");
 }
 
-DisparityMap match_named(const std::string& config, const ImagePair& pair, const Algorithm& algorithm, int threads,
-                         Engine engine) {
+namespace {
+
+template <class Pair>
+DisparityMap match(const std::string& config, const Pair& pair, const Algorithm& algorithm, int threads,
+                   Engine engine) {
    try {
       if (engine == Engine::clocked) return match_clocked(core_module(config), pair);
       return algorithm.match_fast(pair.left, pair.right, threads);
    } catch (const std::invalid_argument& problem) {
       throw InputError("--config " + config + ": " + problem.what());
    }
+}
+
+}  // namespace
+
+DisparityMap match_named(const std::string& config, const ImagePair& pair, const Algorithm& algorithm, int threads,
+                         Engine engine) {
+   return match(config, pair, algorithm, threads, engine);
+}
+
+DisparityMap match_named(const std::string& config, const DeepPair& pair, const Algorithm& algorithm, int threads,
+                         Engine engine) {
+   return match(config, pair, algorithm, threads, engine);
 }
 
 }  // namespace stereo::app

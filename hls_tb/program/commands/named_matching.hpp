@@ -29,5 +29,7 @@ void require_settable(Engine engine, const std::vector<std::string>& settings);
 /// an InputError that names the configuration.
 DisparityMap match_named(const std::string& config, const ImagePair& pair, const Algorithm& algorithm, int threads,
                          Engine engine = Engine::fast);
+DisparityMap match_named(const std::string& config, const DeepPair& pair, const Algorithm& algorithm, int threads,
+                         Engine engine = Engine::fast);
 
 }  // namespace stereo::app

@@ -50,10 +50,13 @@ Stimulus stream(const VectorsArguments& arguments, const std::string& config, co
    const Image& image = shape.image;
    StimulusOptions options = arguments.options;
    if (!arguments.rows.empty()) options.rows = parse_rows(arguments.rows);
-   const ImagePair pair =
-       fit_pair(load_pair(arguments.left, arguments.right), image.width_px, image.height_px, arguments.fit);
-   if (arguments.broken == 0) return make_stimulus(config, shape, pair, options);
-   return make_broken_stimulus(config, shape, pair, arguments.broken, options.stall_percent, options.seed);
+   const auto stream_of = [&](auto loaded) {
+      const auto pair = fit_pair(std::move(loaded), image.width_px, image.height_px, arguments.fit);
+      if (arguments.broken == 0) return make_stimulus(config, shape, pair, options);
+      return make_broken_stimulus(config, shape, pair, arguments.broken, options.stall_percent, options.seed);
+   };
+   if (shape.pixel_bits > 8) return stream_of(load_deep_pair(arguments.left, arguments.right, shape.pixel_bits));
+   return stream_of(load_pair(arguments.left, arguments.right));
 }
 
 void write(const VectorsArguments& arguments, std::size_t clocks, std::size_t outputs, std::string stimulus,

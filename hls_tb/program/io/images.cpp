@@ -17,18 +17,20 @@
 namespace stereo::app {
 namespace {
 
-GrayImage cropped(const GrayImage& image, int width, int height) {
-   GrayImage result(width, height);
+template <class Pixel>
+RasterImage<Pixel> cropped(const RasterImage<Pixel>& image, int width, int height) {
+   RasterImage<Pixel> result(width, height);
    const int x = (image.width - width) / 2, y = (image.height - height) / 2;
-   for (int row = 0; row < height; ++row) std::memcpy(result.row(row), image.row(y + row) + x, std::size_t(width));
+   for (int row = 0; row < height; ++row) std::copy_n(image.row(y + row) + x, width, result.row(row));
    return result;
 }
 
-GrayImage resized(GrayImage image, int width, int height) {
-   cv::Mat result;
+template <class Pixel>
+RasterImage<Pixel> resized(RasterImage<Pixel> image, int width, int height) {
+   RasterImage<Pixel> result(width, height);
    const bool shrinks = width <= image.width && height <= image.height;
-   cv::resize(as_mat(image), result, {width, height}, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
-   return from_mat(result);
+   cv::resize(as_mat(image), as_mat(result), {width, height}, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+   return result;
 }
 
 /// A PNG of that kind, whose second channel OpenCV drops.
@@ -109,7 +111,28 @@ ImagePair load_pair(const std::string& left_path, const std::string& right_path)
    return pair;
 }
 
-ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit) {
+namespace {
+
+/// Grey values of `bits` bits from a file of 8 or 16.
+DeepImage load_deep(const std::string& path, int bits) {
+   cv::Mat mat = read_image(path, path);
+   if (mat.depth() != CV_16U) return widened(load_gray(path));
+   if (mat.channels() != 1)
+      throw InputError(path + ": has " + std::to_string(mat.channels()) +
+                       " channels of 16 bits but must be grey; convert it to a grey image");
+   DeepImage image(mat.cols, mat.rows);
+   mat.copyTo(as_mat(image));
+   for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+         if (image.at(x, y) >> bits != 0)
+            throw InputError(path + ": has the grey value " + std::to_string(image.at(x, y)) +
+                             " at x=" + std::to_string(x) + " y=" + std::to_string(y) + " but pixels of " +
+                             std::to_string(bits) + " bits are at most " + std::to_string((1 << bits) - 1));
+   return image;
+}
+
+template <class Pair>
+Pair fitted(Pair pair, int width, int height, Fit fit) {
    const std::string wanted = size_text(width, height), found = size_text(pair.left);
    if (pair.left.width == width && pair.left.height == height) return pair;
    if (fit == Fit::none)
@@ -126,8 +149,36 @@ ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit) {
    return {cropped(pair.left, width, height), cropped(pair.right, width, height)};
 }
 
+}  // namespace
+
+DeepPair load_deep_pair(const std::string& left_path, const std::string& right_path, int bits) {
+   DeepPair pair{load_deep(left_path, bits), load_deep(right_path, bits)};
+   require_same_size<InputError>(left_path, pair.left, right_path, pair.right);
+   return pair;
+}
+
+ImagePair shown_pair(const DeepPair& pair, int bits) {
+   const auto shown = [bits](const DeepImage& image) {
+      GrayImage result(image.width, image.height);
+      std::transform(image.pixels.begin(), image.pixels.end(), result.pixels.begin(),
+                     [bits](uint16_t pixel) { return uint8_t(pixel >> (bits - 8)); });
+      return result;
+   };
+   return {shown(pair.left), shown(pair.right)};
+}
+
+ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit) {
+   return fitted(std::move(pair), width, height, fit);
+}
+DeepPair fit_pair(DeepPair pair, int width, int height, Fit fit) { return fitted(std::move(pair), width, height, fit); }
+
 std::string encode_png(const GrayImage& image) {
    GrayImage copy = image;
+   return encode(as_mat(copy));
+}
+
+std::string encode_png(const DeepImage& image) {
+   DeepImage copy = image;
    return encode(as_mat(copy));
 }
 

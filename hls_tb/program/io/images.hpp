@@ -14,14 +14,23 @@ GrayImage load_gray(const std::string& path);
 
 /// Two images of the same size. Throws InputError.
 ImagePair load_pair(const std::string& left_path, const std::string& right_path);
+/// The same with grey values of `bits` bits, as they are: an image of 16 bits must have no larger ones, one of 8 bits
+/// has none.
+DeepPair load_deep_pair(const std::string& left_path, const std::string& right_path, int bits);
+/// Its upper 8 bits, to be looked at.
+ImagePair shown_pair(const DeepPair& pair, int bits);
+inline const ImagePair& shown_pair(const ImagePair& pair, int) { return pair; }
 
 enum class Fit { none, crop, resize };
 
 /// The pair at width x height. `none` throws InputError unless it has that size; `crop` takes the centre of a pair that
 /// is large enough; `resize` scales. What was done goes to stdout.
 ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit);
+DeepPair fit_pair(DeepPair pair, int width, int height, Fit fit);
 
 std::string encode_png(const GrayImage& image);
+/// 16 bits a pixel.
+std::string encode_png(const DeepImage& image);
 /// The disparities as they are: 8 bits, or 16 bits where they are sixteenths of a pixel.
 std::string encode_png(const DisparityMap& map);
 /// A disparity map in colour, from blue for 0 to red for disparities-1 pixels, black where it is not valid.

@@ -12,6 +12,7 @@ namespace stereo::app {
 
 /// A view of the pixels, not a copy.
 cv::Mat as_mat(GrayImage& image);
+cv::Mat as_mat(DeepImage& image);
 /// A copy of 8 bits and one channel.
 GrayImage from_mat(const cv::Mat& mat);
 /// An image file as it is: any channels, any depth. Throws InputError with one sentence that begins with `name`; the

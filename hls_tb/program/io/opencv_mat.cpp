@@ -6,6 +6,7 @@
 namespace stereo::app {
 
 cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
+cv::Mat as_mat(DeepImage& image) { return {image.height, image.width, CV_16UC1, image.pixels.data()}; }
 
 GrayImage from_mat(const cv::Mat& mat) {
    GrayImage image(mat.cols, mat.rows);

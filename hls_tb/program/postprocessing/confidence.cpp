@@ -72,5 +72,8 @@ GrayImage confidence(const DisparityMap& map, const DisparityMap& other, const M
 DisparityMap other_map(const std::function<DisparityMap(const ImagePair&)>& match, const ImagePair& pair) {
    return mirrored(match(mirrored(pair)));
 }
+DisparityMap other_map(const std::function<DisparityMap(const DeepPair&)>& match, const DeepPair& pair) {
+   return mirrored(match(mirrored(pair)));
+}
 
 }  // namespace stereo::app

@@ -26,5 +26,6 @@ GrayImage confidence(const DisparityMap& map, const DisparityMap& other, const M
 /// The map of the other image by the same matcher: its reference becomes the other one when both images are mirrored
 /// and exchanged.
 DisparityMap other_map(const std::function<DisparityMap(const ImagePair&)>& match, const ImagePair& pair);
+DisparityMap other_map(const std::function<DisparityMap(const DeepPair&)>& match, const DeepPair& pair);
 
 }  // namespace stereo::app

@@ -12,8 +12,11 @@ nlohmann::json postprocessing_json(const Postprocessing& options) {
            {"least_confidence", options.least_confidence}};
 }
 
-ProcessedMap match_and_process(const std::function<DisparityMap(const ImagePair&)>& match, const ImagePair& pair,
-                               const MapGeometry& geometry, const Postprocessing& options) {
+namespace {
+
+template <class Match, class Pair>
+ProcessedMap processed(const Match& match, const Pair& pair, const MapGeometry& geometry,
+                       const Postprocessing& options) {
    ProcessedMap result{match(pair), std::nullopt};
    DisparityMap& map = result.map;
    if (options.needs_confidence()) {
@@ -23,6 +26,17 @@ ProcessedMap match_and_process(const std::function<DisparityMap(const ImagePair&
    }
    if (options.speckle_window_px > 0) remove_speckles(map, options.speckle_window_px, options.speckle_range_px);
    return result;
+}
+
+}  // namespace
+
+ProcessedMap match_and_process(const std::function<DisparityMap(const ImagePair&)>& match, const ImagePair& pair,
+                               const MapGeometry& geometry, const Postprocessing& options) {
+   return processed(match, pair, geometry, options);
+}
+ProcessedMap match_and_process(const std::function<DisparityMap(const DeepPair&)>& match, const DeepPair& pair,
+                               const MapGeometry& geometry, const Postprocessing& options) {
+   return processed(match, pair, geometry, options);
 }
 
 }  // namespace stereo::app

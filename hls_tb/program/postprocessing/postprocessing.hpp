@@ -33,5 +33,7 @@ struct ProcessedMap {
 /// Matches and does what was asked for: first the confidence, then the speckles. Confidence takes a second matching.
 ProcessedMap match_and_process(const std::function<DisparityMap(const ImagePair&)>& match, const ImagePair& pair,
                                const MapGeometry& geometry, const Postprocessing& options);
+ProcessedMap match_and_process(const std::function<DisparityMap(const DeepPair&)>& match, const DeepPair& pair,
+                               const MapGeometry& geometry, const Postprocessing& options);
 
 }  // namespace stereo::app

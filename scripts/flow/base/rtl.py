@@ -30,6 +30,7 @@ class Port(NamedTuple):
 
 
 DISPARITY = 0  # lane_bits of the port that is as wide as the configuration says
+PIXEL_BITS = 8  # where the configuration does not say
 PORTS = (
     Port("left_pixel", "in", 8, "8 bits a row, the upper row in the lowest"),
     Port("right_pixel", "in", 8),
@@ -73,8 +74,27 @@ def settings_of(parameters: Mapping[str, Any]) -> tuple[Setting, ...]:
     return tuple(Setting(**setting) for setting in cast(list[dict[str, Any]], parameters.get("settings", [])))
 
 
+def pixel_bits_of(parameters: Mapping[str, Any]) -> int:
+    """Of a grey value."""
+    return cast(int, parameters.get("pixel_bits", PIXEL_BITS))
+
+
+def ports_of(parameters: Mapping[str, Any]) -> tuple[Port, ...]:
+    """All of a matching core."""
+    bits = pixel_bits_of(parameters)
+    if bits == PIXEL_BITS:
+        return ports_with(settings_of(parameters))
+
+    def wide(port: Port) -> Port:
+        if port.name not in ("left_pixel", "right_pixel"):
+            return port
+        return port._replace(lane_bits=bits, meaning=port.meaning.replace(f"{PIXEL_BITS} bits", f"{bits} bits"))
+
+    return tuple(map(wide, ports_with(settings_of(parameters))))
+
+
 def ports_with(settings: Sequence[Setting]) -> tuple[Port, ...]:
-    """All of a core with these settings."""
+    """All of a core of 8 bits with these settings."""
     first_output = next(place for place, port in enumerate(PORTS) if port.direction == "out")
     taken = [
         Port(setting.name, "in", None, f"0 ... {setting.largest}, taken over with start_of_frame", setting.bits)
@@ -162,10 +182,10 @@ def is_stage(parameters: Mapping[str, Any]) -> bool:
 
 def kind_of(parameters: Mapping[str, Any]) -> Kind:
     """Of a configuration."""
-    settings = settings_of(parameters)
-    if settings:
-        return CORE._replace(top=SETTINGS_TOPS[parameters["family"]], ports=ports_with(settings))
-    return STAGES.get(parameters["family"], CORE)
+    if is_stage(parameters):
+        return STAGES[parameters["family"]]
+    kind = CORE._replace(ports=ports_of(parameters))
+    return kind._replace(top=SETTINGS_TOPS[parameters["family"]]) if settings_of(parameters) else kind
 
 
 def core_entity(config: str) -> str:

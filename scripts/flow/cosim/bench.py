@@ -35,8 +35,8 @@ class Ports:
         return rtl.port_bits(port, self.pixels, self.disparity_bits)
 
     def _field_bits(self, port: Port) -> int:
-        """As wide as the port, but a setting, which may have any width, has a whole word."""
-        return self.bits(port) if port.bits is None else SETTING_BITS
+        """As wide as the port in whole digits, but a setting, which may have any width, has a whole word."""
+        return -(-self.bits(port) // 4) * 4 if port.bits is None else SETTING_BITS
 
     def line_pattern(self) -> str:
         """Of a line of a stimulus; its group 1 are the flags."""
@@ -90,10 +90,10 @@ class Ports:
                 f"constexpr int kFields = {1 + len(self.fields)};",
                 "/// Ports are as wide as the pixels of one clock.",
                 "template <class Port>",
-                "void drive(Port& port, unsigned value) {",
+                "void drive(Port& port, unsigned long long value) {",
                 "   port = static_cast<Port>(value);",
                 "}",
-                "inline void drive_inputs(Vdesign& model, const unsigned (&fields)[kFields]) {",
+                "inline void drive_inputs(Vdesign& model, const unsigned long long (&fields)[kFields]) {",
                 *sets,
                 "}",
                 f"inline bool is_valid(const Vdesign& model) {{ return model.{self.kind.valid}; }}",

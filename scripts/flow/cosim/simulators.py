@@ -208,6 +208,8 @@ class Original(Ghdl):
         settings = [port.name for port in self.kind.ports if port.bits is not None]
         declared = "".join(f"    {name} : in std_logic_vector;\n" for name in settings)
         joined = "".join(f"      {name} => {name},\n" for name in settings)
+        pixels = next(self.ports.bits(port) for port in self.kind.ports if port.name == "left_pixel")
+        text = text.replace("PIXELS", str(max(8, 1 << (pixels - 1).bit_length())))
         return text.replace("    -- ports of settings\n", declared).replace("      -- settings\n", joined)
 
 

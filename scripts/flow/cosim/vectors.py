@@ -78,6 +78,7 @@ def check_fits(path: Path, config: str, parameters: Parameters) -> None:
     """Refuses a vector file, read before, whose first line says that it is for another core."""
     header = dict(item.split("=", 1) for item in read_lines(path)[0].split()[3:])
     known = {"config": config, "pixels": parameters["pixels_per_clock"], "disparity_bits": row_bits(parameters)}
+    known["pixel_bits"] = rtl.pixel_bits_of(parameters)
     for key, value in known.items():
         if header.get(key, str(value)) != str(value):
             raise FlowError(f"{path}, line 1: {key}={header[key]}, but the core is {config} with {key}={value}")

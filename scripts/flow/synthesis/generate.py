@@ -60,10 +60,10 @@ def generate(config: str, say: Callable[[str], None] = print, out: Path | None =
     tool_run = bambu.synthesize(config, row)
     say(f"{config}: lowering ...")
     design = read_design(tool_run.vhdl)
-    netlist = lower(design, kind)
+    entity = Entity(kind.entity(config), {name: option(row, name) for name in kind.generics}, kind)
+    netlist = lower(design, kind, {port.name: entity.bits(port) for port in kind.ports if not port.is_flag})
     trace = _cpp_trace(config, row, tool_run.vhdl.parent)
     run_passes(netlist, design, trace)
-    entity = Entity(kind.entity(config), {name: option(row, name) for name in kind.generics}, kind)
     text = VhdlWriter(netlist, header(config, row, tool_run.version), entity).write()
     report: manifest.ToolReport = {
         **tool_run.report,

@@ -25,10 +25,10 @@ using fast::PixelResult;
 constexpr int kLanes = 16;
 
 struct AbsoluteDifference {
-   static int cost(uint8_t left, uint8_t right) { return std::abs(left - right); }
+   static int cost(int left, int right) { return std::abs(left - right); }
 };
 struct SquaredDifference {
-   static int cost(uint8_t left, uint8_t right) { return (left - right) * (left - right); }
+   static int cost(int left, int right) { return (left - right) * (left - right); }
 };
 struct HammingDistance {
    static int cost(uint64_t left, uint64_t right) { return std::popcount(left ^ right); }
@@ -165,6 +165,7 @@ STEREO_INTO_CLONES void match_rows(const AlignedPair<Pixel>& pair, const Matchin
 }
 
 using Bytes = AlignedPair<uint8_t>;
+using Shorts = AlignedPair<uint16_t>;
 using Words = AlignedPair<uint64_t>;
 
 STEREO_VECTOR_CLONES void match_sad_16(const Bytes& pair, const Matching& matching, DisparityMap& map, int first,
@@ -176,6 +177,18 @@ STEREO_VECTOR_CLONES void match_sad_32(const Bytes& pair, const Matching& matchi
    match_rows<AbsoluteDifference, uint32_t>(pair, matching, map, first, end);
 }
 STEREO_VECTOR_CLONES void match_ssd_32(const Bytes& pair, const Matching& matching, DisparityMap& map, int first,
+                                       int end) {
+   match_rows<SquaredDifference, uint32_t>(pair, matching, map, first, end);
+}
+STEREO_VECTOR_CLONES void match_sad_16(const Shorts& pair, const Matching& matching, DisparityMap& map, int first,
+                                       int end) {
+   match_rows<AbsoluteDifference, uint16_t>(pair, matching, map, first, end);
+}
+STEREO_VECTOR_CLONES void match_sad_32(const Shorts& pair, const Matching& matching, DisparityMap& map, int first,
+                                       int end) {
+   match_rows<AbsoluteDifference, uint32_t>(pair, matching, map, first, end);
+}
+STEREO_VECTOR_CLONES void match_ssd_32(const Shorts& pair, const Matching& matching, DisparityMap& map, int first,
                                        int end) {
    match_rows<SquaredDifference, uint32_t>(pair, matching, map, first, end);
 }
@@ -213,18 +226,34 @@ DisparityMap match_codes(const std::vector<uint64_t>& left, const std::vector<ui
                       fits_16_bits(width, height, matching) ? match_census_16 : match_census_32);
 }
 
-DisparityMap match_general(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+namespace {
+
+template <class Pixel>
+DisparityMap match(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right, const Matching& matching,
+                   int threads) {
    if (matching.cost == Cost::census) {
       const int width = matching.census_width_px, height = matching.census_height_px;
       return match_codes(fast::census(left, width, height, threads), fast::census(right, width, height, threads),
                          left.width, matching, threads);
    }
+   using Pair = AlignedPair<Pixel>;
+   using Rows = void (*)(const Pair&, const Matching&, DisparityMap&, int, int);
+   const Rows sad_16 = match_sad_16, sad_32 = match_sad_32, ssd_32 = match_ssd_32;
    const bool narrow = fits_16_bits(left.width, left.height, matching);
-   const Bytes pair(left.pixels, right.pixels, left.width, matching, kLanes);
-   return match_bands(pair, matching, left.width, left.height, threads,
-                      matching.cost == Cost::ssd ? match_ssd_32
-                      : narrow                   ? match_sad_16
-                                                 : match_sad_32);
+   return match_bands(Pair(left.pixels, right.pixels, left.width, matching, kLanes), matching, left.width, left.height,
+                      threads,
+                      matching.cost == Cost::ssd ? ssd_32
+                      : narrow                   ? sad_16
+                                                 : sad_32);
+}
+
+}  // namespace
+
+DisparityMap match_general(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+   return match(left, right, matching, threads);
+}
+DisparityMap match_general(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads) {
+   return match(left, right, matching, threads);
 }
 
 }  // namespace stereo::block_matching

@@ -12,6 +12,7 @@ namespace stereo::block_matching {
 
 /// Steps 2 to 6 of docs/algorithm.md but the texture check, for the right image as reference, images prefiltered.
 DisparityMap match_general(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads);
+DisparityMap match_general(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads);
 
 /// The same for images of `width` columns whose census transforms, or other codes, are given: the cost is the number of
 /// bits in which two differ, at most the largest cost of a census as in `matching`.

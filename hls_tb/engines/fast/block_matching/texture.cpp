@@ -9,7 +9,10 @@
 
 namespace stereo::block_matching {
 
-void check_texture(const GrayImage& filtered, const Matching& matching, DisparityMap& map, int threads) {
+namespace {
+
+template <class Pixel>
+void check(const RasterImage<Pixel>& filtered, const Matching& matching, DisparityMap& map, int threads) {
    const int first = first_cost_column(matching), count = cost_columns(filtered.width, matching);
    const int above = std::min(rows_above(matching), filtered.height - 1);
    const int below = std::min(rows_below(matching), filtered.height - 1);
@@ -20,7 +23,7 @@ void check_texture(const GrayImage& filtered, const Matching& matching, Disparit
       const int oldest = std::max(first_row - above, 0);  // the first row that a window of this band sees
       const auto add_row = [&](int y, int sign) {
          if (y < oldest || y >= filtered.height) return;
-         const uint8_t* const row = filtered.row(y) + first;
+         const Pixel* const row = filtered.row(y) + first;
          for (int x = 0; x < count; ++x) columns[std::size_t(x)] += sign * std::abs(row[x] - matching.prefilter_cap);
       };
       for (int y = oldest - below; y < end_row; ++y) {
@@ -37,6 +40,15 @@ void check_texture(const GrayImage& filtered, const Matching& matching, Disparit
       }
    };
    fast::for_each_band(map.height, threads, check_rows);
+}
+
+}  // namespace
+
+void check_texture(const GrayImage& filtered, const Matching& matching, DisparityMap& map, int threads) {
+   check(filtered, matching, map, threads);
+}
+void check_texture(const DeepImage& filtered, const Matching& matching, DisparityMap& map, int threads) {
+   check(filtered, matching, map, threads);
 }
 
 }  // namespace stereo::block_matching

@@ -5,6 +5,7 @@ Control signals are leaves of the operation `control` in it, until the pass of c
 """
 
 import re
+from collections.abc import Mapping
 
 from ...base import rtl
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
@@ -22,13 +23,14 @@ WRITE_PORT = re.compile(r"(\w+)_bambu_artificial_ParmMgr_Write_none_modgen")
 _REFERENCE = re.compile(r"(?:(std_logic_vector|unsigned|signed)\()?(\w+|\\[^\\]+\\)(?:\((\d+)(?: downto (\d+))?\))?\)?")
 
 
-def lower(design: Design, kind: rtl.Kind = rtl.CORE) -> Netlist:
-    return _Lowering(design, kind).netlist()
+def lower(design: Design, kind: rtl.Kind = rtl.CORE, port_bits: Mapping[str, int] | None = None) -> Netlist:
+    """`port_bits`: {input: its bits} of those that may have fewer than the tool's, which are as wide as a C++ type."""
+    return _Lowering(design, kind, port_bits or {}).netlist()
 
 
 class _Lowering:
-    def __init__(self, design: Design, kind: rtl.Kind) -> None:
-        self.design, self.kind = design, kind
+    def __init__(self, design: Design, kind: rtl.Kind, port_bits: Mapping[str, int]) -> None:
+        self.design, self.kind, self.port_bits = design, kind, port_bits
         self.drivers = {}  # signal -> instance that drives it
         for instance in design.instances:
             driven = instance.ports.get("out1")
@@ -113,7 +115,9 @@ class _Lowering:
             return leaf("control", name, 1)
         port = READ_PORT.fullmatch(instance.kind)
         if port:
-            return self.inputs.setdefault(port.group(1), leaf("input", port.group(1), signal.width, signal.signed))
+            input_name = port.group(1)
+            width = min(signal.width, self.port_bits.get(input_name, signal.width))
+            return self.inputs.setdefault(input_name, leaf("input", input_name, width, signal.signed))
         if instance.kind == "constant_value":
             return const(_constant(instance))
         inputs = {port: self.actual(actual) for port, actual in _inputs(instance).items()}
