@@ -19,8 +19,9 @@ struct RowOrder {
    // Of the row that comes in.
    bool complete;       ///< with its last column
    bool output, first;  ///< the row is one of the map, its first one
-   bool held_output;    ///< the row that comes out is one of the map
-   PixelTag turned;     ///< the tag of the column that comes out
+   // Of the row that comes out.
+   bool held_output;  ///< it is one of the map
+   PixelTag turned;   ///< the tag of its column
 
    HLS_INLINE RowOrder() { start(*this); }
 

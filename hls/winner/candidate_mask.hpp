@@ -17,7 +17,6 @@ namespace stereo {
 /// here.
 template <const auto& C, int Count, int First>
 struct CandidateMask {
-   static constexpr bool kIsNone = false;
    static constexpr bool kFalls = C.reference == Reference::right;
    static constexpr int kNewest = kFalls ? Count - 1 : 0;  ///< where a column of the other image enters
    static constexpr int kOldest = Count - 1 - kNewest;     ///< and where it leaves

@@ -62,7 +62,10 @@ def test_committed_vhdl_follows_from_the_manifests(name):
         (["--system", "tiny", "--streams", "0"], "--streams must be 1 or more"),
         (["--system", "tiny", "--record"], "--record keeps a result of"),
         (["--system", "vga", "--frame", "--record", "--pair", "x"], "--pair goes with --frame, without --record"),
-        (["--system", "vga", "--frame", "--pair", "no_such_folder"], "no_such_folder/left.png: No such file or directory"),
+        (
+            ["--system", "vga", "--frame", "--pair", "no_such_folder"],
+            "no_such_folder/left.png: No such file or directory",
+        ),
         (["--system", "vga", "--implement", "--seeds", "0"], "--seeds must be 1 or more"),
     ],
 )
