@@ -119,6 +119,8 @@ def text(system: System) -> str:
     core, parameters = design.generics(entry), cast(dict[str, int], before["parameters"])
     stage = {name: parameters[name] for name in rtl.STAGES["rectification"].generics}
     _check(system, stage, core)
+    if rtl.pixel_bits_of(entry["parameters"]) != rtl.PIXEL_BITS:
+        raise FlowError(f"{system.matching} takes pixels of more than 8 bits, which camera_system does not give")
     shell: dict[str, int | str] = {
         **core,
         "disparity_bits": DEPTH_BITS,
