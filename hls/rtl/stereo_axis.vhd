@@ -3,7 +3,7 @@
 -- registers. The core hangs on the ports core_*: its ports of these names, and those that stereo_shell adds.
 --
 -- s_axis: both images, a group of P rows a beat (P = pixels_per_clock), columns 0 ... W-1 of each group of rows.
---   tdata   bits 8p+7 ... 8p: left pixel of row p of the group, 0 the upper one; 8P bits further up: right pixels
+--   tdata   lanes of lane_bits, 8 or 16. Lane p: left pixel of row p of the group, 0 the upper one; lane P+p: right pixel
 --   tuser   bit 0: start of frame, with the first beat of a frame
 --   tlast   end of line, with the last column of each group of rows: H/P times a frame
 -- m_axis: the disparity map, as wide as the configuration says, with the same framing.
@@ -24,7 +24,7 @@
 --   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
 --                    last disparity leaves it, both counted; a clock after frame_ends
 --   core_reset       a clock after aresetn or the end of a soft reset, from a register: it drives the whole core
--- Sizes: input buffer 2 * (16P + 2) bits; output queue (latency_clocks + 5) words of (disparity_bits + 1) * P + 3 bits.
+-- Sizes: input buffer 2 * (2 * lane_bits * P + 2) bits; output queue (latency_clocks + 5) words of (disparity_bits + 1) * P + 3 bits.
 -- Generics: those of the core.
 library ieee;
 use ieee.std_logic_1164.all;
@@ -38,14 +38,15 @@ entity stereo_axis is
     disparity_bits : positive;
     latency_clocks : positive;
     flush_groups : natural;
-    gap_groups : natural
+    gap_groups : natural;
+    lane_bits : positive := 8
   );
   port (
     aclk : in std_logic;
     aresetn : in std_logic;  -- synchronous, active low, one clock is enough
     s_axis_tvalid : in std_logic;
     s_axis_tready : out std_logic;
-    s_axis_tdata : in std_logic_vector(16 * pixels_per_clock - 1 downto 0);
+    s_axis_tdata : in std_logic_vector(2 * lane_bits * pixels_per_clock - 1 downto 0);
     s_axis_tuser : in std_logic_vector(0 downto 0);
     s_axis_tlast : in std_logic;
     m_axis_tvalid : out std_logic;
@@ -62,8 +63,8 @@ entity stereo_axis is
     frame_ends_broken : out std_logic;
     frame_clocks : out unsigned(31 downto 0);
     core_reset : out std_logic;
-    core_left_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
-    core_right_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
+    core_left_pixel : out std_logic_vector(lane_bits * pixels_per_clock - 1 downto 0);
+    core_right_pixel : out std_logic_vector(lane_bits * pixels_per_clock - 1 downto 0);
     core_start_of_frame : out std_logic;
     core_valid : out std_logic;
     core_disparity : in std_logic_vector(disparity_bits * pixels_per_clock - 1 downto 0);
@@ -75,7 +76,7 @@ entity stereo_axis is
 end entity;
 
 architecture rtl of stereo_axis is
-  constant pixel_bits : positive := 8 * pixels_per_clock;
+  constant pixel_bits : positive := lane_bits * pixels_per_clock;
   constant map_bits : positive := disparity_bits * pixels_per_clock;
   constant word_bits : positive := map_bits + pixels_per_clock + 3;
   constant credits : positive := latency_clocks + 5;

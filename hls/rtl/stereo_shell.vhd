@@ -24,7 +24,10 @@ entity stereo_shell is
     -- of a core with run-time settings, in the order of their registers: the largest value of each, 0 where there is none,
     -- and the value after a reset
     settings_largest : setting_values := (others => 0);
-    settings_start : setting_values := (others => 0)
+    settings_start : setting_values := (others => 0);
+    -- of a grey value, and of its lane in s_axis_tdata: 8 and 8, or more and 16; further bits of a lane do not count
+    pixel_bits : positive := 8;
+    lane_bits : positive := 8
   );
   port (
     aclk : in std_logic;
@@ -32,7 +35,7 @@ entity stereo_shell is
     -- image pairs
     s_axis_tvalid : in std_logic;
     s_axis_tready : out std_logic;
-    s_axis_tdata : in std_logic_vector(16 * pixels_per_clock - 1 downto 0);
+    s_axis_tdata : in std_logic_vector(2 * lane_bits * pixels_per_clock - 1 downto 0);
     s_axis_tuser : in std_logic_vector(0 downto 0);
     s_axis_tlast : in std_logic;
     -- disparity maps
@@ -64,8 +67,8 @@ entity stereo_shell is
     irq : out std_logic;  -- a level: register `interrupt`
     -- the core
     core_reset : out std_logic;
-    core_left_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
-    core_right_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
+    core_left_pixel : out std_logic_vector(pixel_bits * pixels_per_clock - 1 downto 0);
+    core_right_pixel : out std_logic_vector(pixel_bits * pixels_per_clock - 1 downto 0);
     core_start_of_frame : out std_logic;
     core_valid : out std_logic;
     core_settings : out setting_words;
@@ -81,11 +84,13 @@ architecture rtl of stereo_shell is
   signal enable, soft_reset, soft_reset_done, busy, frame_ends, frame_ends_broken : std_logic;
   signal errors : std_logic_vector(4 downto 0);
   signal frame_clocks : unsigned(31 downto 0);
+  signal left_lanes, right_lanes : std_logic_vector(lane_bits * pixels_per_clock - 1 downto 0);
 begin
   axis : entity work.stereo_axis
     generic map (
       width_px => width_px, height_px => height_px, pixels_per_clock => pixels_per_clock, disparity_bits => disparity_bits,
-      latency_clocks => latency_clocks, flush_groups => flush_groups, gap_groups => gap_groups)
+      latency_clocks => latency_clocks, flush_groups => flush_groups, gap_groups => gap_groups,
+      lane_bits => lane_bits)
     port map (
       aclk => aclk, aresetn => aresetn,
       s_axis_tvalid => s_axis_tvalid, s_axis_tready => s_axis_tready, s_axis_tdata => s_axis_tdata,
@@ -94,7 +99,7 @@ begin
       m_axis_tuser => m_axis_tuser, m_axis_tlast => m_axis_tlast,
       enable => enable, soft_reset => soft_reset, soft_reset_done => soft_reset_done, busy => busy, errors => errors,
       frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks,
-      core_reset => core_reset, core_left_pixel => core_left_pixel, core_right_pixel => core_right_pixel,
+      core_reset => core_reset, core_left_pixel => left_lanes, core_right_pixel => right_lanes,
       core_start_of_frame => core_start_of_frame, core_valid => core_valid,
       core_disparity => core_disparity, core_pixel_valid => core_pixel_valid, core_disparity_valid => core_disparity_valid,
       core_disparity_start_of_frame => core_disparity_start_of_frame,
@@ -118,4 +123,11 @@ begin
       enable => enable, soft_reset => soft_reset, soft_reset_done => soft_reset_done, busy => busy, errors => errors,
       frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks,
       settings => core_settings, irq => irq);
+
+  pixels : for p in 0 to pixels_per_clock - 1 generate
+    core_left_pixel(pixel_bits * (p + 1) - 1 downto pixel_bits * p) <=
+      left_lanes(lane_bits * p + pixel_bits - 1 downto lane_bits * p);
+    core_right_pixel(pixel_bits * (p + 1) - 1 downto pixel_bits * p) <=
+      right_lanes(lane_bits * p + pixel_bits - 1 downto lane_bits * p);
+  end generate;
 end architecture;

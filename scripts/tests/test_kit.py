@@ -205,6 +205,6 @@ def test_refuses_vhdl_that_was_edited(tmp_path, monkeypatch):
 
 def test_refuses_a_port_that_it_does_not_know(monkeypatch):
     ports = template.ports
-    monkeypatch.setattr(template, "ports", lambda v: [*ports(v), template.Port("interrupt", "out", "std_logic")])
+    monkeypatch.setattr(template, "ports", lambda *of: [*ports(*of), template.Port("interrupt", "out", "std_logic")])
     with pytest.raises(FlowError, match="to which interface the port interrupt belongs"):
         Subject("tiny")

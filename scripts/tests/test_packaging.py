@@ -52,7 +52,8 @@ def two_cores(configs):
     """A design with two configurations, each with its streams tied off."""
     instances = []
     for config in configs:
-        ports = template.ports(design.generics(manifest.read(rtl.folder(config))))
+        entry = manifest.read(rtl.folder(config))
+        ports = template.ports(design.generics(entry), rtl.pixel_bits_of(entry["parameters"]))
         tied = {
             port.name: "open" if port.direction == "out" else "(others => '0')" if "vector" in port.kind else "'0'"
             for port in ports

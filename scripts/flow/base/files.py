@@ -3,7 +3,7 @@
 
 import os
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from .errors import EXIT_MISMATCH, EXIT_OK, FlowError
@@ -32,6 +32,11 @@ def write(path: Path, content: str | bytes) -> None:
 def pgm(width: int, height: int, pixels: bytes) -> bytes:
     """A grey image as a file."""
     return b"P5 %d %d 255\n" % (width, height) + pixels
+
+
+def deep_pgm(width: int, height: int, pixels: Sequence[int]) -> bytes:
+    """The same with 16 bits a pixel."""
+    return b"P5 %d %d 65535\n" % (width, height) + b"".join(pixel.to_bytes(2, "big") for pixel in pixels)
 
 
 def update(texts: Mapping[Path, str], check: bool, command: str) -> int:

@@ -29,6 +29,7 @@ def _moved(subject: Subject) -> dict[str, int]:
 def text(subject: Subject) -> str:
     sizes = ("width_px", "height_px", "pixels_per_clock", "output_width_px", "disparity_bits")
     constants = {size: subject.generics[size] for size in sizes} | _moved(subject)
+    constants |= {"pixel_bits": subject.pixel_bits, "lane_bits": template.lane_bits(subject.pixel_bits)}
     return fill(
         "tb_stereo.vhd",
         config=subject.config,

@@ -36,7 +36,8 @@ class Subject:
         self.manifest_file = folder / "manifest.json"
         self.generics = design.generics(self.entry)
         self.top = f"stereo_plain_{config}"
-        self.ports = template.ports(self.generics)
+        self.pixel_bits = rtl.pixel_bits_of(self.entry["parameters"])
+        self.ports = template.ports(self.generics, self.pixel_bits)
         self.interfaces = _interfaces(self.ports)
         self.sources = design.vhdl_files(config)  # below the top
         self.registers = registers.description_of(self.entry["parameters"]["family"])

@@ -10,6 +10,7 @@ from ..base.configurations import Parameters
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Word, find_stereo_hls, run
 from ..cosim import vectors
+from .template import lane_bits
 
 # (grey levels, distance between them) of the noise. Few levels give ties everywhere, far apart also extremes; close
 # together they give sums that differ by little.
@@ -88,13 +89,24 @@ def make_pool(
 def write_noise(path: Path, parameters: Parameters, generator: random.Random, levels: int, distance: int) -> None:
     """A PGM image of a configuration's size."""
     width, height = parameters["width_px"], parameters["height_px"]
-    pixels = bytes(generator.randrange(levels) * distance for _ in range(width * height))
-    path.write_bytes(files.pgm(width, height, pixels))
+    more = rtl.pixel_bits_of(parameters) - rtl.PIXEL_BITS
+    pixels = [generator.randrange(levels) * distance for _ in range(width * height)]
+    if more:  # the lower bits are noise
+        path.write_bytes(files.deep_pgm(width, height, [p << more | generator.randrange(1 << more) for p in pixels]))
+    else:
+        path.write_bytes(files.pgm(width, height, bytes(pixels)))
 
 
 def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
     geometry = Geometry.of(parameters)
-    pixel_bits = 8 * parameters["pixels_per_clock"]
+    lanes, bits = parameters["pixels_per_clock"], rtl.pixel_bits_of(parameters)
+    lane = lane_bits(bits)
+
+    def lanes_of(word: int) -> int:
+        """The core's pixels in the lanes of a beat. What stands above a pixel in its lane does not count."""
+        pixels = [word >> bits * p & (1 << bits) - 1 for p in range(lanes)]
+        return sum((pixel | ~pixel << bits & (1 << lane) - 1) << lane * p for p, pixel in enumerate(pixels))
+
     map_bits = parameters["disparity_bits"] * parameters["pixels_per_clock"]
     stimulus = vectors.read_stimulus(folder / "stimulus.txt", rtl.kind_of(parameters))
     words = [line.split() for line in (folder / "stimulus.txt").read_text().splitlines()[1:]]
@@ -103,7 +115,8 @@ def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
     frames = []
     for number, start in enumerate(starts):
         groups = tuple(
-            int(words[start + i][2], 16) << pixel_bits | int(words[start + i][1], 16) for i in range(geometry.groups)
+            lanes_of(int(words[start + i][2], 16)) << lane * lanes | lanes_of(int(words[start + i][1], 16))
+            for i in range(geometry.groups)
         )
         outputs = [output for output in expected if output.frame == number]
         if len(outputs) != geometry.results:

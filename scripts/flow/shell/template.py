@@ -30,10 +30,15 @@ def _shell_ports() -> list[Port]:
     return [Port(*port) for port in found]
 
 
-def ports(values: Mapping[str, int]) -> list[Port]:
+def lane_bits(pixel_bits: int) -> int:
+    """Of s_axis_tdata for a pixel: whole bytes, and of one width for all that do not fit one."""
+    return 8 if pixel_bits <= 8 else 16
+
+
+def ports(values: Mapping[str, int], pixel_bits: int = rtl.PIXEL_BITS) -> list[Port]:
     """Those of a stereo_ip, with numbers instead of generics in their types."""
     numbers = {
-        "16 * pixels_per_clock - 1": 16 * values["pixels_per_clock"] - 1,
+        "2 * lane_bits * pixels_per_clock - 1": 2 * lane_bits(pixel_bits) * values["pixels_per_clock"] - 1,
         "address_bits - 1": registers.address_bits() - 1,
         "disparity_bits * pixels_per_clock + 7": values["disparity_bits"] * values["pixels_per_clock"] + 7,
     }
@@ -63,11 +68,12 @@ def core_id(entry: manifest.Manifest) -> str:
 def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None = None) -> str:
     """The text of stereo_ip_CONFIG. `of_the_shell`: generics that are not those of the core, for tests."""
     values = design.generics(entry)
-    name, outside = rtl.ip_entity(config), ports(values)
+    pixel_bits = rtl.pixel_bits_of(entry["parameters"])
+    name, outside = rtl.ip_entity(config), ports(values, pixel_bits)
     settings = rtl.settings_of(entry["parameters"])
     widths = {
         port.name: rtl.port_type(port, values["pixels_per_clock"], values["disparity_bits"])
-        for port in rtl.ports_with(settings)
+        for port in rtl.ports_of(entry["parameters"])
     }
     of_the_core = {"reset", *widths} | ({"settings"} if settings else set())
     to_core = [port for port in _shell_ports() if port.name.removeprefix("core_") in of_the_core]
@@ -76,6 +82,7 @@ def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None 
         "core_id": f'x"{core_id(entry)}"',
         "enabled_at_reset": "enabled_at_reset",
         **({f"settings_{what}": _values(settings, what) for what in ("largest", "start")} if settings else {}),
+        **({"pixel_bits": pixel_bits, "lane_bits": lane_bits(pixel_bits)} if pixel_bits > 8 else {}),
         **(of_the_shell or {}),
     }
     inside = {port.name: port.name.removeprefix("core_") for port in to_core}
@@ -121,7 +128,8 @@ def instance(label: str, of: str, generics: Generics, connections: Mapping[str, 
 
 def user_instance(config: str, entry: manifest.Manifest) -> str:
     """An instance of stereo_ip_CONFIG, to be pasted, with the files to compile before it."""
-    names = {port.name: port.name for port in ports(design.generics(entry))}
+    outside = ports(design.generics(entry), rtl.pixel_bits_of(entry["parameters"]))
+    names = {port.name: port.name for port in outside}
     compiled = (f"  -- {path.relative_to(ROOT)}" for path in design.vhdl_files(config))
     return "\n".join([*compiled, instance("stereo", rtl.ip_entity(config), {}, names), ""])
 

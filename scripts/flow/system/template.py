@@ -143,6 +143,8 @@ def text(system: System) -> str:
     core, parameters = design.generics(entry), cast(dict[str, int], before["parameters"])
     stage = {name: parameters[name] for name in rtl.STAGES["rectification"].generics}
     _check(system, stage, core, option(entry["parameters"], "min_disparity"))
+    if rtl.pixel_bits_of(entry["parameters"]) != rtl.PIXEL_BITS:
+        raise FlowError(f"{system.matching} takes pixels of more than 8 bits, which camera_system does not give")
     table = depths_of(entry["parameters"])
     signals = _SIGNALS | {"disparity": f"std_logic_vector({core['disparity_bits'] - 1} downto 0)"}
     shell: dict[str, int | str] = {

@@ -192,6 +192,94 @@ TEST(FastModel, EqualsTheReferenceWhereSumsAreTheLargestOf16Bits) {
    }
 }
 
+/// Grey values of `bits` bits, `levels` of them.
+DeepPair random_deep_pair(int width, int height, int bits, int levels, Random& random) {
+   DeepPair pair{DeepImage(width, height), DeepImage(width, height)};
+   for (DeepImage* image : {&pair.left, &pair.right})
+      for (uint16_t& pixel : image->pixels)
+         pixel = uint16_t(int64_t(random.below(levels)) * ((1 << bits) - 1) / (levels - 1));
+   return pair;
+}
+
+/// Any options with which window costs of 12 bits stay below 2^31.
+block_matching::Matching random_deep_parameters(Random& random, int width) {
+   block_matching::Matching parameters = random_parameters(random, width);
+   if (parameters.cost != Cost::ssd) return parameters;
+   parameters.window_px = std::min(parameters.window_px, 11);
+   parameters.texture_threshold =
+       std::min(parameters.texture_threshold, parameters.prefilter_cap * parameters.window_px * parameters.window_px);
+   return parameters;
+}
+
+/// As `of_8_bits`, for grey values that are 2^(bits - 8) times as large.
+block_matching::Matching scaled(block_matching::Matching of_8_bits, int bits) {
+   of_8_bits.pixel_bits = bits;
+   of_8_bits.prefilter_cap <<= bits - 8;
+   of_8_bits.texture_threshold <<= bits - 8;
+   return of_8_bits;
+}
+
+TEST(FastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
+   Random random(test_seed());
+   for (int i = 0; i < 300; ++i) {
+      const int width = 3 + random.below(90), height = 1 + random.below(24), bits = random.percent(50) ? 10 : 12;
+      block_matching::Matching parameters = scaled(random_deep_parameters(random, width), bits);
+      if (random.percent(50)) parameters.prefilter_cap = 1 + random.below(63 << (bits - 8));
+      if (parameters.has_texture_check()) parameters.texture_threshold = std::max(1, parameters.prefilter_cap);
+      const DeepPair pair =
+          random_deep_pair(width, height, bits, random.percent(50) ? 1 << bits : 2 + random.below(4), random);
+      ASSERT_TRUE(
+          same_map(match_reference(pair.left, pair.right, parameters), match_fast(pair.left, pair.right, parameters)))
+          << width << 'x' << height << " bits=" << bits << ' ' << text_of(parameters);
+   }
+}
+
+TEST(FastModel, LargerGreyValuesOfMoreBitsChangeNothing) {
+   Random random(test_seed());
+   for (int i = 0; i < 60; ++i) {
+      const int width = 3 + random.below(60), height = 1 + random.below(16), bits = random.percent(50) ? 10 : 12;
+      const block_matching::Matching parameters = random_deep_parameters(random, width);
+      const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
+      DeepPair larger{widened(pair.left), widened(pair.right)};
+      for (DeepImage* image : {&larger.left, &larger.right})
+         for (uint16_t& pixel : image->pixels) pixel = uint16_t(pixel << (bits - 8));
+      const DisparityMap expected = match_reference(pair.left, pair.right, parameters);
+      for (const DisparityMap& map : {match_fast(larger.left, larger.right, scaled(parameters, bits)),
+                                      match_reference(larger.left, larger.right, scaled(parameters, bits))})
+         ASSERT_TRUE(same_map(expected, map)) << width << 'x' << height << ' ' << text_of(parameters);
+   }
+}
+
+TEST(FastModel, PixelsOf8BitsAreTakenAsTheyAre) {
+   Random random(test_seed());
+   for (int i = 0; i < 60; ++i) {
+      const int width = 3 + random.below(60), height = 1 + random.below(16);
+      block_matching::Matching parameters = random_deep_parameters(random, width);
+      const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
+      const DisparityMap expected = match_reference(pair.left, pair.right, parameters);
+      parameters.pixel_bits = 12;
+      for (const DisparityMap& map :
+           {match_fast(pair.left, pair.right, parameters), match_reference(pair.left, pair.right, parameters)})
+         ASSERT_TRUE(same_map(expected, map)) << width << 'x' << height << ' ' << text_of(parameters);
+   }
+}
+
+TEST(FastModel, RejectsPixelsBeyondTheRange) {
+   for (const int bits : {8, 10, 12}) {
+      const block_matching::Matching parameters{.disparities = 4, .pixel_bits = bits};
+      DeepPair pair{DeepImage(9, 9, uint16_t((1 << bits) - 1)), DeepImage(9, 9)};
+      EXPECT_NO_THROW(match_fast(pair.left, pair.right, parameters));
+      EXPECT_NO_THROW(match_reference(pair.left, pair.right, parameters));
+      pair.right.at(3, 8) = uint16_t(1 << bits);
+      EXPECT_THROW(match_fast(pair.left, pair.right, parameters), std::invalid_argument);
+      EXPECT_THROW(match_reference(pair.left, pair.right, parameters), std::invalid_argument);
+   }
+   for (const int bits : {7, 9, 11, 13, 16})
+      EXPECT_THROW(
+          match_fast(DeepImage(9, 9), DeepImage(9, 9), block_matching::Matching{.disparities = 4, .pixel_bits = bits}),
+          std::invalid_argument);
+}
+
 TEST(FastModel, RejectsWhatTheReferenceRejects) {
    EXPECT_THROW(match_fast(GrayImage(1, 1), GrayImage(1, 1), block_matching::Matching{1, 3}), std::invalid_argument);
    EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), block_matching::Matching{4, 3}), std::invalid_argument);

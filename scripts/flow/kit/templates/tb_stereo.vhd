@@ -41,7 +41,7 @@ begin
 
   source : process
     constant before : natural := maximum(shift, 0);
-    type row is array (0 to width_px + abs shift - 1) of natural range 0 to 255;
+    type row is array (0 to width_px + abs shift - 1) of natural range 0 to 2 ** pixel_bits - 1;
     type group_of_rows is array (0 to pixels_per_clock - 1) of row;
     variable noise : group_of_rows;
     variable seed_a, seed_b : positive := 2007;
@@ -56,14 +56,16 @@ begin
       for lane in noise'range loop
         for x in row'range loop
           uniform(seed_a, seed_b, number);
-          noise(lane)(x) := natural(floor(number * 256.0));
+          noise(lane)(x) := natural(floor(number * 2.0 ** pixel_bits));
         end loop;
       end loop;
       for x in 0 to width_px - 1 loop
         for lane in noise'range loop
-          s_axis_tdata(8 * lane + 7 downto 8 * lane) <= std_logic_vector(to_unsigned(noise(lane)(x - shift + before), 8));
-          s_axis_tdata(8 * (pixels_per_clock + lane) + 7 downto 8 * (pixels_per_clock + lane)) <=
-            std_logic_vector(to_unsigned(noise(lane)(x + before), 8));
+          s_axis_tdata(lane_bits * (lane + 1) - 1 downto lane_bits * lane) <=
+            std_logic_vector(to_unsigned(noise(lane)(x - shift + before), lane_bits));
+          s_axis_tdata(
+            lane_bits * (pixels_per_clock + lane + 1) - 1 downto lane_bits * (pixels_per_clock + lane)) <=
+            std_logic_vector(to_unsigned(noise(lane)(x + before), lane_bits));
         end loop;
         s_axis_tuser(0) <= '1' when line mod rows = 0 and x = 0 else '0';
         s_axis_tlast <= '1' when x = width_px - 1 else '0';

@@ -1,0 +1,1137 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration study_12bit: 320x64, 16 disparities, window 5x5, 1 pixel pair a clock.
+-- Options: disparities 16, window_px 5, pixel_bits 12, slice_disparities 8.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config study_12bit
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_study_12bit is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 320;
+    height_px : positive := 64;
+    disparities : positive := 16;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 304;
+    latency_clocks : positive := 16;
+    flush_groups : positive := 641;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(11 downto 0);  -- 12 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(11 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(7 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 320 report "stereo_core_study_12bit: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
+  assert height_px = 64 report "stereo_core_study_12bit: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
+  assert disparities = 16 report "stereo_core_study_12bit: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_study_12bit: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 8 report "stereo_core_study_12bit: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 304 report "stereo_core_study_12bit: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
+  assert latency_clocks = 16 report "stereo_core_study_12bit: latency_clocks is " & integer'image(latency_clocks) & " but this core has 16" severity failure;
+  assert flush_groups = 641 report "stereo_core_study_12bit: flush_groups is " & integer'image(flush_groups) & " but this core has 641" severity failure;
+  assert gap_groups = 0 report "stereo_core_study_12bit: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_study_12bit is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
+  signal in_left_pixel : natural range 0 to 4095;
+  signal in_right_pixel : natural range 0 to 4095;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 4095;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 511;
+  signal raster_place_group : natural range 0 to 127;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
+  signal delay_ahead_0 : natural range 0 to 4095;
+  signal delay_delayed_0 : unsigned(11 downto 0);
+  signal delay_column : natural range 0 to 511;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_row_inside_4 : boolean;
+  signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 4095;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 4095;
+  signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_reference_0 : natural range 0 to 4095;
+  signal rows_reference_1, rows_reference_2, rows_reference_3, rows_reference_4 : natural range 0 to 4095;
+  signal rows_search_rows_ready_words_0, rows_search_rows_ready_words_1 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words_0, rows_search_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_ready_words_1 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words_0, rows_reference_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_inside_4 : boolean;
+  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
+  signal rows_ready_inside_2, rows_ready_inside_3, rows_ready_inside_4, rows_ready_tag_valid : boolean;
+  signal rows_ready_tag_border_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
+  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_output_column : boolean;
+  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 4095;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 4095;
+  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_1_0 : natural range 0 to 4095;
+  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 4095;
+  signal slice0shift_search_1_4, slice0shift_search_1_5, slice0shift_search_1_6 : natural range 0 to 4095;
+  signal slice0shift_search_1_7, slice0shift_search_2_0, slice0shift_search_2_1 : natural range 0 to 4095;
+  signal slice0shift_search_2_2, slice0shift_search_2_3, slice0shift_search_2_4 : natural range 0 to 4095;
+  signal slice0shift_search_2_5, slice0shift_search_2_6, slice0shift_search_2_7 : natural range 0 to 4095;
+  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 4095;
+  signal slice0shift_search_3_3, slice0shift_search_3_4, slice0shift_search_3_5 : natural range 0 to 4095;
+  signal slice0shift_search_3_6, slice0shift_search_3_7, slice0shift_search_4_0 : natural range 0 to 4095;
+  signal slice0shift_search_4_1, slice0shift_search_4_2, slice0shift_search_4_3 : natural range 0 to 4095;
+  signal slice0shift_search_4_4, slice0shift_search_4_5, slice0shift_search_4_6 : natural range 0 to 4095;
+  signal slice0shift_search_4_7, slice0shift_reference_0, slice0shift_reference_1 : natural range 0 to 4095;
+  signal slice0shift_reference_2, slice0shift_reference_3, slice0shift_reference_4 : natural range 0 to 4095;
+  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 4095;
+  signal slice0shift_search_out_3, slice0shift_search_out_4 : natural range 0 to 4095;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -4095 to 4095;
+  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : integer range -4095 to 4095;
+  signal slice0cost_difference_0_6, slice0cost_difference_0_7, slice0cost_difference_1_0 : integer range -4095 to 4095;
+  signal slice0cost_difference_1_1, slice0cost_difference_1_2, slice0cost_difference_1_3 : integer range -4095 to 4095;
+  signal slice0cost_difference_1_4, slice0cost_difference_1_5, slice0cost_difference_1_6 : integer range -4095 to 4095;
+  signal slice0cost_difference_1_7, slice0cost_difference_2_0, slice0cost_difference_2_1 : integer range -4095 to 4095;
+  signal slice0cost_difference_2_2, slice0cost_difference_2_3, slice0cost_difference_2_4 : integer range -4095 to 4095;
+  signal slice0cost_difference_2_5, slice0cost_difference_2_6, slice0cost_difference_2_7 : integer range -4095 to 4095;
+  signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -4095 to 4095;
+  signal slice0cost_difference_3_3, slice0cost_difference_3_4, slice0cost_difference_3_5 : integer range -4095 to 4095;
+  signal slice0cost_difference_3_6, slice0cost_difference_3_7, slice0cost_difference_4_0 : integer range -4095 to 4095;
+  signal slice0cost_difference_4_1, slice0cost_difference_4_2, slice0cost_difference_4_3 : integer range -4095 to 4095;
+  signal slice0cost_difference_4_4, slice0cost_difference_4_5, slice0cost_difference_4_6 : integer range -4095 to 4095;
+  signal slice0cost_difference_4_7 : integer range -4095 to 4095;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
+  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_1_0, slice0cost_negative_1_1 : boolean;
+  signal slice0cost_negative_1_2, slice0cost_negative_1_3, slice0cost_negative_1_4, slice0cost_negative_1_5 : boolean;
+  signal slice0cost_negative_1_6, slice0cost_negative_1_7, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 8191;
+  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 8191;
+  signal slice0cost_pair_1_0, slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_pair_1_3 : natural range 0 to 8191;
+  signal slice0cost_pair_1_4, slice0cost_pair_1_5, slice0cost_pair_1_6, slice0cost_pair_1_7 : natural range 0 to 8191;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 4096;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 4096;
+  signal slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 4096;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 20480;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 20480;
+  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 20480;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 20480;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 20480;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7 : natural range 0 to 20480;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 40960;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 40960;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7 : natural range 0 to 40960;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 61440;
+  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 61440;
+  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7 : natural range 0 to 61440;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 81920;
+  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 81920;
+  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7 : natural range 0 to 81920;
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 102400;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 102400;
+  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 102400;
+  -- slice0winner1
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 102400;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 102400;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_four_0_0 : natural range 0 to 102400;
+  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 102400;
+  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 102400;
+  signal slice0winner1_of_four_0_7 : natural range 0 to 102400;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 131071;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0 : natural range 0 to 131071;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 7;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_best_cost_0_0 : natural range 0 to 131071;
+  signal slice0_best_index_0_0 : natural range 0 to 15;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 4095;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 4095;
+  signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_1_0 : natural range 0 to 4095;
+  signal slice1shift_search_1_1, slice1shift_search_1_2, slice1shift_search_1_3 : natural range 0 to 4095;
+  signal slice1shift_search_1_4, slice1shift_search_1_5, slice1shift_search_1_6 : natural range 0 to 4095;
+  signal slice1shift_search_1_7, slice1shift_search_2_0, slice1shift_search_2_1 : natural range 0 to 4095;
+  signal slice1shift_search_2_2, slice1shift_search_2_3, slice1shift_search_2_4 : natural range 0 to 4095;
+  signal slice1shift_search_2_5, slice1shift_search_2_6, slice1shift_search_2_7 : natural range 0 to 4095;
+  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 4095;
+  signal slice1shift_search_3_3, slice1shift_search_3_4, slice1shift_search_3_5 : natural range 0 to 4095;
+  signal slice1shift_search_3_6, slice1shift_search_3_7, slice1shift_search_4_0 : natural range 0 to 4095;
+  signal slice1shift_search_4_1, slice1shift_search_4_2, slice1shift_search_4_3 : natural range 0 to 4095;
+  signal slice1shift_search_4_4, slice1shift_search_4_5, slice1shift_search_4_6 : natural range 0 to 4095;
+  signal slice1shift_search_4_7, slice1shift_reference_0, slice1shift_reference_1 : natural range 0 to 4095;
+  signal slice1shift_reference_2, slice1shift_reference_3, slice1shift_reference_4 : natural range 0 to 4095;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -4095 to 4095;
+  signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_0_5 : integer range -4095 to 4095;
+  signal slice1cost_difference_0_6, slice1cost_difference_0_7, slice1cost_difference_1_0 : integer range -4095 to 4095;
+  signal slice1cost_difference_1_1, slice1cost_difference_1_2, slice1cost_difference_1_3 : integer range -4095 to 4095;
+  signal slice1cost_difference_1_4, slice1cost_difference_1_5, slice1cost_difference_1_6 : integer range -4095 to 4095;
+  signal slice1cost_difference_1_7, slice1cost_difference_2_0, slice1cost_difference_2_1 : integer range -4095 to 4095;
+  signal slice1cost_difference_2_2, slice1cost_difference_2_3, slice1cost_difference_2_4 : integer range -4095 to 4095;
+  signal slice1cost_difference_2_5, slice1cost_difference_2_6, slice1cost_difference_2_7 : integer range -4095 to 4095;
+  signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -4095 to 4095;
+  signal slice1cost_difference_3_3, slice1cost_difference_3_4, slice1cost_difference_3_5 : integer range -4095 to 4095;
+  signal slice1cost_difference_3_6, slice1cost_difference_3_7, slice1cost_difference_4_0 : integer range -4095 to 4095;
+  signal slice1cost_difference_4_1, slice1cost_difference_4_2, slice1cost_difference_4_3 : integer range -4095 to 4095;
+  signal slice1cost_difference_4_4, slice1cost_difference_4_5, slice1cost_difference_4_6 : integer range -4095 to 4095;
+  signal slice1cost_difference_4_7 : integer range -4095 to 4095;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 8191;
+  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 8191;
+  signal slice1cost_pair_1_0, slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_1_3 : natural range 0 to 8191;
+  signal slice1cost_pair_1_4, slice1cost_pair_1_5, slice1cost_pair_1_6, slice1cost_pair_1_7 : natural range 0 to 8191;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
+  signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
+  signal slice1cost_negative_1_0, slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_negative_1_3 : boolean;
+  signal slice1cost_negative_1_4, slice1cost_negative_1_5, slice1cost_negative_1_6, slice1cost_negative_1_7 : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 4096;
+  signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 4096;
+  signal slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 4096;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 20480;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 20480;
+  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 20480;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 20480;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 20480;
+  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7 : natural range 0 to 20480;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 40960;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 40960;
+  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7 : natural range 0 to 40960;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 61440;
+  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 61440;
+  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7 : natural range 0 to 61440;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 81920;
+  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 81920;
+  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7 : natural range 0 to 81920;
+  signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_0 : boolean;
+  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 102400;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 102400;
+  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 102400;
+  -- slice1winner1
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 102400;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 102400;
+  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_four_0_0 : natural range 0 to 102400;
+  signal slice1winner1_of_four_0_1, slice1winner1_of_four_0_2, slice1winner1_of_four_0_3 : natural range 0 to 102400;
+  signal slice1winner1_of_four_0_4, slice1winner1_of_four_0_5, slice1winner1_of_four_0_6 : natural range 0 to 102400;
+  signal slice1winner1_of_four_0_7 : natural range 0 to 102400;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 131071;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0 : natural range 0 to 131071;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 7;
+  -- slice1
+  signal slice1_best_index_0_0 : natural range 0 to 15;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
+
+begin
+  in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  disparity <= std_logic_vector(to_unsigned(slice1_best_index_0_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(1, 1));
+  disparity_valid <= as_bit(slice1_best_tag_valid and slice1_best_tag_output_column);
+  disparity_start_of_frame <= as_bit(slice1_best_tag_start_of_frame and slice1_best_tag_valid and slice1_best_tag_output_column);
+  disparity_end_of_line <= as_bit(slice1_best_tag_end_of_line and slice1_best_tag_valid and slice1_best_tag_output_column);
+
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
+  rows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 320, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
+  rows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 320, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 12);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 12)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  process (clock)
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_group_is_equal_3, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable delay_row_inside_2_is_less, slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
+    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
+    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_4_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_choice, raster_place_group_choice_2 : natural range 0 to 127;
+  begin
+    if rising_edge(clock) then
+      -- raster
+      raster_place_group_is_equal := raster_place_group = 63;
+      raster_place_group_is_equal_2 := raster_place_column = 319;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_is_equal_3 := raster_place_group = 65;
+      raster_place_group_choice := 2 when raster_place_group_is_equal_3 and raster_place_next_frame else
+        (raster_place_group + 1) mod 128;
+      raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 66) and
+        raster_place_group_is_equal_2 and in_valid else raster_place_group;
+      raster_features_search_0 <= in_left_pixel;
+      raster_features_reference_0 <= in_right_pixel;
+      raster_features_valid <= in_valid;
+      raster_place_group <= as_number(raster_place_group_all) * 64 when in_start_of_frame and in_valid else
+        raster_place_group_choice_2;
+      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
+        raster_place_group_is_equal_3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame when raster_place_group = 66 else
+        raster_place_next_frame_choice;
+      if in_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
+          mod 512;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 15 else (delay_ring_read_address + 1) mod 16;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_2_is_less := (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2))
+        < 64;
+      delay_ahead_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 64;
+      delay_row_inside_1 <= (raster_place_group >= 3) and (raster_place_group < 67);
+      delay_row_inside_2 <= delay_row_inside_2_is_less;
+      delay_row_inside_3 <= (raster_place_group >= 1) and (raster_place_group < 65);
+      delay_row_inside_4 <= not ((raster_place_group / 64) = 1);
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= raster_place_column < 15;
+      delay_tag_output_column <= delay_row_inside_2_is_less and (raster_place_column >= 15) and (raster_place_column <
+        319);
+      delay_tag_start_of_frame <= (raster_place_column = 15) and (raster_place_group = 2);
+      delay_tag_end_of_line <= raster_place_column = 318;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_ahead_0;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_inside_3 <= delay_row_inside_3;
+      rows_read_inside_4 <= delay_row_inside_4;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_inside_3 <= rows_read_inside_3;
+      rows_ready_inside_4 <= rows_read_inside_4;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_words_1 mod 4096 when rows_ready_inside_2 else 0;
+      rows_search_3 <= rows_search_rows_ready_words_1 / 4096 when rows_ready_inside_3 else 0;
+      rows_search_4 <= rows_search_rows_ready_newest_0 when rows_ready_inside_4 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_words_1 mod 4096 when rows_ready_inside_2 else 0;
+      rows_reference_3 <= rows_reference_rows_ready_words_1 / 4096 when rows_ready_inside_3 else 0;
+      rows_reference_4 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_4 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + ((rows_search_rows_ready_words_1
+          mod 4096) * 4096);
+        rows_search_rows_write_words_1 <= (rows_search_rows_ready_words_1 / 4096) + (rows_search_rows_ready_newest_0 *
+          4096);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 4096) +
+          ((rows_reference_rows_ready_words_1 mod 4096) * 4096);
+        rows_reference_rows_write_words_1 <= (rows_reference_rows_ready_words_1 / 4096) +
+          (rows_reference_rows_ready_newest_0 * 4096);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= slice0shift_search_0_1;
+        slice0shift_search_0_1 <= slice0shift_search_0_2;
+        slice0shift_search_0_2 <= slice0shift_search_0_3;
+        slice0shift_search_0_3 <= slice0shift_search_0_4;
+        slice0shift_search_0_4 <= slice0shift_search_0_5;
+        slice0shift_search_0_5 <= slice0shift_search_0_6;
+        slice0shift_search_0_6 <= slice0shift_search_0_7;
+        slice0shift_search_0_7 <= rows_search_0;
+        slice0shift_search_1_0 <= slice0shift_search_1_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_2;
+        slice0shift_search_1_2 <= slice0shift_search_1_3;
+        slice0shift_search_1_3 <= slice0shift_search_1_4;
+        slice0shift_search_1_4 <= slice0shift_search_1_5;
+        slice0shift_search_1_5 <= slice0shift_search_1_6;
+        slice0shift_search_1_6 <= slice0shift_search_1_7;
+        slice0shift_search_1_7 <= rows_search_1;
+        slice0shift_search_2_0 <= slice0shift_search_2_1;
+        slice0shift_search_2_1 <= slice0shift_search_2_2;
+        slice0shift_search_2_2 <= slice0shift_search_2_3;
+        slice0shift_search_2_3 <= slice0shift_search_2_4;
+        slice0shift_search_2_4 <= slice0shift_search_2_5;
+        slice0shift_search_2_5 <= slice0shift_search_2_6;
+        slice0shift_search_2_6 <= slice0shift_search_2_7;
+        slice0shift_search_2_7 <= rows_search_2;
+        slice0shift_search_3_0 <= slice0shift_search_3_1;
+        slice0shift_search_3_1 <= slice0shift_search_3_2;
+        slice0shift_search_3_2 <= slice0shift_search_3_3;
+        slice0shift_search_3_3 <= slice0shift_search_3_4;
+        slice0shift_search_3_4 <= slice0shift_search_3_5;
+        slice0shift_search_3_5 <= slice0shift_search_3_6;
+        slice0shift_search_3_6 <= slice0shift_search_3_7;
+        slice0shift_search_3_7 <= rows_search_3;
+        slice0shift_search_4_0 <= slice0shift_search_4_1;
+        slice0shift_search_4_1 <= slice0shift_search_4_2;
+        slice0shift_search_4_2 <= slice0shift_search_4_3;
+        slice0shift_search_4_3 <= slice0shift_search_4_4;
+        slice0shift_search_4_4 <= slice0shift_search_4_5;
+        slice0shift_search_4_5 <= slice0shift_search_4_6;
+        slice0shift_search_4_6 <= slice0shift_search_4_7;
+        slice0shift_search_4_7 <= rows_search_4;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_reference_3 <= rows_reference_3;
+      slice0shift_reference_4 <= rows_reference_4;
+      slice0shift_search_out_0 <= slice0shift_search_0_0;
+      slice0shift_search_out_1 <= slice0shift_search_1_0;
+      slice0shift_search_out_2 <= slice0shift_search_2_0;
+      slice0shift_search_out_3 <= slice0shift_search_3_0;
+      slice0shift_search_out_4 <= slice0shift_search_4_0;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
+      slice0cost_difference_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
+      slice0cost_difference_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
+      slice0cost_difference_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
+      slice0cost_difference_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
+      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_difference_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
+      slice0cost_difference_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
+      slice0cost_difference_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
+      slice0cost_difference_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
+      slice0cost_difference_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
+      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_2_3 <= slice0shift_search_2_3 - slice0shift_reference_2;
+      slice0cost_difference_2_4 <= slice0shift_search_2_4 - slice0shift_reference_2;
+      slice0cost_difference_2_5 <= slice0shift_search_2_5 - slice0shift_reference_2;
+      slice0cost_difference_2_6 <= slice0shift_search_2_6 - slice0shift_reference_2;
+      slice0cost_difference_2_7 <= slice0shift_search_2_7 - slice0shift_reference_2;
+      slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
+      slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
+      slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
+      slice0cost_difference_3_3 <= slice0shift_search_3_3 - slice0shift_reference_3;
+      slice0cost_difference_3_4 <= slice0shift_search_3_4 - slice0shift_reference_3;
+      slice0cost_difference_3_5 <= slice0shift_search_3_5 - slice0shift_reference_3;
+      slice0cost_difference_3_6 <= slice0shift_search_3_6 - slice0shift_reference_3;
+      slice0cost_difference_3_7 <= slice0shift_search_3_7 - slice0shift_reference_3;
+      slice0cost_difference_4_0 <= slice0shift_search_4_0 - slice0shift_reference_4;
+      slice0cost_difference_4_1 <= slice0shift_search_4_1 - slice0shift_reference_4;
+      slice0cost_difference_4_2 <= slice0shift_search_4_2 - slice0shift_reference_4;
+      slice0cost_difference_4_3 <= slice0shift_search_4_3 - slice0shift_reference_4;
+      slice0cost_difference_4_4 <= slice0shift_search_4_4 - slice0shift_reference_4;
+      slice0cost_difference_4_5 <= slice0shift_search_4_5 - slice0shift_reference_4;
+      slice0cost_difference_4_6 <= slice0shift_search_4_6 - slice0shift_reference_4;
+      slice0cost_difference_4_7 <= slice0shift_search_4_7 - slice0shift_reference_4;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
+        as_number((slice0cost_difference_1_3 < 0));
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
+        as_number((slice0cost_difference_1_4 < 0));
+      slice0cost_pair_0_5 <= folded(slice0cost_difference_2_5) + folded(slice0cost_difference_1_5) +
+        as_number((slice0cost_difference_1_5 < 0));
+      slice0cost_pair_0_6 <= folded(slice0cost_difference_2_6) + folded(slice0cost_difference_1_6) +
+        as_number((slice0cost_difference_1_6 < 0));
+      slice0cost_pair_0_7 <= folded(slice0cost_difference_2_7) + folded(slice0cost_difference_1_7) +
+        as_number((slice0cost_difference_1_7 < 0));
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + folded(slice0cost_difference_3_0) +
+        as_number((slice0cost_difference_3_0 < 0));
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + folded(slice0cost_difference_3_1) +
+        as_number((slice0cost_difference_3_1 < 0));
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + folded(slice0cost_difference_3_2) +
+        as_number((slice0cost_difference_3_2 < 0));
+      slice0cost_pair_1_3 <= folded(slice0cost_difference_4_3) + folded(slice0cost_difference_3_3) +
+        as_number((slice0cost_difference_3_3 < 0));
+      slice0cost_pair_1_4 <= folded(slice0cost_difference_4_4) + folded(slice0cost_difference_3_4) +
+        as_number((slice0cost_difference_3_4 < 0));
+      slice0cost_pair_1_5 <= folded(slice0cost_difference_4_5) + folded(slice0cost_difference_3_5) +
+        as_number((slice0cost_difference_3_5 < 0));
+      slice0cost_pair_1_6 <= folded(slice0cost_difference_4_6) + folded(slice0cost_difference_3_6) +
+        as_number((slice0cost_difference_3_6 < 0));
+      slice0cost_pair_1_7 <= folded(slice0cost_difference_4_7) + folded(slice0cost_difference_3_7) +
+        as_number((slice0cost_difference_3_7 < 0));
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_2_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_2_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_2_7 < 0;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_negative_1_3 <= slice0cost_difference_4_3 < 0;
+      slice0cost_negative_1_4 <= slice0cost_difference_4_4 < 0;
+      slice0cost_negative_1_5 <= slice0cost_difference_4_5 < 0;
+      slice0cost_negative_1_6 <= slice0cost_difference_4_6 < 0;
+      slice0cost_negative_1_7 <= slice0cost_difference_4_7 < 0;
+      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0));
+      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0));
+      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0));
+      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0));
+      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0));
+      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0));
+      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0));
+      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0));
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_0) +
+        slice0cost_pair_0_0 + slice0cost_pair_1_0 + slice0cost_single_0_0 + as_number(slice0cost_negative_0_0);
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_1) +
+        slice0cost_pair_0_1 + slice0cost_pair_1_1 + slice0cost_single_0_1 + as_number(slice0cost_negative_0_1);
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_2) +
+        slice0cost_pair_0_2 + slice0cost_pair_1_2 + slice0cost_single_0_2 + as_number(slice0cost_negative_0_2);
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_3) +
+        slice0cost_pair_0_3 + slice0cost_pair_1_3 + slice0cost_single_0_3 + as_number(slice0cost_negative_0_3);
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_4) +
+        slice0cost_pair_0_4 + slice0cost_pair_1_4 + slice0cost_single_0_4 + as_number(slice0cost_negative_0_4);
+      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_5) +
+        slice0cost_pair_0_5 + slice0cost_pair_1_5 + slice0cost_single_0_5 + as_number(slice0cost_negative_0_5);
+      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_6) +
+        slice0cost_pair_0_6 + slice0cost_pair_1_6 + slice0cost_single_0_6 + as_number(slice0cost_negative_0_6);
+      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_7) +
+        slice0cost_pair_0_7 + slice0cost_pair_1_7 + slice0cost_single_0_7 + as_number(slice0cost_negative_0_7);
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
+        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
+        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
+        slice0window_partial_0_0_6 <= slice0cost_column_0_6;
+        slice0window_partial_0_0_7 <= slice0cost_column_0_7;
+        slice0window_partial_0_1_0 <= slice0window_partial_0_0_0 + slice0cost_column_0_0;
+        slice0window_partial_0_1_1 <= slice0window_partial_0_0_1 + slice0cost_column_0_1;
+        slice0window_partial_0_1_2 <= slice0window_partial_0_0_2 + slice0cost_column_0_2;
+        slice0window_partial_0_1_3 <= slice0window_partial_0_0_3 + slice0cost_column_0_3;
+        slice0window_partial_0_1_4 <= slice0window_partial_0_0_4 + slice0cost_column_0_4;
+        slice0window_partial_0_1_5 <= slice0window_partial_0_0_5 + slice0cost_column_0_5;
+        slice0window_partial_0_1_6 <= slice0window_partial_0_0_6 + slice0cost_column_0_6;
+        slice0window_partial_0_1_7 <= slice0window_partial_0_0_7 + slice0cost_column_0_7;
+        slice0window_partial_0_2_0 <= slice0window_partial_0_1_0 + slice0cost_column_0_0;
+        slice0window_partial_0_2_1 <= slice0window_partial_0_1_1 + slice0cost_column_0_1;
+        slice0window_partial_0_2_2 <= slice0window_partial_0_1_2 + slice0cost_column_0_2;
+        slice0window_partial_0_2_3 <= slice0window_partial_0_1_3 + slice0cost_column_0_3;
+        slice0window_partial_0_2_4 <= slice0window_partial_0_1_4 + slice0cost_column_0_4;
+        slice0window_partial_0_2_5 <= slice0window_partial_0_1_5 + slice0cost_column_0_5;
+        slice0window_partial_0_2_6 <= slice0window_partial_0_1_6 + slice0cost_column_0_6;
+        slice0window_partial_0_2_7 <= slice0window_partial_0_1_7 + slice0cost_column_0_7;
+        slice0window_partial_0_3_0 <= slice0window_partial_0_2_0 + slice0cost_column_0_0;
+        slice0window_partial_0_3_1 <= slice0window_partial_0_2_1 + slice0cost_column_0_1;
+        slice0window_partial_0_3_2 <= slice0window_partial_0_2_2 + slice0cost_column_0_2;
+        slice0window_partial_0_3_3 <= slice0window_partial_0_2_3 + slice0cost_column_0_3;
+        slice0window_partial_0_3_4 <= slice0window_partial_0_2_4 + slice0cost_column_0_4;
+        slice0window_partial_0_3_5 <= slice0window_partial_0_2_5 + slice0cost_column_0_5;
+        slice0window_partial_0_3_6 <= slice0window_partial_0_2_6 + slice0cost_column_0_6;
+        slice0window_partial_0_3_7 <= slice0window_partial_0_2_7 + slice0cost_column_0_7;
+      end if;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0window_partial_0_3_0 + slice0cost_column_0_0;
+      slice0window_sum_0_1 <= slice0window_partial_0_3_1 + slice0cost_column_0_1;
+      slice0window_sum_0_2 <= slice0window_partial_0_3_2 + slice0cost_column_0_2;
+      slice0window_sum_0_3 <= slice0window_partial_0_3_3 + slice0cost_column_0_3;
+      slice0window_sum_0_4 <= slice0window_partial_0_3_4 + slice0cost_column_0_4;
+      slice0window_sum_0_5 <= slice0window_partial_0_3_5 + slice0cost_column_0_5;
+      slice0window_sum_0_6 <= slice0window_partial_0_3_6 + slice0cost_column_0_6;
+      slice0window_sum_0_7 <= slice0window_partial_0_3_7 + slice0cost_column_0_7;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      if slice0window_tag_valid then
+        slice0window_tag_output_column <= slice1window_centre_output_column_0;
+        slice0window_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
+        slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
+      end if;
+      -- slice0winner1
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 17)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 17)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 17)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 17))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 17)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 17)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 17)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 17))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 17)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 17)))) or (to_unsigned(slice0winner1_of_four_0_1, 17)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 17))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 17)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 17)))) or (to_unsigned(slice0winner1_of_four_0_5, 17)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 17))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_index_0_0;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 8;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice1shift_search_0_1;
+        slice1shift_search_0_1 <= slice1shift_search_0_2;
+        slice1shift_search_0_2 <= slice1shift_search_0_3;
+        slice1shift_search_0_3 <= slice1shift_search_0_4;
+        slice1shift_search_0_4 <= slice1shift_search_0_5;
+        slice1shift_search_0_5 <= slice1shift_search_0_6;
+        slice1shift_search_0_6 <= slice1shift_search_0_7;
+        slice1shift_search_0_7 <= slice0shift_search_out_0;
+        slice1shift_search_1_0 <= slice1shift_search_1_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_2;
+        slice1shift_search_1_2 <= slice1shift_search_1_3;
+        slice1shift_search_1_3 <= slice1shift_search_1_4;
+        slice1shift_search_1_4 <= slice1shift_search_1_5;
+        slice1shift_search_1_5 <= slice1shift_search_1_6;
+        slice1shift_search_1_6 <= slice1shift_search_1_7;
+        slice1shift_search_1_7 <= slice0shift_search_out_1;
+        slice1shift_search_2_0 <= slice1shift_search_2_1;
+        slice1shift_search_2_1 <= slice1shift_search_2_2;
+        slice1shift_search_2_2 <= slice1shift_search_2_3;
+        slice1shift_search_2_3 <= slice1shift_search_2_4;
+        slice1shift_search_2_4 <= slice1shift_search_2_5;
+        slice1shift_search_2_5 <= slice1shift_search_2_6;
+        slice1shift_search_2_6 <= slice1shift_search_2_7;
+        slice1shift_search_2_7 <= slice0shift_search_out_2;
+        slice1shift_search_3_0 <= slice1shift_search_3_1;
+        slice1shift_search_3_1 <= slice1shift_search_3_2;
+        slice1shift_search_3_2 <= slice1shift_search_3_3;
+        slice1shift_search_3_3 <= slice1shift_search_3_4;
+        slice1shift_search_3_4 <= slice1shift_search_3_5;
+        slice1shift_search_3_5 <= slice1shift_search_3_6;
+        slice1shift_search_3_6 <= slice1shift_search_3_7;
+        slice1shift_search_3_7 <= slice0shift_search_out_3;
+        slice1shift_search_4_0 <= slice1shift_search_4_1;
+        slice1shift_search_4_1 <= slice1shift_search_4_2;
+        slice1shift_search_4_2 <= slice1shift_search_4_3;
+        slice1shift_search_4_3 <= slice1shift_search_4_4;
+        slice1shift_search_4_4 <= slice1shift_search_4_5;
+        slice1shift_search_4_5 <= slice1shift_search_4_6;
+        slice1shift_search_4_6 <= slice1shift_search_4_7;
+        slice1shift_search_4_7 <= slice0shift_search_out_4;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_reference_3 <= slice0shift_reference_3;
+      slice1shift_reference_4 <= slice0shift_reference_4;
+      -- slice1cost
+      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_difference_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
+      slice1cost_difference_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
+      slice1cost_difference_0_5 <= slice1shift_search_0_5 - slice1shift_reference_0;
+      slice1cost_difference_0_6 <= slice1shift_search_0_6 - slice1shift_reference_0;
+      slice1cost_difference_0_7 <= slice1shift_search_0_7 - slice1shift_reference_0;
+      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
+      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
+      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
+      slice1cost_difference_1_3 <= slice1shift_search_1_3 - slice1shift_reference_1;
+      slice1cost_difference_1_4 <= slice1shift_search_1_4 - slice1shift_reference_1;
+      slice1cost_difference_1_5 <= slice1shift_search_1_5 - slice1shift_reference_1;
+      slice1cost_difference_1_6 <= slice1shift_search_1_6 - slice1shift_reference_1;
+      slice1cost_difference_1_7 <= slice1shift_search_1_7 - slice1shift_reference_1;
+      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_difference_2_3 <= slice1shift_search_2_3 - slice1shift_reference_2;
+      slice1cost_difference_2_4 <= slice1shift_search_2_4 - slice1shift_reference_2;
+      slice1cost_difference_2_5 <= slice1shift_search_2_5 - slice1shift_reference_2;
+      slice1cost_difference_2_6 <= slice1shift_search_2_6 - slice1shift_reference_2;
+      slice1cost_difference_2_7 <= slice1shift_search_2_7 - slice1shift_reference_2;
+      slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
+      slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
+      slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
+      slice1cost_difference_3_3 <= slice1shift_search_3_3 - slice1shift_reference_3;
+      slice1cost_difference_3_4 <= slice1shift_search_3_4 - slice1shift_reference_3;
+      slice1cost_difference_3_5 <= slice1shift_search_3_5 - slice1shift_reference_3;
+      slice1cost_difference_3_6 <= slice1shift_search_3_6 - slice1shift_reference_3;
+      slice1cost_difference_3_7 <= slice1shift_search_3_7 - slice1shift_reference_3;
+      slice1cost_difference_4_0 <= slice1shift_search_4_0 - slice1shift_reference_4;
+      slice1cost_difference_4_1 <= slice1shift_search_4_1 - slice1shift_reference_4;
+      slice1cost_difference_4_2 <= slice1shift_search_4_2 - slice1shift_reference_4;
+      slice1cost_difference_4_3 <= slice1shift_search_4_3 - slice1shift_reference_4;
+      slice1cost_difference_4_4 <= slice1shift_search_4_4 - slice1shift_reference_4;
+      slice1cost_difference_4_5 <= slice1shift_search_4_5 - slice1shift_reference_4;
+      slice1cost_difference_4_6 <= slice1shift_search_4_6 - slice1shift_reference_4;
+      slice1cost_difference_4_7 <= slice1shift_search_4_7 - slice1shift_reference_4;
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
+        as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
+        as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
+        as_number((slice1cost_difference_1_2 < 0));
+      slice1cost_pair_0_3 <= folded(slice1cost_difference_2_3) + folded(slice1cost_difference_1_3) +
+        as_number((slice1cost_difference_1_3 < 0));
+      slice1cost_pair_0_4 <= folded(slice1cost_difference_2_4) + folded(slice1cost_difference_1_4) +
+        as_number((slice1cost_difference_1_4 < 0));
+      slice1cost_pair_0_5 <= folded(slice1cost_difference_2_5) + folded(slice1cost_difference_1_5) +
+        as_number((slice1cost_difference_1_5 < 0));
+      slice1cost_pair_0_6 <= folded(slice1cost_difference_2_6) + folded(slice1cost_difference_1_6) +
+        as_number((slice1cost_difference_1_6 < 0));
+      slice1cost_pair_0_7 <= folded(slice1cost_difference_2_7) + folded(slice1cost_difference_1_7) +
+        as_number((slice1cost_difference_1_7 < 0));
+      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + folded(slice1cost_difference_3_0) +
+        as_number((slice1cost_difference_3_0 < 0));
+      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + folded(slice1cost_difference_3_1) +
+        as_number((slice1cost_difference_3_1 < 0));
+      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + folded(slice1cost_difference_3_2) +
+        as_number((slice1cost_difference_3_2 < 0));
+      slice1cost_pair_1_3 <= folded(slice1cost_difference_4_3) + folded(slice1cost_difference_3_3) +
+        as_number((slice1cost_difference_3_3 < 0));
+      slice1cost_pair_1_4 <= folded(slice1cost_difference_4_4) + folded(slice1cost_difference_3_4) +
+        as_number((slice1cost_difference_3_4 < 0));
+      slice1cost_pair_1_5 <= folded(slice1cost_difference_4_5) + folded(slice1cost_difference_3_5) +
+        as_number((slice1cost_difference_3_5 < 0));
+      slice1cost_pair_1_6 <= folded(slice1cost_difference_4_6) + folded(slice1cost_difference_3_6) +
+        as_number((slice1cost_difference_3_6 < 0));
+      slice1cost_pair_1_7 <= folded(slice1cost_difference_4_7) + folded(slice1cost_difference_3_7) +
+        as_number((slice1cost_difference_3_7 < 0));
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_2_3 < 0;
+      slice1cost_negative_0_4 <= slice1cost_difference_2_4 < 0;
+      slice1cost_negative_0_5 <= slice1cost_difference_2_5 < 0;
+      slice1cost_negative_0_6 <= slice1cost_difference_2_6 < 0;
+      slice1cost_negative_0_7 <= slice1cost_difference_2_7 < 0;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_negative_1_3 <= slice1cost_difference_4_3 < 0;
+      slice1cost_negative_1_4 <= slice1cost_difference_4_4 < 0;
+      slice1cost_negative_1_5 <= slice1cost_difference_4_5 < 0;
+      slice1cost_negative_1_6 <= slice1cost_difference_4_6 < 0;
+      slice1cost_negative_1_7 <= slice1cost_difference_4_7 < 0;
+      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0));
+      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0));
+      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0));
+      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0));
+      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0));
+      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0));
+      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0));
+      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0));
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_0) +
+        slice1cost_pair_0_0 + slice1cost_pair_1_0 + slice1cost_single_0_0 + as_number(slice1cost_negative_0_0);
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_1) +
+        slice1cost_pair_0_1 + slice1cost_pair_1_1 + slice1cost_single_0_1 + as_number(slice1cost_negative_0_1);
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_2) +
+        slice1cost_pair_0_2 + slice1cost_pair_1_2 + slice1cost_single_0_2 + as_number(slice1cost_negative_0_2);
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_3) +
+        slice1cost_pair_0_3 + slice1cost_pair_1_3 + slice1cost_single_0_3 + as_number(slice1cost_negative_0_3);
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_4) +
+        slice1cost_pair_0_4 + slice1cost_pair_1_4 + slice1cost_single_0_4 + as_number(slice1cost_negative_0_4);
+      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_5) +
+        slice1cost_pair_0_5 + slice1cost_pair_1_5 + slice1cost_single_0_5 + as_number(slice1cost_negative_0_5);
+      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_6) +
+        slice1cost_pair_0_6 + slice1cost_pair_1_6 + slice1cost_single_0_6 + as_number(slice1cost_negative_0_6);
+      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_7) +
+        slice1cost_pair_0_7 + slice1cost_pair_1_7 + slice1cost_single_0_7 + as_number(slice1cost_negative_0_7);
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
+        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
+        slice1window_partial_0_0_5 <= slice1cost_column_0_5;
+        slice1window_partial_0_0_6 <= slice1cost_column_0_6;
+        slice1window_partial_0_0_7 <= slice1cost_column_0_7;
+        slice1window_partial_0_1_0 <= slice1window_partial_0_0_0 + slice1cost_column_0_0;
+        slice1window_partial_0_1_1 <= slice1window_partial_0_0_1 + slice1cost_column_0_1;
+        slice1window_partial_0_1_2 <= slice1window_partial_0_0_2 + slice1cost_column_0_2;
+        slice1window_partial_0_1_3 <= slice1window_partial_0_0_3 + slice1cost_column_0_3;
+        slice1window_partial_0_1_4 <= slice1window_partial_0_0_4 + slice1cost_column_0_4;
+        slice1window_partial_0_1_5 <= slice1window_partial_0_0_5 + slice1cost_column_0_5;
+        slice1window_partial_0_1_6 <= slice1window_partial_0_0_6 + slice1cost_column_0_6;
+        slice1window_partial_0_1_7 <= slice1window_partial_0_0_7 + slice1cost_column_0_7;
+        slice1window_partial_0_2_0 <= slice1window_partial_0_1_0 + slice1cost_column_0_0;
+        slice1window_partial_0_2_1 <= slice1window_partial_0_1_1 + slice1cost_column_0_1;
+        slice1window_partial_0_2_2 <= slice1window_partial_0_1_2 + slice1cost_column_0_2;
+        slice1window_partial_0_2_3 <= slice1window_partial_0_1_3 + slice1cost_column_0_3;
+        slice1window_partial_0_2_4 <= slice1window_partial_0_1_4 + slice1cost_column_0_4;
+        slice1window_partial_0_2_5 <= slice1window_partial_0_1_5 + slice1cost_column_0_5;
+        slice1window_partial_0_2_6 <= slice1window_partial_0_1_6 + slice1cost_column_0_6;
+        slice1window_partial_0_2_7 <= slice1window_partial_0_1_7 + slice1cost_column_0_7;
+        slice1window_partial_0_3_0 <= slice1window_partial_0_2_0 + slice1cost_column_0_0;
+        slice1window_partial_0_3_1 <= slice1window_partial_0_2_1 + slice1cost_column_0_1;
+        slice1window_partial_0_3_2 <= slice1window_partial_0_2_2 + slice1cost_column_0_2;
+        slice1window_partial_0_3_3 <= slice1window_partial_0_2_3 + slice1cost_column_0_3;
+        slice1window_partial_0_3_4 <= slice1window_partial_0_2_4 + slice1cost_column_0_4;
+        slice1window_partial_0_3_5 <= slice1window_partial_0_2_5 + slice1cost_column_0_5;
+        slice1window_partial_0_3_6 <= slice1window_partial_0_2_6 + slice1cost_column_0_6;
+        slice1window_partial_0_3_7 <= slice1window_partial_0_2_7 + slice1cost_column_0_7;
+        slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
+        slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
+      end if;
+      slice1window_sum_0_0 <= slice1window_partial_0_3_0 + slice1cost_column_0_0;
+      slice1window_sum_0_1 <= slice1window_partial_0_3_1 + slice1cost_column_0_1;
+      slice1window_sum_0_2 <= slice1window_partial_0_3_2 + slice1cost_column_0_2;
+      slice1window_sum_0_3 <= slice1window_partial_0_3_3 + slice1cost_column_0_3;
+      slice1window_sum_0_4 <= slice1window_partial_0_3_4 + slice1cost_column_0_4;
+      slice1window_sum_0_5 <= slice1window_partial_0_3_5 + slice1cost_column_0_5;
+      slice1window_sum_0_6 <= slice1window_partial_0_3_6 + slice1cost_column_0_6;
+      slice1window_sum_0_7 <= slice1window_partial_0_3_7 + slice1cost_column_0_7;
+      -- slice1winner1
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 17)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 17)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 17)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 17))))) < 0;
+      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 17)) or
+        (to_unsigned(slice1winner1_of_pair_0_7, 17)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 17)) or
+        (to_unsigned(slice1winner1_of_pair_0_5, 17))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
+      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
+      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
+        slice1winner1_pair_index_0_2;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 17)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 17)))) or (to_unsigned(slice1winner1_of_four_0_1, 17)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 17))));
+      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 17)) or
+        (to_unsigned(slice1winner1_of_four_0_7, 17)))) or (to_unsigned(slice1winner1_of_four_0_5, 17)))) or
+        (to_unsigned(slice1winner1_of_four_0_4, 17))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_index_0_0;
+      -- slice1
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
+        slice1winner2_best_index_0_0;
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if reset = '1' then
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 66;
+        raster_place_next_frame <= false;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1window_centre_output_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
+        slice1window_centre_end_of_line_0 <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+      end if;
+    end if;
+  end process;
+end architecture;
