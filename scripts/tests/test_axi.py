@@ -157,7 +157,7 @@ def test_each_frame_has_its_settings(ghdl, verilator, rng, tmp_path, config, fau
     simulation = verilated.Verilated(config, tmp_path / "model", files)
     simulation.build()
     geometry = pool.Geometry.of(parameters)
-    frames = pool.make_pool(config, parameters, 10, 1, tmp_path / "pool")
+    frames = pool.make_pool(config, parameters, 60, 1, tmp_path / "pool")
     steps = script.changed_settings(rng, frames, geometry, rtl.settings_of(parameters))
     verdict = judge.judge(steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "play"), geometry, frames)
     if fault:
