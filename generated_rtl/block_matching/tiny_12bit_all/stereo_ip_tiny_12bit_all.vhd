@@ -11,7 +11,7 @@ entity stereo_ip_tiny_12bit_all is
     aresetn : in std_logic;
     s_axis_tvalid : in std_logic;
     s_axis_tready : out std_logic;
-    s_axis_tdata : in std_logic_vector(15 downto 0);
+    s_axis_tdata : in std_logic_vector(31 downto 0);
     s_axis_tuser : in std_logic_vector(0 downto 0);
     s_axis_tlast : in std_logic;
     m_axis_tvalid : out std_logic;
@@ -44,8 +44,8 @@ end entity;
 
 architecture rtl of stereo_ip_tiny_12bit_all is
   signal reset : std_logic;
-  signal left_pixel : std_logic_vector(7 downto 0);
-  signal right_pixel : std_logic_vector(7 downto 0);
+  signal left_pixel : std_logic_vector(11 downto 0);
+  signal right_pixel : std_logic_vector(11 downto 0);
   signal start_of_frame : std_logic;
   signal valid : std_logic;
   signal disparity : std_logic_vector(15 downto 0);
@@ -66,7 +66,9 @@ begin
       flush_groups => 139,
       gap_groups => 64,
       core_id => x"34ce0ab7",
-      enabled_at_reset => enabled_at_reset)
+      enabled_at_reset => enabled_at_reset,
+      pixel_bits => 12,
+      lane_bits => 16)
     port map (
       aclk => aclk,
       aresetn => aresetn,
