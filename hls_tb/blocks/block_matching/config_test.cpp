@@ -85,7 +85,7 @@ TEST(BlockMatchingConfig, WidthsFollowFromThePixels) {
 }
 
 TEST(BlockMatchingConfig, SaysWhichPixelsItDoesNotTake) {
-   block_matching::Config config{{.width_px = 32, .height_px = 32}, {.disparities = 8}, {}};
+   block_matching::Config config{{.width_px = 32, .height_px = 32}, {.disparities = 16}, {}};
    config.pixel_bits = 9;
    EXPECT_EQ(config.problem().text, std::string("the number of bits of a pixel is 9 but must be 8, 10 or 12"));
    config.pixel_bits = 16;
@@ -96,6 +96,7 @@ TEST(BlockMatchingConfig, SaysWhichPixelsItDoesNotTake) {
    EXPECT_EQ(config.problem().text, std::string("window costs must stay below 2^26"));
    config.cost = Cost::sad;
    config.prefilter = Prefilter::xsobel;
+   config.window_px = 9;
    config.prefilter_cap = 1000;
    config.texture_threshold = 100;
    config.run_time_settings = true;
