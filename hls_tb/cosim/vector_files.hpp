@@ -6,6 +6,8 @@
 //   F   one hex digit: bit 0 valid, bit 1 start of frame, bit 2 reset
 //   LL  left, RR right pixels: words of 2*P lower-case hex digits, as the ports take them; bits 8p+7 ... 8p are lane p,
 //       so the last lane, the lowest of the P rows, comes first in the text
+//   Pixels of more than 8 bits: the first line ends with pixel_bits=<bits>; lanes of so many bits, in as few digits as
+//       hold the P of them
 //   A core with run-time settings: the first line also says settings=<ports>, and each line ends with a word of 4
 //       digits for each port of a setting, in their order
 // expected.txt: a first line "stereo-hls expected 2 config=<name> pixels=<P> disparity_bits=<8 or 16> outputs=<N>

@@ -55,6 +55,15 @@ TEST(VectorFiles, LanesThatAreNotInUseAreNotWritten) {
              "stereo-hls stimulus 2 config=tiny_p2 pixels=2 clocks=1\n1 0201 0605\n");
 }
 
+TEST(VectorFiles, PixelsOfMoreBitsHaveNarrowLanes) {
+   Stimulus one{"tiny_10bit", 1, {{.left = {0x3ff}, .right = {0x012}, .valid = true}}};
+   one.pixel_bits = 10;
+   EXPECT_EQ(text_of(one), "stereo-hls stimulus 2 config=tiny_10bit pixels=1 clocks=1 pixel_bits=10\n1 3ff 012\n");
+   Stimulus two{"two", 2, {{.left = {0x3ff, 0x001}, .right = {0x000, 0x3ff}, .valid = true}}};
+   two.pixel_bits = 10;
+   EXPECT_EQ(text_of(two), "stereo-hls stimulus 2 config=two pixels=2 clocks=1 pixel_bits=10\n1 007ff ffc00\n");
+}
+
 TEST(VectorFiles, ExpectedOutputs) {
    const CoreOutput first{.clock = 50, .x = 0, .y = 0, .frame = 0, .disparity = {255}, .start_of_frame = true};
    const CoreOutput second{

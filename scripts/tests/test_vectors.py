@@ -3,6 +3,7 @@
 
 import pytest
 
+from flow.base import rtl
 from flow.base.errors import FlowError
 from flow.cosim import vectors
 
@@ -34,6 +35,20 @@ def test_good_files_are_read(tmp_path):
         [vectors.Observed(50, 3, 1), vectors.Observed(51, "X", "X")],
         60,
     )
+
+
+def test_pixels_of_more_bits(tmp_path):
+    wide = STIMULUS.replace("clocks=3", "clocks=3 pixel_bits=10")
+    wide = wide.replace("01 ff", "3ff 001").replace("00 00", "000 000").replace("a0 0b", "0a0 00b")
+    kind = rtl.kind_of({"family": "block_matching", "pixel_bits": 10})
+    path = written(tmp_path, wide)
+    assert vectors.read_stimulus(path, kind) == [(True, True), (False, False), (True, False)]
+    parameters = {"family": "block_matching", "pixels_per_clock": 1, "disparity_bits": 8, "pixel_bits": 10}
+    vectors.check_fits(path, "tiny", parameters)
+    with pytest.raises(FlowError, match="pixel_bits=10, but the core is tiny with pixel_bits=12"):
+        vectors.check_fits(path, "tiny", parameters | {"pixel_bits": 12})
+    with pytest.raises(FlowError, match="is not 'F LEFT RIGHT' with 2 digits"):
+        vectors.read_stimulus(path)
 
 
 @pytest.mark.parametrize(

@@ -72,6 +72,38 @@ TEST(BlockMatchingConfig, TheSizeOfTheMapIsThatOfTheModels) {
          }
 }
 
+TEST(BlockMatchingConfig, WidthsFollowFromThePixels) {
+   block_matching::Config config{{.width_px = 32, .height_px = 12}, {.disparities = 8, .pixel_bits = 12}, {}};
+   EXPECT_EQ(config.feature_bits(), 12);
+   EXPECT_EQ(config.largest_window_cost(), 4095 * 9);
+   config.prefilter = Prefilter::xsobel;
+   config.prefilter_cap = 63 << 4;
+   EXPECT_EQ(config.problem().text, std::string());
+   EXPECT_EQ(config.feature_bits(), bits_for(2 * config.prefilter_cap));
+   ++config.prefilter_cap;
+   EXPECT_EQ(config.problem().text, std::string("the prefilter's cap is 1009 but must be 1 ... 1008"));
+}
+
+TEST(BlockMatchingConfig, SaysWhichPixelsItDoesNotTake) {
+   block_matching::Config config{{.width_px = 32, .height_px = 32}, {.disparities = 16}, {}};
+   config.pixel_bits = 9;
+   EXPECT_EQ(config.problem().text, std::string("the number of bits of a pixel is 9 but must be 8, 10 or 12"));
+   config.pixel_bits = 16;
+   EXPECT_EQ(config.problem().text, std::string("the number of bits of a pixel is 16 but must be 8 ... 12"));
+   config.pixel_bits = 12;
+   config.window_px = 31;
+   config.cost = Cost::ssd;
+   EXPECT_EQ(config.problem().text, std::string("window costs must stay below 2^26"));
+   config.cost = Cost::sad;
+   config.prefilter = Prefilter::xsobel;
+   config.window_px = 9;
+   config.prefilter_cap = 1000;
+   config.texture_threshold = 100;
+   config.run_time_settings = true;
+   EXPECT_EQ(config.problem().text,
+             std::string("with run-time settings prefilter_cap * window_px^2 must stay below 2^16"));
+}
+
 TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {
    block_matching::Config config{{.width_px = 20, .height_px = 30}, {.disparities = 10, .full_width = true}, {}};
    EXPECT_EQ(config.problem().text, std::string());

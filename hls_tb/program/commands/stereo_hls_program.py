@@ -61,6 +61,13 @@ def gray_image(path, value, width=WIDTH, height=HEIGHT):
     return path
 
 
+def deep_image(path, value, width=WIDTH, height=HEIGHT):
+    """A PGM file of 16 bits with value(x, y) at each pixel."""
+    pixels = b"".join(value(x, y).to_bytes(2, "big") for y in range(height) for x in range(width))
+    path.write_bytes(f"P5\n{width} {height}\n65535\n".encode() + pixels)
+    return path
+
+
 def gray_as_colour(path, value, width=WIDTH, height=HEIGHT):
     """A PPM file whose three channels are value(x, y)."""
     pixels = bytes(value(x, y) for y in range(height) for x in range(width) for _ in range(3))

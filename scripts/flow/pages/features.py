@@ -32,6 +32,7 @@ OPTIONS = [
         ],
     ),
     ("images", [("study_left", "left reference"), ("study_min8", "min_disparity 8")]),
+    ("bits of a pixel", [("study_10bit", "10"), ("study_12bit", "12")]),
     ("cost", [("study_ssd", "SSD"), ("study_census", "census 5x5")]),
     ("prefilter", [("study_xsobel", "x-Sobel")]),
     (

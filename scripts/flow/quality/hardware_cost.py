@@ -26,6 +26,7 @@ MEASURED, ESTIMATE, ABSENT = "measured", "estimate", "absent"
 OPTIONS = (
     "window_px",
     "min_disparity",
+    "pixel_bits",
     "reference",
     "cost",
     "census_width_px",
@@ -81,6 +82,7 @@ def features(parameters: Parameters) -> Features:
     census = (p["census_width_px"], p["census_height_px"]) if p["cost"] == "census" else ()
     return {
         "window": p["window_px"],
+        "pixel_bits": rtl.pixel_bits_of(p),
         "cost": (p["cost"], *census),
         "prefilter": p["prefilter"],
         "reference": p["reference"],
