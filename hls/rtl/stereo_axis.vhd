@@ -24,7 +24,8 @@
 --   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
 --                    last disparity leaves it, both counted; a clock after frame_ends
 --   core_reset       a clock after aresetn or the end of a soft reset, from a register: it drives the whole core
--- Sizes: input buffer 2 * (2 * lane_bits * P + 2) bits; output queue (latency_clocks + 5) words of (disparity_bits + 1) * P + 3 bits.
+-- Sizes: input buffer 2 * (2 * lane_bits * P + 2) bits; output queue (latency_clocks + 5) words of (disparity_bits + 1) * P + 3
+-- bits.
 -- Generics: those of the core.
 library ieee;
 use ieee.std_logic_1164.all;
