@@ -82,7 +82,7 @@ TransformedFrames<C> transformed(StimulusWriter& writer) {
    Transform<C> block(memories, MemoryId<0>());
    TransformedFrames<C> frames;
    writer.bubbles(Transform<C>::kClocks);
-   for (const StereoInput& in : writer.clocks) {
+   for (const StereoInput in : writer.clocks) {
       block.clock(in);
       frames.take(block.output());
    }

@@ -70,7 +70,7 @@ void expect_codes(const std::vector<ImagePair>& pairs, StimulusWriter& writer) {
    Block block(memories, MemoryId<0>());
    CodeFrames frames{C.width_px * C.height_px, {}, {}};
    writer.bubbles(Block::kClocks);
-   for (const StereoInput& in : writer.clocks) {
+   for (const StereoInput in : writer.clocks) {
       block.clock(in);
       frames.take(block.output(), C.reference == Reference::right);
    }
