@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from .ecp5_carry import CarryPacker
-from .ecp5_fanout import copy_wide_enables
 from .ecp5_memory import use_output_registers
 
 
@@ -18,7 +17,6 @@ def improve(path: Path, top: str) -> dict[str, int]:
     before = _types(module)
     CarryPacker(module).run()
     use_output_registers(module)
-    copy_wide_enables(module)
     path.write_text(json.dumps(netlist))
     after = _types(module)
     return {name: after[name] - before[name] for name in before}
