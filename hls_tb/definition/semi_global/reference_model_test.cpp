@@ -186,7 +186,7 @@ TEST(SemiGlobalInput, SaysWhatIsWrong) {
    const auto problem = [](const Matching& matching) { return std::string(matching.problem().text); };
    EXPECT_EQ(problem({}), "");
    EXPECT_EQ(problem({.disparities = 1}), "the disparity range is 1 but must be 2 ... 256");
-   EXPECT_EQ(problem({.p2 = 0}), "the penalty P2 is 0 but must be 1 ... 4095");
+   EXPECT_EQ(problem({.p2 = 4096}), "the penalty P2 is 4096 but must be 0 ... 4095");
    EXPECT_EQ(problem({.census_width_px = 4}), "the census window is 4x5 but both sides must be odd");
    EXPECT_EQ(problem({.path_left = false, .path_right = false, .path_above = false}), "at least one path must be on");
    EXPECT_THROW(match_reference(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);

@@ -30,6 +30,7 @@ TEST(Options, EveryNameOfTheJsonCanBeSet) {
    const block_matching::Matching others{.disparities = 20,
                                          .window_px = 7,
                                          .min_disparity = -3,
+                                         .pixel_bits = 10,
                                          .reference = Reference::left,
                                          .cost = Cost::ssd,
                                          .census_width_px = 7,
@@ -44,7 +45,7 @@ TEST(Options, EveryNameOfTheJsonCanBeSet) {
                                          .median = true,
                                          .full_width = true};
    const nlohmann::json wanted = options_json(algorithm(others)->options()), plain = options_json(kPlain->options());
-   ASSERT_EQ(wanted.size(), 16u);
+   ASSERT_EQ(wanted.size(), 17u);
    std::vector<std::string> settings;
    for (const auto& [name, value] : wanted.items()) {
       EXPECT_NE(value, plain[name]) << name << " must differ for this test to see it";
