@@ -157,6 +157,7 @@ def test_each_frame_has_its_settings(ghdl, verilator, rng, tmp_path, config, fau
     simulation = verilated.Verilated(config, tmp_path / "model", files)
     simulation.build()
     geometry = pool.Geometry.of(parameters)
+    # Ten frames are too few for some seeds: none of them has the settings that show the fault.
     frames = pool.make_pool(config, parameters, 60, 1, tmp_path / "pool")
     steps = script.changed_settings(rng, frames, geometry, rtl.settings_of(parameters))
     verdict = judge.judge(steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "play"), geometry, frames)

@@ -8,7 +8,9 @@ import pytest
 
 from flow.base import rtl
 from flow.base.configurations import configuration
+from flow.cosim import record as cosim_record
 from flow.pages import quality
+from flow.synthesis import manifest
 from flow_commands import cosim, random_pair, report, scene
 
 # Outputs a frame: each is a column of as many rows as enter in a clock.
@@ -84,11 +86,23 @@ def test_crop_in_ghdl(ghdl, pairs, tmp_path, config):
 
 @pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
 def test_two_whole_frames(ghdl, verilator, pairs, tmp_path, simulator):
-    """Of the other configurations cosimulation.json has a whole frame."""
+    """Those of the other configurations are recorded: the next test."""
     process = cosim("ambrosch2007", pairs["ambrosch2007"], tmp_path, "--frames", 2, "--simulator", simulator)
     result = passed(process, tmp_path, 2 * OUTPUTS["ambrosch2007"])
     assert result["clocks_per_frame"] <= 77_600
     assert result["initiation_interval"] == {"min": 1, "avg": 1.0, "max": 1}
+
+
+@pytest.mark.parametrize("config", ["ambrosch2007_p2", "ambrosch2007_p4"])
+def test_two_whole_frames_are_recorded(config):
+    """Of the VHDL that is here, else there is no record; two frames and the latency, no clock more."""
+    runs = cosim_record.read(rtl.folder(config), manifest.read(rtl.folder(config)))
+    for simulator in ("ghdl", "verilator"):
+        run = runs.get(simulator)
+        assert run, f"run scripts/cosim.py --config {config} --frames 2 --simulator {simulator} --record"
+        assert (run["frames"], run["compared"], run["mismatches"]) == (2, 2 * OUTPUTS[config], 0) and run["passed"]
+        frame = 320 * 240 // configuration(config)["pixels_per_clock"]
+        assert 2 * frame < run["clocks"] < 2 * frame + 500
 
 
 def test_ambrosch2007_real_pair(ghdl, tmp_path):

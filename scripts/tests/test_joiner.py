@@ -115,7 +115,7 @@ class Joiner:
             (work / "netlist.vhd").write_text(text)
             ghdl.analyse([work / "netlist.vhd"], work)
         ghdl.analyse([BENCH], work)
-        run([find_ghdl(), "-e", ghdl.STANDARD, "tb_stereo_joiner"], cwd=work)
+        ghdl.elaborate(work, "tb_stereo_joiner")
 
     def play(self, records, rng, sink_percent=100, depth=DEPTH, reset_at=None):
         left, right = records

@@ -50,11 +50,10 @@ def check_vivado(kit):
     [[clock, _, reset, _]] = arguments(found, "ipx::associate_bus_interfaces", "-clock")
     assert clock in top.ports and reset in top.ports
     names = [call[0] for call in arguments(found, "ipx::add_register")]
-    assert names == [register["name"] for register in registers.description_of(rtl.folder(kit.config).parent.name)]
+    known = registers.description_of(rtl.folder(kit.config).parent.name)
+    assert names == [register["name"] for register in known]
     assert arguments(found, "ipx::remove_memory_map"), "what Vivado guessed stays"
-    fields = sum(
-        len(register.get("fields", [0])) for register in registers.description_of(rtl.folder(kit.config).parent.name)
-    )
+    fields = sum(len(register.get("fields", [0])) for register in known)
     assert len(arguments(found, "ipx::add_field")) == fields
     cleared = [call for call in found if call[:3] == ["set_property", "modified_write_value", "oneToClear"]]
     errors = [f for f in registers.by_name()["status"]["fields"].values() if f["text"].startswith("error:")]

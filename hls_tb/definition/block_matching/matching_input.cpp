@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "definition/pixel_range.hpp"
+
 namespace stereo::block_matching {
 namespace {
 
@@ -92,15 +94,9 @@ void check_input(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right
                " but window costs must stay below 2^31; give a smaller window");
 }
 
-void check_range(const char* name, const DeepImage& image, int bits) {
-   for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x) {
-         if (image.at(x, y) >> bits == 0) continue;
-         throw std::invalid_argument("the " + std::string(name) + " image has the grey value " +
-                                     std::to_string(image.at(x, y)) + " at x=" + std::to_string(x) +
-                                     " y=" + std::to_string(y) + " but pixels of " + std::to_string(bits) +
-                                     " bits are at most " + std::to_string((1 << bits) - 1));
-      }
+void check_range(const std::string& name, const DeepImage& image, int bits) {
+   const std::string problem = beyond_range(image, bits);
+   require(problem.empty(), "the " + name + " image " + problem);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "definition/pixel_range.hpp"
+
 namespace stereo {
 namespace {
 
@@ -24,10 +26,8 @@ void check(const std::string& name, const CoreShape& core, const PairOf<Pixel>& 
       require(image->width == config.width_px && image->height == config.height_px,
               "an image is " + size_text(*image) + " but configuration " + name + " takes " +
                   size_text(config.width_px, config.height_px));
-      const Pixel largest = *std::max_element(image->pixels.begin(), image->pixels.end());
-      require(largest >> core.pixel_bits == 0, "an image has the grey value " + std::to_string(largest) +
-                                                   " but configuration " + name + " takes pixels of " +
-                                                   std::to_string(core.pixel_bits) + " bits");
+      const std::string problem = beyond_range(*image, core.pixel_bits);
+      require(problem.empty(), "an image for configuration " + name + " " + problem);
    }
    require(options.frames >= 1, "the number of frames must be at least 1");
    require(options.stall_percent >= 0 && options.stall_percent <= 95, "the stall percentage must be 0 ... 95");

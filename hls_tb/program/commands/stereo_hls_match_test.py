@@ -14,7 +14,6 @@ from stereo_hls_program import (
     PROGRAM,
     WIDTH,
     changed,
-    deep_image,
     fail,
     gray_as_colour,
     gray_image,
@@ -396,63 +395,3 @@ def test_a_file_in_the_way_that_is_no_result_stays(tmp_path, match):
 def test_file_that_cannot_be_replaced(tmp_path, match):
     (tmp_path / "out" / "disparity_color.png").mkdir(parents=True)
     fail(tmp_path, *match, says=["--out", "disparity_color.png"])
-
-
-def deep_pair(tmp_path, bits):
-    """Noise over the whole range, the left image moved by 3 pixels."""
-    noise = random.Random(bits)
-    values = [[noise.randrange(1 << bits) for _ in range(WIDTH + 3)] for _ in range(HEIGHT)]
-    values[0][3], values[0][4] = 0, (1 << bits) - 1
-    left = deep_image(tmp_path / "deep_l.pgm", lambda x, y: values[y][x])
-    right = deep_image(tmp_path / "deep_r.pgm", lambda x, y: values[y][x + 3])
-    return ["--left", left, "--right", right]
-
-
-@pytest.mark.parametrize("config,bits", [("tiny_10bit", 10), ("tiny_12bit_all", 12)])
-def test_match_of_pixels_of_more_bits(tmp_path, config, bits):
-    pair = deep_pair(tmp_path, bits)
-    for engine in ("fast", "clocked"):
-        succeed("match", "--config", config, "--engine", engine, *pair, "--out", tmp_path / engine)
-    maps = [(tmp_path / engine / "disparity.png").read_bytes() for engine in ("fast", "clocked")]
-    assert maps[0] == maps[1]
-    assert json.loads((tmp_path / "fast" / "match.json").read_text())["pixel_bits"] == bits
-
-
-def test_match_with_pixel_bits_set(tmp_path):
-    succeed("match", "--config", "tiny", "--set", "pixel_bits=12", *deep_pair(tmp_path, 12), "--out", tmp_path / "out")
-
-
-def test_8_bits_are_taken_as_they_are(tmp_path, match):
-    """With the plain costs of `tiny` the map is that of 8 bits."""
-    succeed(*match)
-    wider = changed(changed(match, "--config", "tiny_10bit"), "--out", tmp_path / "wider")
-    succeed(*wider)
-    maps = [(tmp_path / folder / "disparity.png").read_bytes() for folder in ("out", "wider")]
-    assert maps[0] == maps[1]
-
-
-def test_refuses_pixels_beyond_the_range(tmp_path):
-    pair, out = deep_pair(tmp_path, 10), ["--out", tmp_path / "out"]
-    deep_image(pair[1], lambda x, y: 1024 if (x, y) == (5, 7) else 1023)
-    says = ["deep_l.pgm", "grey value 1024 at x=5 y=7", "pixels of 10 bits are at most 1023"]
-    fail(tmp_path, "match", "--config", "tiny_10bit", *pair, *out, says=says)
-    fail(tmp_path, "vectors", "--config", "tiny_10bit", *pair, *out, says=says)
-    fail(tmp_path, "match", "--config", "tiny", *pair, *out, says=["16 bits a channel but must have 8"])
-    fail(
-        tmp_path,
-        "match",
-        "--config",
-        "tiny",
-        "--set",
-        "pixel_bits=11",
-        *pair,
-        *out,
-        says=["11 but must be 8, 10 or 12"],
-    )
-    fail(tmp_path, "match", "--config", "tiny_sgm", "--set", "pixel_bits=10", *pair, *out, says=["no such option"])
-
-
-def test_scene_fills_the_range_of_its_configuration(tmp_path):
-    succeed("scene", "--config", "tiny_12bit_all", "--seed", 1, "--out", tmp_path / "scene")
-    assert png_depth(tmp_path / "scene" / "left.png") == 16
-    assert png_depth(tmp_path / "scene" / "visible_left.png") == 8

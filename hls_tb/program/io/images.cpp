@@ -9,6 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "definition/pixel_range.hpp"
 #include "program/errors.hpp"
 #include "program/io/opencv_images.hpp"
 #include "program/io/require_file.hpp"
@@ -122,12 +123,7 @@ DeepImage load_deep(const std::string& path, int bits) {
                        " channels of 16 bits but must be grey; convert it to a grey image");
    DeepImage image(mat.cols, mat.rows);
    mat.copyTo(as_mat(image));
-   for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x)
-         if (image.at(x, y) >> bits != 0)
-            throw InputError(path + ": has the grey value " + std::to_string(image.at(x, y)) +
-                             " at x=" + std::to_string(x) + " y=" + std::to_string(y) + " but pixels of " +
-                             std::to_string(bits) + " bits are at most " + std::to_string((1 << bits) - 1));
+   if (const std::string problem = beyond_range(image, bits); !problem.empty()) throw InputError(path + ": " + problem);
    return image;
 }
 

@@ -31,6 +31,12 @@ def analyse(files: Iterable[Path], work: Path, log: str = "analyse.log") -> None
     run([find_ghdl(), "-a", STANDARD, *files], cwd=work, log=work / log)
 
 
+def elaborate(work: Path, top: str) -> None:
+    """`ghdl -e` of what was analysed in the folder `work`. By itself GHDL only warns of a component without its
+    entity, whose outputs nothing drives then."""
+    run([find_ghdl(), "-e", STANDARD, "-Werror=binding", top], cwd=work, log=work / "elaborate.log")
+
+
 def options_of(generics: Generics | None) -> list[str]:
     return [f"-g{name}={value}" for name, value in (generics or {}).items()]
 

@@ -116,9 +116,7 @@ class Ghdl(Simulator):
 
     def _elaborate(self, work: Path, files: Iterable[Path]) -> None:
         ghdl.analyse(files, work)
-        # A component without its entity would only be warned of, and its outputs never driven.
-        command = [find_ghdl(), "-e", ghdl.STANDARD, "-Werror=binding", "tb_stereo_core"]
-        run(command, cwd=work, log=work / "elaborate.log")
+        ghdl.elaborate(work, "tb_stereo_core")
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         generics = ghdl.options_of(

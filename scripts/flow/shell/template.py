@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 from ..base import files, rtl
 from ..base.tools import ROOT
+from ..cosim.bench import SETTING_BITS
 from ..synthesis import manifest
 from . import design, registers
 
 Generics = Mapping[str, int | str]
-SETTING_BITS = 16  # of a word of stereo_register_map.setting_words
 
 
 class Port(NamedTuple):

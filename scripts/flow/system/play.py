@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ..base import builds, ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, Word, find_ghdl, run, run_with_progress
+from ..base.tools import ROOT, Word, find_ghdl, run_with_progress
 from ..cosim import simulators
 from .pipeline import Image, Table
 from .template import System, vhdl_files
@@ -129,7 +129,7 @@ class InGhdl(Simulation):
         copy = work / self.bench.name
         copy.write_text(self.bench.read_text().replace("camera_system_NAME", self.system.entity))
         ghdl.analyse([*files, copy], work)
-        run([find_ghdl(), "-e", ghdl.STANDARD, self.bench.stem], cwd=work, log=work / "elaborate.log")
+        ghdl.elaborate(work, self.bench.stem)
 
     def _command(self, stream: Path, observed: Path) -> list[Word]:
         generics = ghdl.options_of({"stream_file": str(stream), "observed_file": str(observed)})
