@@ -57,18 +57,26 @@ struct CandidateMask {
       }
    }
 
-   /// The costs that are compared: those of candidates, and one above all of them where there is none.
+   /// The costs that are compared: those of candidates, and one above all of them where there is none. There,
+   /// remembered signs are those of other pixels, and the sum may have higher bits than any cost.
    template <int kPixels>
    HLS_INLINE void hide(const WindowCost<C> (&sum)[kPixels][Count], WindowCost<C> (&shown)[kPixels][Count]) const {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          HLS_UNROLL
-         for (int i = 0; i < Count; ++i)
+         for (int i = 0; i < Count; ++i) {
             shown[p][i] = WindowCost<C>(sum[p][i] | select<WindowCost<C>>(inside[i], 0, kMaskedCost<C>));
+            if constexpr (kRemembersSigns) shown[p][i] = WindowCost<C>(shown[p][i] & kMaskedCost<C>);
+         }
       }
    }
 
   private:
+   static constexpr bool kRemembersSigns = [] {
+      if constexpr (requires { C.remembers_signs(); }) return C.remembers_signs();
+      else return false;
+   }();
+
    /// The column of the map at which the other image's pixel stands, for a column of the map and a disparity.
    static constexpr int at(int map_column, int d) {
       return kFalls ? map_column + C.min_disparity + d : map_column - C.min_disparity - d;

@@ -163,7 +163,7 @@ def judge(seen, cameras):
         if number in broken:
             return f"frame {number} goes on behind its end"
         frames.setdefault(number, []).append((left, right, flags))
-        column = 0 if flags & END else column + 1
+        column = 0 if flags & END else 1 if flags & START else column + 1
     expected = [
         (y << 6 | x, y << 6 | x, (x == y == 0) * START | (x == WIDTH - 1) * END)
         for y in range(HEIGHT)

@@ -65,7 +65,7 @@ def test_families_have_the_options_of_their_configurations(module):
                 assert (json.dumps(value) if isinstance(value, bool) else value) in about["words"], (name, option)
             else:
                 assert type(value) is int and type(about["default"]) is int and about["meaning"]
-    assert families["semi_global"]["p2"] == {"default": 22, "low": 1, "high": 4095, "meaning": "the penalty P2"}
+    assert families["semi_global"]["p2"] == {"default": 22, "low": 0, "high": 4095, "meaning": "the penalty P2"}
     assert families["block_matching"]["window_px"]["high"] is None
     assert families["block_matching"]["cost"] == {"default": "sad", "words": ["sad", "ssd", "census"]}
 

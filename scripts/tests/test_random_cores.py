@@ -16,6 +16,12 @@ TALL_CENSUS = (
     "aggregation = Aggregation::recursive, slice_disparities = 3);"
 )
 
+# Remembered signs of candidates outside of the image are those of other pixels.
+MASKED_SIGNS = (
+    "STEREO_ROW(masked_signs, random, Config(), width_px = 63, height_px = 18, disparities = 25, window_px = 2, "
+    "pixel_bits = 10, subpixel = true, full_width = true, sign_memory = true);"
+)
+
 
 @pytest.mark.parametrize(
     "family, count", [("block_matching", 8), ("phase_correlation", 4), ("dynamic_range", 3), ("absolute_difference", 4)]
@@ -26,8 +32,9 @@ def test_new_random_configurations_are_exact(family, count):
     assert re.search(rf"^{count} of {count} configurations exact in \d+ maps$", process.stdout, re.MULTILINE)
 
 
-def test_a_census_taller_than_its_window_is_exact():
-    process = call("random_configurations.py", "--row", TALL_CENSUS, "--seed", 1)
+@pytest.mark.parametrize("row", [TALL_CENSUS, MASKED_SIGNS], ids=["a census taller than its window", "masked signs"])
+def test_a_rare_configuration_is_exact(row):
+    process = call("random_configurations.py", "--row", row, "--seed", 1)
     assert process.returncode == 0, process.stdout + process.stderr
 
 
