@@ -5,9 +5,9 @@ library ieee;
 use ieee.std_logic_1164.all;
 
 package stereo_register_map is
-  constant address_bits : positive := 6;  -- of addresses in bytes
+  constant address_bits : positive := 7;  -- of addresses in bytes
   constant id_value : std_logic_vector(31 downto 0) := x"53544552";
-  constant version_value : std_logic_vector(31 downto 0) := x"00010200";
+  constant version_value : std_logic_vector(31 downto 0) := x"00010300";
   constant id_word : natural := 0;
   constant version_word : natural := 1;
   constant control_word : natural := 2;
@@ -57,7 +57,13 @@ package stereo_register_map is
   constant p2_word : natural := 15;
   constant p2_value_bits : positive := 16;
   constant p2_largest_bits : positive := 16;
-  constant setting_count : positive := 4;
+  constant first_disparity_word : natural := 16;
+  constant first_disparity_value_bits : positive := 16;
+  constant first_disparity_largest_bits : positive := 16;
+  constant last_disparity_word : natural := 17;
+  constant last_disparity_value_bits : positive := 16;
+  constant last_disparity_largest_bits : positive := 16;
+  constant setting_count : positive := 6;
   constant first_setting_word : natural := texture_threshold_word;
   type setting_words is array (0 to setting_count - 1) of std_logic_vector(15 downto 0);
   type setting_values is array (0 to setting_count - 1) of natural;

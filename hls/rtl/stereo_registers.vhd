@@ -133,7 +133,10 @@ begin
     first_setting_word => setting_word(setting(0), settings_largest(0)),
     first_setting_word + 1 => setting_word(setting(1), settings_largest(1)),
     first_setting_word + 2 => setting_word(setting(2), settings_largest(2)),
-    first_setting_word + 3 => setting_word(setting(3), settings_largest(3)));
+    first_setting_word + 3 => setting_word(setting(3), settings_largest(3)),
+    first_setting_word + 4 => setting_word(setting(4), settings_largest(4)),
+    first_setting_word + 5 => setting_word(setting(5), settings_largest(5)),
+    others => (others => '0'));
 
   writes <= have_address and have_data and not bvalid;
 

@@ -19,7 +19,7 @@ entity stereo_ip_tiny_settings_left_p2 is
     m_axis_tdata : out std_logic_vector(39 downto 0);
     m_axis_tuser : out std_logic_vector(1 downto 0);
     m_axis_tlast : out std_logic;
-    s_axil_awaddr : in std_logic_vector(5 downto 0);
+    s_axil_awaddr : in std_logic_vector(6 downto 0);
     s_axil_awprot : in std_logic_vector(2 downto 0);
     s_axil_awvalid : in std_logic;
     s_axil_awready : out std_logic;
@@ -30,7 +30,7 @@ entity stereo_ip_tiny_settings_left_p2 is
     s_axil_bresp : out std_logic_vector(1 downto 0);
     s_axil_bvalid : out std_logic;
     s_axil_bready : in std_logic;
-    s_axil_araddr : in std_logic_vector(5 downto 0);
+    s_axil_araddr : in std_logic_vector(6 downto 0);
     s_axil_arprot : in std_logic_vector(2 downto 0);
     s_axil_arvalid : in std_logic;
     s_axil_arready : out std_logic;
@@ -68,8 +68,8 @@ begin
       gap_groups => 0,
       core_id => x"c246c833",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (279, 100, 7, 0),
-      settings_start => (30, 10, 1, 0))
+      settings_largest => (279, 100, 7, 0, 0, 0),
+      settings_start => (30, 10, 1, 0, 0, 0))
     port map (
       aclk => aclk,
       aresetn => aresetn,

@@ -19,7 +19,7 @@ entity stereo_ip_tiny_w9_recursive_p2 is
     m_axis_tdata : out std_logic_vector(23 downto 0);
     m_axis_tuser : out std_logic_vector(1 downto 0);
     m_axis_tlast : out std_logic;
-    s_axil_awaddr : in std_logic_vector(5 downto 0);
+    s_axil_awaddr : in std_logic_vector(6 downto 0);
     s_axil_awprot : in std_logic_vector(2 downto 0);
     s_axil_awvalid : in std_logic;
     s_axil_awready : out std_logic;
@@ -30,7 +30,7 @@ entity stereo_ip_tiny_w9_recursive_p2 is
     s_axil_bresp : out std_logic_vector(1 downto 0);
     s_axil_bvalid : out std_logic;
     s_axil_bready : in std_logic;
-    s_axil_araddr : in std_logic_vector(5 downto 0);
+    s_axil_araddr : in std_logic_vector(6 downto 0);
     s_axil_arprot : in std_logic_vector(2 downto 0);
     s_axil_arvalid : in std_logic;
     s_axil_arready : out std_logic;

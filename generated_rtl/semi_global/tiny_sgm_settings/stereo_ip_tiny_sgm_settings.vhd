@@ -19,7 +19,7 @@ entity stereo_ip_tiny_sgm_settings is
     m_axis_tdata : out std_logic_vector(23 downto 0);
     m_axis_tuser : out std_logic_vector(1 downto 0);
     m_axis_tlast : out std_logic;
-    s_axil_awaddr : in std_logic_vector(5 downto 0);
+    s_axil_awaddr : in std_logic_vector(6 downto 0);
     s_axil_awprot : in std_logic_vector(2 downto 0);
     s_axil_awvalid : in std_logic;
     s_axil_awready : out std_logic;
@@ -30,7 +30,7 @@ entity stereo_ip_tiny_sgm_settings is
     s_axil_bresp : out std_logic_vector(1 downto 0);
     s_axil_bvalid : out std_logic;
     s_axil_bready : in std_logic;
-    s_axil_araddr : in std_logic_vector(5 downto 0);
+    s_axil_araddr : in std_logic_vector(6 downto 0);
     s_axil_arprot : in std_logic_vector(2 downto 0);
     s_axil_arvalid : in std_logic;
     s_axil_arready : out std_logic;
@@ -68,8 +68,8 @@ begin
       gap_groups => 0,
       core_id => x"d2d21d6d",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (7, 198, 11, 31),
-      settings_start => (5, 3, 1, 22))
+      settings_largest => (7, 198, 11, 31, 0, 0),
+      settings_start => (5, 3, 1, 22, 0, 0))
     port map (
       aclk => aclk,
       aresetn => aresetn,

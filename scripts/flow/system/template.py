@@ -10,7 +10,7 @@ from ..base import rtl
 from ..base.configurations import Parameters, option
 from ..base.errors import FlowError
 from ..base.tools import ROOT
-from ..shell import design
+from ..shell import design, registers
 from ..shell.template import core_id, instance
 from ..synthesis import manifest
 
@@ -112,7 +112,7 @@ def _lite(prefix: str, address_bits: int, whole: bool) -> tuple[tuple[str, str, 
     return tuple((f"{prefix}_{name}", direction, kind) for name, direction, kind in kept)
 
 
-_SHELL_LITE, _TABLES_LITE = _lite("s_axil", 6, True), _lite("s_tables_axil", 5, False)
+_SHELL_LITE, _TABLES_LITE = _lite("s_axil", registers.address_bits(), True), _lite("s_tables_axil", 5, False)
 _SIGNALS = {
     "reset, core_reset, pair_tvalid, pair_tready, pair_tlast": "std_logic",
     "pair_tdata, node_column, node_row, node_x, node_y": "std_logic_vector(15 downto 0)",
