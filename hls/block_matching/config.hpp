@@ -120,6 +120,10 @@ struct Config : Image, Matching, Structure {
    constexpr int transform_columns() const { return cost == Cost::census ? census_width_px / 2 : 1; }
    constexpr int transform_groups() const { return (transform_rows() + pixels_per_clock - 1) / pixels_per_clock; }
 
+   /// As in Matching; ports may leave any disparity out.
+   constexpr bool has_lost_pixels() const { return Matching::has_lost_pixels() || (run_time_settings && full_width); }
+   constexpr bool has_check() const { return Matching::has_check() || has_lost_pixels(); }
+
    /// What the ports of a core with run-time settings set; nothing of a check that the core does not have.
    template <class Visitor>
    constexpr void settings(Visitor& visit) const {
@@ -127,6 +131,8 @@ struct Config : Image, Matching, Structure {
       visit("texture_threshold", 16, texture, texture_threshold);
       visit("uniqueness_percent", 8, has_uniqueness_check() ? 100 : 0, uniqueness_percent);
       visit("left_right_threshold", 8, has_left_right_check() ? disparities - 1 : 0, at_least_0(left_right_threshold));
+      visit("first_disparity", 8, full_width ? disparities - 1 : 0, first_disparity);
+      visit("last_disparity", 8, full_width ? disparities - 1 : 0, full_width ? last_searched() : 0);
    }
 
    template <class Self, class Visitor>
@@ -158,7 +164,7 @@ struct Config : Image, Matching, Structure {
       if (has_transform() && row_groups() <= transform_groups())
          return "the image must be higher than the rows that a transform waits for";
       if (median && row_groups() <= 1) return "the image must be higher than the row that a median waits for";
-      if (run_time_settings && !has_check()) return "run-time settings need a check";
+      if (run_time_settings && !has_check()) return "run-time settings need a check or a map of full width";
       if (run_time_settings && !holds_settings())
          return "with run-time settings the image must be higher, for a frame's first disparity to leave before the "
                 "next one";

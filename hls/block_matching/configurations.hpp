@@ -173,6 +173,7 @@ STEREO_ROW(tiny_12bit_all, option, tiny, pixel_bits = 12, window_px = 5, referen
            aggregation = Aggregation::recursive);
 STEREO_ROW(tiny_settings, option, tiny_unique, left_right_threshold = 2, run_time_settings = true);
 STEREO_ROW(tiny_settings_all, option, tiny_all, run_time_settings = true);
+STEREO_ROW(tiny_settings_full, option, tiny_full_all, run_time_settings = true);
 STEREO_ROW(tiny_settings_left_p2, option, tiny_all_left_p2, height_px = 16, run_time_settings = true);
 STEREO_ROW(tiny_settings_recursive, option, tiny_all_recursive, run_time_settings = true);
 // clang-format on

@@ -123,7 +123,7 @@ struct Core {
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(slices.last(), texture, settings);
       if constexpr (C.has_texture_check()) texture.clock(rows, settings);
-      slices.clock(rows.search, rows.reference, rows.tag, NoRival<C>(), rows.ready.column);
+      slices.clock(rows.search, rows.reference, rows.tag, NoRival<C>(), settings, rows.ready.column);
       rows.clock(delay);
       delay.clock(raster);
       if constexpr (C.has_transform()) {

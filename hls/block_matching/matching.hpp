@@ -6,6 +6,8 @@
 
 namespace stereo::block_matching {
 
+inline constexpr const char* kPartNeedsFullWidth = "a search of only some disparities needs a map of full width";
+
 /// What block matching computes: docs/algorithm.md defines each option. Models take it with images of any size.
 struct Matching {
    int disparities = 64;   ///< disparity range D: 0 <= d < D, 1 ... 256 and below the image width
@@ -25,6 +27,8 @@ struct Matching {
    bool subpixel = false;          ///< disparities in sixteenths of a pixel
    bool median = false;            ///< median of 3x3 disparities
    bool full_width = false;        ///< a disparity for every pixel whose window lies in the image
+   int first_disparity = 0;        ///< with full_width: lowest of the disparities 0 ... D-1 that is searched
+   int last_disparity = -1;        ///< and the highest one; -1: D-1
 
    constexpr bool has_left_right_check() const { return left_right_threshold >= 0; }
    constexpr bool has_uniqueness_check() const { return uniqueness_percent > 0; }
@@ -35,8 +39,11 @@ struct Matching {
    }
    /// With full_width: some pixels at an end of a row have no candidate in the other image.
    constexpr bool has_lost_pixels() const {
-      return full_width && (min_disparity > 0 || min_disparity < 1 - disparities);
+      return full_width && (min_disparity + first_disparity > 0 || min_disparity + last_searched() < 0 ||
+                            first_disparity > last_searched());
    }
+   constexpr int last_searched() const { return last_disparity < 0 ? disparities - 1 : last_disparity; }
+   constexpr bool searches_all() const { return first_disparity == 0 && last_searched() == disparities - 1; }
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
@@ -57,10 +64,14 @@ struct Matching {
       visit("subpixel", self.subpixel);
       visit("median", self.median);
       visit("full_width", self.full_width);
+      const int highest = self.full_width ? self.disparities - 1 : 0;
+      visit("first_disparity", self.first_disparity, 0, highest, "the first disparity");
+      visit("last_disparity", self.last_disparity, -1, self.full_width ? highest : -1, "the last disparity");
    }
 
    /// Why nothing can be matched with these options; empty when it can.
    constexpr Sentence problem() const {
+      if (!full_width && !searches_all()) return kPartNeedsFullWidth;
       if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
       if (pixel_bits % 2 != 0) {
          Sentence sentence = "the number of bits of a pixel is ";

@@ -87,6 +87,9 @@ struct Config : Image, Matching, Structure {
    /// Moves behind the last column of a row before its last word is in the memory that turns the row round.
    constexpr int turn_columns() const { return tree_levels() + 7; }
 
+   /// As in Matching; ports may leave any disparity out.
+   constexpr bool has_check() const { return Matching::has_check() || windows().has_lost_pixels(); }
+
    /// What the ports of a core with run-time settings set; nothing of a check that the core does not have.
    template <class Visitor>
    constexpr void settings(Visitor& visit) const {
@@ -95,6 +98,8 @@ struct Config : Image, Matching, Structure {
       visit("uniqueness_distance", 16, has_uniqueness_check() ? largest_uniqueness() : 0, uniqueness_distance);
       visit("left_right_threshold", 8, has_left_right_check() ? disparities - 1 : 0,
             has_left_right_check() ? left_right_threshold : 0);
+      visit("first_disparity", 8, full_width ? disparities - 1 : 0, first_disparity);
+      visit("last_disparity", 8, full_width ? disparities - 1 : 0, full_width ? windows().last_searched() : 0);
    }
    /// Clocks that are enough from the last group that a disparity depends on to the last check.
    constexpr int clocks_to_last_check() const { return 64 + disparities; }

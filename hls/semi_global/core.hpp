@@ -153,10 +153,10 @@ struct Core {
       refinement.clock(winners, NoTexture(), settings);
       winners.clock(sums);
       sums.clock(entry, forward, settings);
-      winners.follow(sums.tag);
+      winners.follow(sums.tag, settings);
       forward.clock(entry, settings);
       entry.clock(slices);
-      slices.clock(rows.search, rows.reference, rows.tag);
+      slices.clock(rows.search, rows.reference, rows.tag, settings);
       rows.clock(delay);
       delay.clock(raster);
       if constexpr (kWindows.has_transform()) {

@@ -100,11 +100,11 @@ struct CostSlice {
    HLS_INLINE const PixelTag& shown_tag() const { return tag[kSlices - 1]; }
 
    /// mask_before: of the slice before this one.
-   template <class MaskBefore = NoMask>
+   template <class Settings = NoSettings, class MaskBefore = NoMask>
    HLS_INLINE void clock(const Feature<kWindowConfig<C>> (&search)[kTaps],
                          const Feature<kWindowConfig<C>> (&reference)[kTaps], const PixelTag& tag_in,
-                         const MaskBefore& mask_before = MaskBefore()) {
-      next.clock(shift.search_out, shift.reference, shift.tag, mask);
+                         const Settings& settings = Settings(), const MaskBefore& mask_before = MaskBefore()) {
+      next.clock(shift.search_out, shift.reference, shift.tag, settings, mask);
       HLS_UNROLL
       for (int age = kSlices - 1; age > 0; --age) {
          HLS_UNROLL
@@ -114,12 +114,12 @@ struct CostSlice {
       HLS_UNROLL
       for (int i = 0; i < kCount; ++i) {
          Value seen = scaled(window.sum[0][i]);
-         if constexpr (C.full_width) seen = select<Value>(mask.inside[i], seen, C.largest_cost());
+         if constexpr (C.full_width) seen = select<Value>(mask.has_candidate(i), seen, C.largest_cost());
          held[0][i] = seen;
       }
       tag[0] = window.tag;
       window.clock(cost);
-      if constexpr (C.full_width) mask.clock(window.tag, mask_before);
+      if constexpr (C.full_width) mask.clock(window.tag, mask_before, settings);
       cost.clock(shift);
       shift.clock(search, reference, tag_in);
    }

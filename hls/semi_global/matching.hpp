@@ -37,6 +37,8 @@ struct Matching {
    bool subpixel = false;          ///< disparities in sixteenths of a pixel
    bool median = false;            ///< median of 3x3 disparities
    bool full_width = false;        ///< a disparity for every pixel whose window lies in the image
+   int first_disparity = 0;        ///< with full_width: lowest of the disparities 0 ... D-1 that is searched
+   int last_disparity = -1;        ///< and the highest one; -1: D-1
 
    constexpr bool has_left_right_check() const { return left_right_threshold >= 0; }
    constexpr bool has_uniqueness_check() const { return uniqueness_distance > 0; }
@@ -68,7 +70,9 @@ struct Matching {
               .left_right_threshold = left_right_threshold,
               .subpixel = subpixel,
               .median = median,
-              .full_width = full_width};
+              .full_width = full_width,
+              .first_disparity = first_disparity,
+              .last_disparity = last_disparity};
    }
 
    template <class Self, class Visitor>
@@ -95,10 +99,14 @@ struct Matching {
       visit("subpixel", self.subpixel);
       visit("median", self.median);
       visit("full_width", self.full_width);
+      const int highest = self.full_width ? self.disparities - 1 : 0;
+      visit("first_disparity", self.first_disparity, 0, highest, "the first disparity");
+      visit("last_disparity", self.last_disparity, -1, self.full_width ? highest : -1, "the last disparity");
    }
 
    /// Why nothing can be matched with these options; empty when it can.
    constexpr Sentence problem() const {
+      if (!full_width && !window_costs().searches_all()) return block_matching::kPartNeedsFullWidth;
       if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
       if (const Sentence costs = window_costs().problem(); !costs.empty()) return costs;
       if (!path_left && !path_right && !path_above) return "at least one path must be on";

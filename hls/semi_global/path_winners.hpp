@@ -52,8 +52,9 @@ struct PathWinners {
    }
 
    /// With full_width, when the sums have been clocked: what is a candidate in their new column.
-   HLS_INLINE void follow(const PixelTag& sums_tag) {
-      if constexpr (C.full_width) mask.clock(sums_tag, NoMask());
+   template <class Settings>
+   HLS_INLINE void follow(const PixelTag& sums_tag, const Settings& settings) {
+      if constexpr (C.full_width) mask.clock(sums_tag, NoMask(), settings);
    }
 };
 

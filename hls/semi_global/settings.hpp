@@ -13,6 +13,8 @@ struct Settings {
    uint16_t p2 = 0;
    uint16_t uniqueness_distance = 0;
    uint8_t left_right_threshold = 0;  ///< D-1 lets every disparity pass
+   uint8_t first_disparity = 0;       ///< with full_width: those below it are not searched
+   uint8_t last_disparity = 0;        ///< nor those above it
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
@@ -20,6 +22,8 @@ struct Settings {
       visit("p2", p2);
       visit("uniqueness_distance", uniqueness_distance);
       visit("left_right_threshold", left_right_threshold);
+      visit("first_disparity", first_disparity);
+      visit("last_disparity", last_disparity);
    }
 };
 
@@ -31,6 +35,7 @@ struct FrameSettings {
    uint16_t p2;
    uint16_t uniqueness_distance;
    uint8_t left_right_threshold;
+   uint8_t first_disparity, last_disparity;
 
    HLS_INLINE FrameSettings() { start(*this); }
 
@@ -41,6 +46,10 @@ struct FrameSettings {
       if constexpr (C.has_uniqueness_check()) visit("uniqueness_distance", uniqueness_distance, C.uniqueness_distance);
       if constexpr (C.has_left_right_check())
          visit("left_right_threshold", left_right_threshold, C.left_right_threshold);
+      if constexpr (C.full_width) {
+         visit("first_disparity", first_disparity, C.first_disparity);
+         visit("last_disparity", last_disparity, C.windows().last_searched());
+      }
    }
 
    HLS_INLINE void clock(const StereoInput& in, const Settings& now) {
@@ -52,6 +61,10 @@ struct FrameSettings {
              select<uint16_t>(starts, at_most<C.largest_uniqueness()>(now.uniqueness_distance), uniqueness_distance);
       if constexpr (C.has_left_right_check())
          left_right_threshold = select<uint8_t>(starts, now.left_right_threshold, left_right_threshold);
+      if constexpr (C.full_width) {
+         first_disparity = select<uint8_t>(starts, now.first_disparity, first_disparity);
+         last_disparity = select<uint8_t>(starts, now.last_disparity, last_disparity);
+      }
    }
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "support/full_width.hpp"
 #include "support/pixel_bits.hpp"
 #include "support/registers.hpp"
 
@@ -38,17 +39,21 @@ struct SettingList {
    constexpr const Setting* end() const { return setting + count; }
 };
 
-/// The thresholds of the checks. A frame is matched with those that its start of frame brings.
+/// The thresholds of the checks, and what is searched. A frame is matched with those that its start of frame brings.
 struct CheckSettings {
    uint16_t texture_threshold = 0;
    uint8_t uniqueness_percent = 0;
    uint8_t left_right_threshold = 0;  ///< D-1 lets every disparity pass
+   uint8_t first_disparity = 0;       ///< with full_width: those below it are not searched
+   uint8_t last_disparity = 0;        ///< nor those above it
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("texture_threshold", texture_threshold);
       visit("uniqueness_percent", uniqueness_percent);
       visit("left_right_threshold", left_right_threshold);
+      visit("first_disparity", first_disparity);
+      visit("last_disparity", last_disparity);
    }
 };
 
@@ -59,6 +64,7 @@ struct FrameSettings {
    uint16_t texture_threshold;
    uint8_t uniqueness_percent;
    uint8_t left_right_threshold;
+   uint8_t first_disparity, last_disparity;
 
    HLS_INLINE FrameSettings() { start(*this); }
 
@@ -67,6 +73,10 @@ struct FrameSettings {
       visit("texture_threshold", texture_threshold, C.texture_threshold);
       visit("uniqueness_percent", uniqueness_percent, C.uniqueness_percent);
       visit("left_right_threshold", left_right_threshold, C.has_left_right_check() ? C.left_right_threshold : 0);
+      if constexpr (kFullWidth<C>) {
+         visit("first_disparity", first_disparity, C.first_disparity);
+         visit("last_disparity", last_disparity, C.last_searched());
+      }
    }
 
    HLS_INLINE void clock(const CoreInput<C>& in, const CheckSettings& now) {
@@ -74,6 +84,10 @@ struct FrameSettings {
       texture_threshold = select<uint16_t>(starts, now.texture_threshold, texture_threshold);
       uniqueness_percent = select<uint8_t>(starts, now.uniqueness_percent, uniqueness_percent);
       left_right_threshold = select<uint8_t>(starts, now.left_right_threshold, left_right_threshold);
+      if constexpr (kFullWidth<C>) {
+         first_disparity = select<uint8_t>(starts, now.first_disparity, first_disparity);
+         last_disparity = select<uint8_t>(starts, now.last_disparity, last_disparity);
+      }
    }
 };
 

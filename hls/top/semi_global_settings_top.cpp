@@ -36,6 +36,8 @@ struct Memories {
 #pragma HLS interface port = p2 mode = none
 #pragma HLS interface port = uniqueness_distance mode = none
 #pragma HLS interface port = left_right_threshold mode = none
+#pragma HLS interface port = first_disparity mode = none
+#pragma HLS interface port = last_disparity mode = none
 #pragma HLS interface port = disparity mode = none
 #pragma HLS interface port = pixel_valid mode = none
 #pragma HLS interface port = disparity_valid mode = none
@@ -44,6 +46,7 @@ struct Memories {
 extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_pixel, volatile bool* start_of_frame,
                             volatile bool* valid, volatile uint16_t* p1, volatile uint16_t* p2,
                             volatile uint16_t* uniqueness_distance, volatile uint8_t* left_right_threshold,
+                            volatile uint8_t* first_disparity, volatile uint8_t* last_disparity,
                             volatile Disparities* disparity, volatile uint8_t* pixel_valid,
                             volatile bool* disparity_valid, volatile bool* disparity_start_of_frame,
                             volatile bool* disparity_end_of_line) {
@@ -63,6 +66,8 @@ extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_
       settings.p2 = *p2;
       settings.uniqueness_distance = *uniqueness_distance;
       settings.left_right_threshold = *left_right_threshold;
+      settings.first_disparity = *first_disparity;
+      settings.last_disparity = *last_disparity;
       const stereo::StereoOutput out = core.output();
       Disparities word = 0;
       uint8_t pixels_valid = 0;

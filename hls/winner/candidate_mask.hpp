@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
+
 #include "cost/costs.hpp"
 #include "frontend/pixel_tag.hpp"
 #include "support/matching_options.hpp"
 #include "support/registers.hpp"
+#include "support/settings.hpp"
 
 namespace stereo {
+
+/// Which of `Count` disparities the frame's settings let be searched.
+template <int Count>
+struct SearchedHere {
+   bool disparity[Count];
+};
 
 /// With full_width: which of `Count` disparities lead to a column of the other image whose window lies in the image,
 /// for the centres of the windows whose sums are shown. The answers move on with the columns of the other image, as its
 /// pixels do; at a row's first column they are constants, so that nothing of the row before is left. In step with the
-/// window sums. Registers: Count + 1 bits, and in the first block the bits of a column.
+/// window sums. Registers: Count + 1 bits, and in the first block the bits of a column; with run-time settings Count
+/// bits more, which say what the frame's settings let be searched.
 ///
 /// Blocks are chained as the shifts are: the next one takes `left_out` one clock later. First: the lowest disparity
 /// here.
@@ -26,6 +36,7 @@ struct CandidateMask {
    bool inside[Count];  ///< [i]: of disparity First + i
    bool left_out;       ///< of the column that has just left
    uint16_t column;     ///< of the centre
+   [[no_unique_address]] std::conditional_t<kSetAtRunTime<C>, SearchedHere<Count>, NoSettings> searched;
 
    HLS_INLINE CandidateMask() { start(*this); }
 
@@ -34,11 +45,13 @@ struct CandidateMask {
       visit("inside", inside);
       visit("left_out", left_out);
       if constexpr (kIsFirst) visit("column", column);
+      if constexpr (kSetAtRunTime<C>) visit("searched", searched.disparity, 1);
    }
 
    /// centre: the tag of the centres that come now; before: the block before this one, or NoMask.
-   template <class Before>
-   HLS_INLINE void clock(const PixelTag& centre, const Before& before) {
+   template <class Before, class Settings = NoSettings>
+   HLS_INLINE void clock(const PixelTag& centre, const Before& before, const Settings& settings = Settings()) {
+      if constexpr (kSetAtRunTime<C>) take_over(centre, settings);
       const bool move = centre.valid;
       const bool starts = centre.first_column;
       const bool entering = enters(before);
@@ -57,6 +70,13 @@ struct CandidateMask {
       }
    }
 
+   /// Whether disparity First + i leads to a column that counts, and is searched.
+   HLS_INLINE bool has_candidate(int i) const {
+      if constexpr (kSetAtRunTime<C>) return inside[i] & searched.disparity[i];
+      else if constexpr (C.searches_all()) return inside[i];
+      else return inside[i] & (First + i >= C.first_disparity) & (First + i <= C.last_searched());
+   }
+
    /// The costs that are compared: those of candidates, and one above all of them where there is none. There,
    /// remembered signs are those of other pixels, and the sum may have higher bits than any cost.
    template <int kPixels>
@@ -65,7 +85,7 @@ struct CandidateMask {
       for (int p = 0; p < kPixels; ++p) {
          HLS_UNROLL
          for (int i = 0; i < Count; ++i) {
-            shown[p][i] = WindowCost<C>(sum[p][i] | select<WindowCost<C>>(inside[i], 0, kMaskedCost<C>));
+            shown[p][i] = WindowCost<C>(sum[p][i] | select<WindowCost<C>>(has_candidate(i), 0, kMaskedCost<C>));
             if constexpr (kRemembersSigns) shown[p][i] = WindowCost<C>(shown[p][i] & kMaskedCost<C>);
          }
       }
@@ -76,6 +96,17 @@ struct CandidateMask {
       if constexpr (requires { C.remembers_signs(); }) return C.remembers_signs();
       else return false;
    }();
+
+   template <class Settings>
+   HLS_INLINE void take_over(const PixelTag& centre, const Settings& settings) {
+      const bool now = is_first_of_frame(centre);
+      HLS_UNROLL
+      for (int i = 0; i < Count; ++i) {
+         const bool is_searched =
+             (First + i >= int(settings.first_disparity)) & (First + i <= int(settings.last_disparity));
+         searched.disparity[i] = select<bool>(now, is_searched, searched.disparity[i]);
+      }
+   }
 
    /// The column of the map at which the other image's pixel stands, for a column of the map and a disparity.
    static constexpr int at(int map_column, int d) {

@@ -52,11 +52,12 @@ struct DiagonalMinimum {
          for (int step = 0; step < Count; ++step) {
             const int i = kFalls ? step : Count - 1 - step;
             const int from = i == kNewest ? i : kFalls ? i + 1 : i - 1;
-            const Value old_cost = i == kNewest ? entering_cost : cost[p][from];
+            Value old_cost = i == kNewest ? entering_cost : cost[p][from];
             const uint8_t old_winner = i == kNewest ? entering_winner : winner[p][from];
             const bool has_rival = !tag.first_column && !(i == kNewest && Before::kIsNone);
             bool wins = tag.output_column && (!has_rival || beats(sum[p][i], old_cost));
-            if constexpr (kFullWidth<C>) wins = wins & mask.inside[i];
+            if constexpr (kFullWidth<C>) wins = wins & mask.has_candidate(i);
+            if constexpr (kLeavesOut) old_cost = select<Value>(has_rival, old_cost, kMaskedCost<C>);
             cost[p][i] = select<Value>(tag.valid, select<Value>(wins, sum[p][i], old_cost), cost[p][i]);
             winner[p][i] =
                 select<uint8_t>(tag.valid, select<uint8_t>(wins, uint8_t(first + i), old_winner), winner[p][i]);
@@ -67,6 +68,12 @@ struct DiagonalMinimum {
    static constexpr bool kIsNone = false;
 
   private:
+   /// The first disparity that a pixel of the other image meets may be one that is not searched.
+   static constexpr bool kLeavesOut = [] {
+      if constexpr (kFullWidth<C>) return kSetAtRunTime<C> || !C.searches_all();
+      else return false;
+   }();
+
    /// The older costs are those of larger disparities with a right, of smaller ones with a left reference.
    static HLS_INLINE bool beats(Value now, Value old) {
       return kFalls == (C.ties == Ties::smallest) ? now <= old : now < old;

@@ -97,21 +97,21 @@ CostVolume window_sums(const CostVolume& costs, int window_px) {
    return sums;
 }
 
-void keep_candidates(CostVolume& sums, int min_disparity) {
+void keep_candidates(CostVolume& sums, const DisparityRange& range) {
    for (int y = 0; y < sums.height; ++y)
       for (int x = 0; x < sums.width; ++x)
          for (int d = 0; d < sums.disparities; ++d) {
-            const int other = x + min_disparity + d;
-            if (other < 0 || other >= sums.width) sums.at(x, y, d) = kNoCandidate;
+            const int other = x + range.min + d;
+            if (d < range.first || d > range.last || other < 0 || other >= sums.width) sums.at(x, y, d) = kNoCandidate;
          }
 }
 
-CostVolume full_width_sums(const CostVolume& sums, int window_px, int min_disparity) {
+CostVolume full_width_sums(const CostVolume& sums, int window_px, const DisparityRange& range) {
    CostVolume searched(sums.width - window_px + 1, sums.height, sums.disparities);
    for (int y = 0; y < searched.height; ++y)
       for (int x = 0; x < searched.width; ++x)
          for (int d = 0; d < searched.disparities; ++d) searched.at(x, y, d) = sums.at(window_px / 2 + x, y, d);
-   keep_candidates(searched, min_disparity);
+   keep_candidates(searched, range);
    return searched;
 }
 

@@ -68,11 +68,14 @@ CostVolume all_window_sums(const CostVolume& costs, int window_px);
 /// The same for the columns of the map of block matching: one column less than c.
 CostVolume window_sums(const CostVolume& costs, int window_px);
 
-/// 8. With full_width: what leads to none of the columns is no candidate.
-void keep_candidates(CostVolume& sums, int min_disparity);
-/// The columns of `sums` whose windows lie in the image. `sums` has all columns of the image, and
-/// disparity d leads min_disparity + d columns to the right. With candidates only.
-CostVolume full_width_sums(const CostVolume& sums, int window_px, int min_disparity);
+/// Disparities of which only first ... last are searched; d leads min + d columns to the right.
+struct DisparityRange {
+   int min, first, last;
+};
+/// 8. With full_width: what is not searched, or leads to none of the columns, is no candidate.
+void keep_candidates(CostVolume& sums, const DisparityRange& range);
+/// The columns of `sums` whose windows lie in the image. `sums` has all columns of the image. With candidates only.
+CostVolume full_width_sums(const CostVolume& sums, int window_px, const DisparityRange& range);
 
 /// 4. d*, in pixels, all valid but those without a candidate.
 DisparityMap winners(const CostVolume& sums, Ties ties = Ties::smallest);

@@ -32,6 +32,8 @@ entity stereo_core_tiny_settings_all is
     texture_threshold : in std_logic_vector(15 downto 0);  -- 0 ... 279, taken over with start_of_frame
     uniqueness_percent : in std_logic_vector(7 downto 0);  -- 0 ... 100, taken over with start_of_frame
     left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 7, taken over with start_of_frame
+    first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
     disparity : out std_logic_vector(15 downto 0);
     pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
     disparity_valid : out std_logic;

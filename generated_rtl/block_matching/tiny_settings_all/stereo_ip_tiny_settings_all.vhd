@@ -66,7 +66,7 @@ begin
       latency_clocks => 49,
       flush_groups => 105,
       gap_groups => 0,
-      core_id => x"dd898969",
+      core_id => x"acd9536d",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (279, 100, 7, 0, 0, 0),
       settings_start => (30, 10, 1, 0, 0, 0))
@@ -140,5 +140,7 @@ begin
       disparity_end_of_line => disparity_end_of_line,
       texture_threshold => settings(0),
       uniqueness_percent => settings(1)(7 downto 0),
-      left_right_threshold => settings(2)(7 downto 0));
+      left_right_threshold => settings(2)(7 downto 0),
+      first_disparity => settings(4)(7 downto 0),
+      last_disparity => settings(5)(7 downto 0));
 end architecture;

@@ -33,6 +33,8 @@ entity stereo_core_tiny_settings_recursive is
     texture_threshold : in std_logic_vector(15 downto 0);  -- 0 ... 1519, taken over with start_of_frame
     uniqueness_percent : in std_logic_vector(7 downto 0);  -- 0 ... 100, taken over with start_of_frame
     left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 7, taken over with start_of_frame
+    first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
     disparity : out std_logic_vector(15 downto 0);
     pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
     disparity_valid : out std_logic;
@@ -1692,7 +1694,7 @@ begin
       texture_passes_2_0 <= texture_passes_1_0;
       texture_passes_3_0 <= texture_passes_2_0;
       texture_passes_4_0 <= texture_passes_3_0;
-      if not ((not slice0window_change_tag_output_column) or (not slice0window_change_tag_valid) or (not slice0window_change_tag_start_of_frame)) then
+      if not ((not slice0window_change_tag_valid) or (not slice0window_change_tag_start_of_frame) or (not slice0window_change_tag_output_column)) then
         texture_least <= settings_texture_threshold;
       end if;
       -- texturecost

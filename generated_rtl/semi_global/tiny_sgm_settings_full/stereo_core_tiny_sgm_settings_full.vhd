@@ -34,6 +34,8 @@ entity stereo_core_tiny_sgm_settings_full is
     p2 : in std_logic_vector(15 downto 0);  -- 0 ... 31, taken over with start_of_frame
     uniqueness_distance : in std_logic_vector(15 downto 0);  -- 0 ... 198, taken over with start_of_frame
     left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
+    first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
+    last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
     disparity : out std_logic_vector(15 downto 0);
     pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
     disparity_valid : out std_logic;
@@ -96,6 +98,8 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal in_start_of_frame : boolean;
   signal in_right_pixel : natural range 0 to 255;
   signal in_left_pixel : natural range 0 to 255;
+  signal in_last_disparity : natural range 0 to 255;
+  signal in_first_disparity : natural range 0 to 255;
   signal in_left_right_threshold : natural range 0 to 255;
   signal in_uniqueness_distance : natural range 0 to 65535;
   signal in_p2 : natural range 0 to 65535;
@@ -103,7 +107,8 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   -- settings
   signal settings_p1 : natural range 0 to 7;
   signal settings_p2 : natural range 0 to 31;
-  signal settings_uniqueness_distance, settings_left_right_threshold : natural range 0 to 255;
+  signal settings_uniqueness_distance, settings_left_right_threshold, settings_first_disparity : natural range 0 to 255;
+  signal settings_last_disparity : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
@@ -301,7 +306,8 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 216;
   -- slice0mask
   signal slice0mask_inside_0, slice0mask_inside_1, slice0mask_inside_2, slice0mask_inside_3 : boolean;
-  signal slice0mask_inside_4, slice0mask_left_out : boolean;
+  signal slice0mask_inside_4, slice0mask_left_out, slice0mask_searched_0, slice0mask_searched_1 : boolean;
+  signal slice0mask_searched_2, slice0mask_searched_3, slice0mask_searched_4 : boolean;
   signal slice0mask_column : natural range 0 to 63;
   -- slice0
   signal slice0_held_0_0, slice0_held_0_1, slice0_held_0_2, slice0_held_0_3, slice0_held_0_4 : natural range 0 to 13;
@@ -392,18 +398,21 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal slice1cost_pair_0_4 : natural range 0 to 48;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 72;
   signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 72;
-  signal slice1cost_tag_first_column : boolean;
+  signal slice1cost_tag_output_column, slice1cost_tag_first_column, slice1cost_tag_start_of_frame : boolean;
   -- slice1window
   signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 72;
   signal slice1window_partial_0_0_3, slice1window_partial_0_0_4 : natural range 0 to 72;
   signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 144;
   signal slice1window_partial_0_1_3, slice1window_partial_0_1_4 : natural range 0 to 144;
-  signal slice1window_centre_first_column_0, slice1window_tag_first_column : boolean;
+  signal slice1window_centre_output_column_0, slice1window_centre_first_column_0 : boolean;
+  signal slice1window_centre_start_of_frame_0, slice1window_tag_output_column, slice1window_tag_first_column : boolean;
+  signal slice1window_tag_start_of_frame : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 216;
   signal slice1window_sum_0_3, slice1window_sum_0_4 : natural range 0 to 216;
   -- slice1mask
   signal slice1mask_inside_0, slice1mask_inside_1, slice1mask_inside_2, slice1mask_inside_3 : boolean;
-  signal slice1mask_inside_4, slice1mask_left_out : boolean;
+  signal slice1mask_inside_4, slice1mask_left_out, slice1mask_searched_0, slice1mask_searched_1 : boolean;
+  signal slice1mask_searched_2, slice1mask_searched_3 : boolean;
   -- slice1
   signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 13;
   signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 13;
@@ -441,7 +450,7 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 24;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 48;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 72;
-  signal slice2cost_tag_first_column : boolean;
+  signal slice2cost_tag_output_column, slice2cost_tag_first_column, slice2cost_tag_start_of_frame : boolean;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 72;
   signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 144;
@@ -637,12 +646,15 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal winnersmask_inside_0, winnersmask_inside_1, winnersmask_inside_2, winnersmask_inside_3 : boolean;
   signal winnersmask_inside_4, winnersmask_inside_5, winnersmask_inside_6, winnersmask_inside_7 : boolean;
   signal winnersmask_inside_8, winnersmask_inside_9, winnersmask_inside_10, winnersmask_inside_11 : boolean;
+  signal winnersmask_searched_0, winnersmask_searched_1, winnersmask_searched_2, winnersmask_searched_3 : boolean;
+  signal winnersmask_searched_4, winnersmask_searched_5, winnersmask_searched_6, winnersmask_searched_7 : boolean;
+  signal winnersmask_searched_8 : boolean;
   signal winnersmask_column : natural range 0 to 63;
   -- winnersother
-  signal winnersother_cost_0_1, winnersother_cost_0_2, winnersother_cost_0_3 : natural range 0 to 254;
-  signal winnersother_cost_0_4, winnersother_cost_0_5, winnersother_cost_0_6 : natural range 0 to 254;
-  signal winnersother_cost_0_7, winnersother_cost_0_8, winnersother_cost_0_9 : natural range 0 to 254;
-  signal winnersother_cost_0_10, winnersother_cost_0_11 : natural range 0 to 254;
+  signal winnersother_cost_0_1, winnersother_cost_0_2, winnersother_cost_0_3 : natural range 0 to 255;
+  signal winnersother_cost_0_4, winnersother_cost_0_5, winnersother_cost_0_6 : natural range 0 to 255;
+  signal winnersother_cost_0_7, winnersother_cost_0_8, winnersother_cost_0_9 : natural range 0 to 255;
+  signal winnersother_cost_0_10, winnersother_cost_0_11 : natural range 0 to 255;
   signal winnersother_winner_0_0, winnersother_winner_0_1, winnersother_winner_0_2 : natural range 0 to 11;
   signal winnersother_winner_0_3, winnersother_winner_0_4, winnersother_winner_0_5 : natural range 0 to 11;
   signal winnersother_winner_0_6, winnersother_winner_0_7, winnersother_winner_0_8 : natural range 0 to 11;
@@ -828,18 +840,24 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
   signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
-  signal other_0, other_2 : unsigned(48 downto 0);
-  signal other_1 : natural range 0 to 8190;
-  signal other_3 : natural range 0 to 67108863;
-  signal other_4 : unsigned(25 downto 0);
-  signal other_5 : natural range 0 to 254;
-  signal other_6 : natural range 0 to 252;
-  signal other_7 : natural range 0 to 248;
-  signal other_8 : natural range 0 to 240;
-  signal other_9 : natural range 0 to 224;
-  signal other_10 : natural range 0 to 192;
-  signal other_11 : natural range 0 to 128;
-  signal other_12, other_13, other_14, other_15 : boolean;
+  signal other_0, other_1, other_2, other_3, other_4, other_5, other_18, other_19, other_20, other_21 : boolean;
+  signal other_6, other_8 : unsigned(48 downto 0);
+  signal other_7 : natural range 0 to 8190;
+  signal other_9 : natural range 0 to 67108863;
+  signal other_10 : unsigned(25 downto 0);
+  signal other_11 : natural range 0 to 254;
+  signal other_12 : natural range 0 to 252;
+  signal other_13 : natural range 0 to 248;
+  signal other_14 : natural range 0 to 240;
+  signal other_15 : natural range 0 to 224;
+  signal other_16 : natural range 0 to 192;
+  signal other_17 : natural range 0 to 128;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal other_10_memory_write_data : unsigned(25 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -861,18 +879,14 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal other_4_memory_write_data : unsigned(25 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
   in_right_pixel <= to_integer(unsigned(right_pixel));
   in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_last_disparity <= to_integer(unsigned(last_disparity));
+  in_first_disparity <= to_integer(unsigned(first_disparity));
   in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
   in_uniqueness_distance <= to_integer(unsigned(uniqueness_distance));
   in_p2 <= to_integer(unsigned(p2));
@@ -882,6 +896,54 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  other_10_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  other_10_memory : entity work.line_memory
+    generic map (depth => 38, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => other_10,
+      write_address => map_at_column, write_data => other_10_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 38, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -976,40 +1038,40 @@ begin
     generic map (depth => 5, width => 12)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_2,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
   forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
   forward_above_delay_held_1_memory : entity work.line_memory
     generic map (depth => 5, width => 30)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_1,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
   forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
   forward_above_delay_held_0_memory : entity work.line_memory
     generic map (depth => 5, width => 30)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_0,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
   forward_cost_delay_held_1_memory_write_data <= to_unsigned(entry_cost_11, 4) & to_unsigned(entry_cost_10, 4) & to_unsigned(entry_cost_9, 4) & to_unsigned(entry_cost_8, 4);
   forward_cost_delay_held_1_memory : entity work.line_memory
     generic map (depth => 5, width => 16)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_1,
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
   forward_cost_delay_held_0_memory_write_data <= to_unsigned(entry_cost_7, 4) & to_unsigned(entry_cost_6, 4) & to_unsigned(entry_cost_5, 4) & to_unsigned(entry_cost_4, 4) & to_unsigned(entry_cost_3, 4) & to_unsigned(entry_cost_2, 4) & to_unsigned(entry_cost_1, 4) & to_unsigned(entry_cost_0, 4);
   forward_cost_delay_held_0_memory : entity work.line_memory
     generic map (depth => 5, width => 32)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_0,
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -1050,54 +1112,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_4_memory : entity work.line_memory
-    generic map (depth => 38, width => 26)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => other_4,
-      write_address => map_at_column, write_data => other_4_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 14)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   process (clock)
     variable settings_p1_any, transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1353,6 +1367,12 @@ begin
     variable slice0cost_pixels_first_2_0_count_7_value, slice0cost_pixels_first_2_0_count_7_value_2 : boolean;
     variable slice0mask_inside_0_all, slice0mask_inside_0_choice, slice0mask_inside_1_choice : boolean;
     variable slice0mask_inside_2_choice, slice0mask_inside_3_choice, slice0mask_inside_4_choice : boolean;
+    variable slice0mask_searched_0_is_equal, slice0mask_searched_1_value, slice0mask_searched_1_is_equal : boolean;
+    variable slice0mask_searched_1_all, slice0mask_searched_2_value, slice0mask_searched_2_any : boolean;
+    variable slice0mask_searched_2_is_equal, slice0mask_searched_2_value_2, slice0mask_searched_2_any_2 : boolean;
+    variable slice0mask_searched_2_choice, slice0mask_searched_3_value, slice0mask_searched_3_any : boolean;
+    variable slice0mask_searched_3_all, slice0mask_searched_4_is_equal, slice0mask_searched_4_is_equal_2 : boolean;
+    variable slice0mask_searched_4_choice, slice0mask_searched_0_all : boolean;
     variable slice1cost_pixels_first_0_0_count_0_value, slice1cost_pixels_first_0_0_count_0_value_2 : boolean;
     variable slice1cost_pixels_first_0_0_count_1_value, slice1cost_pixels_first_0_0_count_1_value_2 : boolean;
     variable slice1cost_pixels_first_0_0_count_1_value_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
@@ -1386,218 +1406,223 @@ begin
     variable slice1cost_pixels_first_2_0_count_6_value_3, slice1cost_pixels_first_2_0_count_7_value : boolean;
     variable slice1cost_pixels_first_2_0_count_7_value_2, slice1mask_inside_0_all, slice1mask_inside_0_choice : boolean;
     variable slice1mask_inside_1_choice, slice1mask_inside_2_choice, slice1mask_inside_3_choice : boolean;
-    variable slice1mask_inside_4_choice, slice2cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_2, slice2cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_2, slice2cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value, slice2cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value, slice2cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_3, slice2cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_2, slice2cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value, slice2cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_3, slice2cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_2, slice2cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value, slice2cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value, slice2cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value, slice2cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_3, slice2cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value_2, slice2cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_2, slice2cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value, slice2cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_3, slice2cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_2, slice2cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value, slice2cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_3, slice2cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value_2, slice2cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_2, slice2cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_2, slice2cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value, slice2cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value, slice2cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_2, slice2cost_pixels_first_2_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value, slice2cost_pixels_first_2_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_3, slice2cost_pixels_first_2_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_2, slice2cost_pixels_first_2_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value, slice2cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable slice2mask_inside_0_all, slice2mask_inside_0_choice, slice2mask_inside_1_choice : boolean;
-    variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
-    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
-    variable forward_above_stay_0_value, forward_above_stay_0_choice, forward_above_stay_0_choice_2 : boolean;
-    variable forward_above_stay_0_value_2, forward_above_stay_0_value_3, forward_above_stay_0_choice_3 : boolean;
-    variable forward_above_stay_0_value_4, forward_above_stay_0_value_5, forward_above_stay_0_choice_4 : boolean;
-    variable forward_above_stay_0_value_6, forward_above_stay_0_choice_5, forward_above_stay_0_choice_6 : boolean;
-    variable forward_above_stay_1_any, forward_above_stay_1_choice, forward_above_stay_1_is_equal : boolean;
-    variable forward_above_stay_1_choice_2, forward_above_stay_1_choice_3, forward_above_stay_1_choice_4 : boolean;
-    variable forward_above_stay_1_value, forward_above_stay_1_choice_5, forward_above_stay_2_choice : boolean;
-    variable forward_above_stay_2_choice_2, forward_above_stay_2_choice_3, forward_above_stay_2_choice_4 : boolean;
-    variable forward_above_stay_2_value, forward_above_stay_2_choice_5, forward_above_stay_3_choice : boolean;
-    variable forward_above_stay_3_choice_2, forward_above_stay_3_choice_3, forward_above_stay_3_choice_4 : boolean;
-    variable forward_above_stay_3_value, forward_above_stay_3_choice_5, forward_above_stay_4_choice : boolean;
-    variable forward_above_stay_4_choice_2, forward_above_stay_4_choice_3, forward_above_stay_4_choice_4 : boolean;
-    variable forward_above_stay_4_value, forward_above_stay_4_choice_5, forward_above_stay_5_choice : boolean;
-    variable forward_above_stay_5_choice_2, forward_above_stay_5_choice_3, forward_above_stay_5_choice_4 : boolean;
-    variable forward_above_stay_5_value, forward_above_stay_5_choice_5, forward_above_stay_6_choice : boolean;
-    variable forward_above_stay_6_choice_2, forward_above_stay_6_choice_3, forward_above_stay_6_choice_4 : boolean;
-    variable forward_above_stay_6_value, forward_above_stay_6_choice_5, forward_above_stay_7_choice : boolean;
-    variable forward_above_stay_7_choice_2, forward_above_stay_7_choice_3, forward_above_stay_7_choice_4 : boolean;
-    variable forward_above_stay_7_value, forward_above_stay_7_choice_5, forward_above_stay_8_choice : boolean;
-    variable forward_above_stay_8_choice_2, forward_above_stay_8_choice_3, forward_above_stay_8_choice_4 : boolean;
-    variable forward_above_stay_8_value, forward_above_stay_8_choice_5, forward_above_stay_9_choice : boolean;
-    variable forward_above_stay_9_choice_2, forward_above_stay_9_choice_3, forward_above_stay_9_choice_4 : boolean;
-    variable forward_above_stay_9_value, forward_above_stay_9_choice_5, forward_above_stay_10_choice : boolean;
-    variable forward_above_stay_10_choice_2, forward_above_stay_10_choice_3, forward_above_stay_10_choice_4 : boolean;
-    variable forward_above_stay_10_value, forward_above_stay_10_choice_5, forward_above_stay_11_choice : boolean;
-    variable forward_above_stay_11_choice_2, forward_above_stay_11_choice_3, forward_above_stay_11_choice_4 : boolean;
-    variable forward_above_stay_11_value, forward_above_stay_11_choice_5, forward_left_p1_any : boolean;
-    variable forward_above_p1_any, forward_above_writes_copy_0_choice, sums_right_start_cost_0_value : boolean;
-    variable sums_turn_writes_copy_0_choice, sums_right_p1_any, winnersmask_inside_9_choice : boolean;
-    variable winnersmask_inside_11_choice, winnersother_cost_0_1_choice, winnersother_cost_0_1_choice_2 : boolean;
-    variable winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3, winnersother_cost_0_1_value_2 : boolean;
-    variable winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3, winnersother_cost_0_1_choice_5 : boolean;
-    variable winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6, winnersother_cost_0_1_value_5 : boolean;
-    variable winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8, winnersother_cost_0_1_choice_9 : boolean;
-    variable winnersother_cost_0_1_all, winnersother_cost_0_2_value, winnersother_cost_0_2_choice : boolean;
-    variable winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2, winnersother_cost_0_2_choice_3 : boolean;
-    variable winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4, winnersother_cost_0_2_value_4 : boolean;
-    variable winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5, winnersother_cost_0_2_choice_6 : boolean;
-    variable winnersother_cost_0_2_value_6, winnersother_cost_0_2_choice_7, winnersother_cost_0_2_choice_8 : boolean;
-    variable winnersother_cost_0_2_choice_9, winnersother_cost_0_2_all, winnersother_cost_0_3_choice : boolean;
-    variable winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value, winnersother_cost_0_3_choice_3 : boolean;
-    variable winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4, winnersother_cost_0_3_value_3 : boolean;
-    variable winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4, winnersother_cost_0_3_choice_6 : boolean;
-    variable winnersother_cost_0_3_value_5, winnersother_cost_0_3_choice_7, winnersother_cost_0_3_choice_8 : boolean;
-    variable winnersother_cost_0_3_choice_9, winnersother_cost_0_3_all, winnersother_cost_0_4_value : boolean;
-    variable winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value_2 : boolean;
-    variable winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_4 : boolean;
-    variable winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_5 : boolean;
-    variable winnersother_cost_0_4_choice_6, winnersother_cost_0_4_value_6, winnersother_cost_0_4_choice_7 : boolean;
-    variable winnersother_cost_0_4_choice_8, winnersother_cost_0_4_choice_9, winnersother_cost_0_4_all : boolean;
-    variable winnersother_cost_0_5_choice, winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value : boolean;
-    variable winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4 : boolean;
-    variable winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4 : boolean;
-    variable winnersother_cost_0_5_choice_6, winnersother_cost_0_5_value_5, winnersother_cost_0_5_choice_7 : boolean;
-    variable winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9, winnersother_cost_0_5_all : boolean;
-    variable winnersother_cost_0_6_value, winnersother_cost_0_6_choice, winnersother_cost_0_6_choice_2 : boolean;
-    variable winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3, winnersother_cost_0_6_value_3 : boolean;
-    variable winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4, winnersother_cost_0_6_choice_5 : boolean;
-    variable winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6, winnersother_cost_0_6_value_6 : boolean;
-    variable winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8, winnersother_cost_0_6_choice_9 : boolean;
-    variable winnersother_cost_0_6_all, winnersother_cost_0_7_choice, winnersother_cost_0_7_choice_2 : boolean;
-    variable winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3, winnersother_cost_0_7_value_2 : boolean;
-    variable winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3, winnersother_cost_0_7_choice_5 : boolean;
-    variable winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6, winnersother_cost_0_7_value_5 : boolean;
-    variable winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8, winnersother_cost_0_7_choice_9 : boolean;
-    variable winnersother_cost_0_7_all, winnersother_cost_0_8_value, winnersother_cost_0_8_choice : boolean;
-    variable winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2, winnersother_cost_0_8_choice_3 : boolean;
-    variable winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4, winnersother_cost_0_8_value_4 : boolean;
-    variable winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5, winnersother_cost_0_8_choice_6 : boolean;
-    variable winnersother_cost_0_8_value_6, winnersother_cost_0_8_choice_7, winnersother_cost_0_8_choice_8 : boolean;
-    variable winnersother_cost_0_8_choice_9, winnersother_cost_0_8_all, winnersother_cost_0_9_choice : boolean;
-    variable winnersother_cost_0_9_choice_2, winnersother_cost_0_9_value, winnersother_cost_0_9_choice_3 : boolean;
-    variable winnersother_cost_0_9_value_2, winnersother_cost_0_9_choice_4, winnersother_cost_0_9_value_3 : boolean;
-    variable winnersother_cost_0_9_choice_5, winnersother_cost_0_9_value_4, winnersother_cost_0_9_choice_6 : boolean;
-    variable winnersother_cost_0_9_value_5, winnersother_cost_0_9_choice_7, winnersother_cost_0_9_choice_8 : boolean;
-    variable winnersother_cost_0_9_choice_9, winnersother_cost_0_9_all, winnersother_winner_0_0_value : boolean;
-    variable winnersother_winner_0_0_choice, winnersother_winner_0_0_choice_2 : boolean;
+    variable slice1mask_inside_4_choice, slice1mask_searched_0_value, slice1mask_searched_0_is_equal : boolean;
+    variable slice1mask_searched_0_choice, slice1mask_searched_1_value, slice1mask_searched_1_value_2 : boolean;
+    variable slice1mask_searched_1_value_3, slice1mask_searched_1_choice, slice1mask_searched_2_all : boolean;
+    variable slice1mask_searched_3_any, slice1mask_searched_3_choice, slice1mask_searched_0_all : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_2_value, slice2cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value, slice2cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value, slice2cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_7_value, slice2cost_pixels_first_1_0_count_7_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_value, slice2cost_pixels_first_2_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value, slice2cost_pixels_first_2_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_value_2, slice2cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_2, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value, slice2cost_pixels_first_2_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, slice2mask_inside_0_all, slice2mask_inside_0_choice : boolean;
+    variable slice2mask_inside_1_choice, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_all, entry_order_complete_any, entry_order_turned_output_column_choice : boolean;
+    variable forward_left_start_cost_0_value, forward_above_stay_0_value, forward_above_stay_0_choice : boolean;
+    variable forward_above_stay_0_choice_2, forward_above_stay_0_value_2, forward_above_stay_0_value_3 : boolean;
+    variable forward_above_stay_0_choice_3, forward_above_stay_0_value_4, forward_above_stay_0_value_5 : boolean;
+    variable forward_above_stay_0_choice_4, forward_above_stay_0_value_6, forward_above_stay_0_choice_5 : boolean;
+    variable forward_above_stay_0_choice_6, forward_above_stay_1_any, forward_above_stay_1_choice : boolean;
+    variable forward_above_stay_1_is_equal, forward_above_stay_1_choice_2, forward_above_stay_1_choice_3 : boolean;
+    variable forward_above_stay_1_choice_4, forward_above_stay_1_value, forward_above_stay_1_choice_5 : boolean;
+    variable forward_above_stay_2_choice, forward_above_stay_2_choice_2, forward_above_stay_2_choice_3 : boolean;
+    variable forward_above_stay_2_choice_4, forward_above_stay_2_value, forward_above_stay_2_choice_5 : boolean;
+    variable forward_above_stay_3_choice, forward_above_stay_3_choice_2, forward_above_stay_3_choice_3 : boolean;
+    variable forward_above_stay_3_choice_4, forward_above_stay_3_value, forward_above_stay_3_choice_5 : boolean;
+    variable forward_above_stay_4_choice, forward_above_stay_4_choice_2, forward_above_stay_4_choice_3 : boolean;
+    variable forward_above_stay_4_choice_4, forward_above_stay_4_value, forward_above_stay_4_choice_5 : boolean;
+    variable forward_above_stay_5_choice, forward_above_stay_5_choice_2, forward_above_stay_5_choice_3 : boolean;
+    variable forward_above_stay_5_choice_4, forward_above_stay_5_value, forward_above_stay_5_choice_5 : boolean;
+    variable forward_above_stay_6_choice, forward_above_stay_6_choice_2, forward_above_stay_6_choice_3 : boolean;
+    variable forward_above_stay_6_choice_4, forward_above_stay_6_value, forward_above_stay_6_choice_5 : boolean;
+    variable forward_above_stay_7_choice, forward_above_stay_7_choice_2, forward_above_stay_7_choice_3 : boolean;
+    variable forward_above_stay_7_choice_4, forward_above_stay_7_value, forward_above_stay_7_choice_5 : boolean;
+    variable forward_above_stay_8_choice, forward_above_stay_8_choice_2, forward_above_stay_8_choice_3 : boolean;
+    variable forward_above_stay_8_choice_4, forward_above_stay_8_value, forward_above_stay_8_choice_5 : boolean;
+    variable forward_above_stay_9_choice, forward_above_stay_9_choice_2, forward_above_stay_9_choice_3 : boolean;
+    variable forward_above_stay_9_choice_4, forward_above_stay_9_value, forward_above_stay_9_choice_5 : boolean;
+    variable forward_above_stay_10_choice, forward_above_stay_10_choice_2, forward_above_stay_10_choice_3 : boolean;
+    variable forward_above_stay_10_choice_4, forward_above_stay_10_value, forward_above_stay_10_choice_5 : boolean;
+    variable forward_above_stay_11_choice, forward_above_stay_11_choice_2, forward_above_stay_11_choice_3 : boolean;
+    variable forward_above_stay_11_choice_4, forward_above_stay_11_value, forward_above_stay_11_choice_5 : boolean;
+    variable forward_left_p1_any, forward_above_p1_any, forward_above_writes_copy_0_choice : boolean;
+    variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice, sums_right_p1_any : boolean;
+    variable winnersmask_inside_11_choice, winnersmask_searched_0_all, winnersother_cost_0_1_choice : boolean;
+    variable winnersother_cost_0_1_choice_2, winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3 : boolean;
+    variable winnersother_cost_0_1_value_2, winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3 : boolean;
+    variable winnersother_cost_0_1_choice_5, winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6 : boolean;
+    variable winnersother_cost_0_1_value_5, winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8 : boolean;
+    variable winnersother_cost_0_1_choice_9, winnersother_cost_0_1_all, winnersother_cost_0_2_value : boolean;
+    variable winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2 : boolean;
+    variable winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4 : boolean;
+    variable winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5 : boolean;
+    variable winnersother_cost_0_2_choice_6, winnersother_cost_0_2_value_6, winnersother_cost_0_2_choice_7 : boolean;
+    variable winnersother_cost_0_2_choice_8, winnersother_cost_0_2_choice_9, winnersother_cost_0_2_all : boolean;
+    variable winnersother_cost_0_3_choice, winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value : boolean;
+    variable winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4 : boolean;
+    variable winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4 : boolean;
+    variable winnersother_cost_0_3_choice_6, winnersother_cost_0_3_value_5, winnersother_cost_0_3_choice_7 : boolean;
+    variable winnersother_cost_0_3_choice_8, winnersother_cost_0_3_choice_9, winnersother_cost_0_3_all : boolean;
+    variable winnersother_cost_0_4_value, winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2 : boolean;
+    variable winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3 : boolean;
+    variable winnersother_cost_0_4_choice_4, winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5 : boolean;
+    variable winnersother_cost_0_4_value_5, winnersother_cost_0_4_choice_6, winnersother_cost_0_4_value_6 : boolean;
+    variable winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8, winnersother_cost_0_4_choice_9 : boolean;
+    variable winnersother_cost_0_4_all, winnersother_cost_0_5_choice, winnersother_cost_0_5_choice_2 : boolean;
+    variable winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2 : boolean;
+    variable winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5 : boolean;
+    variable winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6, winnersother_cost_0_5_value_5 : boolean;
+    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9 : boolean;
+    variable winnersother_cost_0_5_all, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
+    variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3 : boolean;
+    variable winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4 : boolean;
+    variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6 : boolean;
+    variable winnersother_cost_0_6_value_6, winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8 : boolean;
+    variable winnersother_cost_0_6_choice_9, winnersother_cost_0_6_all, winnersother_cost_0_7_choice : boolean;
+    variable winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3 : boolean;
+    variable winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3 : boolean;
+    variable winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6 : boolean;
+    variable winnersother_cost_0_7_value_5, winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8 : boolean;
+    variable winnersother_cost_0_7_choice_9, winnersother_cost_0_7_all, winnersother_cost_0_8_value : boolean;
+    variable winnersother_cost_0_8_choice, winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2 : boolean;
+    variable winnersother_cost_0_8_choice_3, winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4 : boolean;
+    variable winnersother_cost_0_8_value_4, winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5 : boolean;
+    variable winnersother_cost_0_8_choice_6, winnersother_cost_0_8_value_6, winnersother_cost_0_8_choice_7 : boolean;
+    variable winnersother_cost_0_8_choice_8, winnersother_cost_0_8_choice_9, winnersother_cost_0_8_all : boolean;
+    variable winnersother_cost_0_9_choice, winnersother_cost_0_9_choice_2, winnersother_cost_0_9_value : boolean;
+    variable winnersother_cost_0_9_choice_3, winnersother_cost_0_9_value_2, winnersother_cost_0_9_choice_4 : boolean;
+    variable winnersother_cost_0_9_value_3, winnersother_cost_0_9_choice_5, winnersother_cost_0_9_value_4 : boolean;
+    variable winnersother_cost_0_9_choice_6, winnersother_cost_0_9_value_5, winnersother_cost_0_9_choice_7 : boolean;
+    variable winnersother_cost_0_9_choice_8, winnersother_cost_0_9_choice_9, winnersother_cost_0_9_all : boolean;
+    variable winnersother_cost_0_10_value, winnersother_cost_0_10_choice, winnersother_cost_0_10_choice_2 : boolean;
+    variable winnersother_cost_0_10_value_2, winnersother_cost_0_10_choice_3, winnersother_cost_0_10_value_3 : boolean;
+    variable winnersother_cost_0_10_choice_4, winnersother_cost_0_10_value_4, winnersother_cost_0_10_choice_5 : boolean;
+    variable winnersother_cost_0_10_value_5, winnersother_cost_0_10_choice_6, winnersother_cost_0_10_value_6 : boolean;
+    variable winnersother_cost_0_10_choice_7, winnersother_cost_0_10_choice_8 : boolean;
+    variable winnersother_cost_0_10_choice_9, winnersother_cost_0_10_all, winnersother_cost_0_11_all : boolean;
+    variable winnersother_winner_0_0_value, winnersother_winner_0_0_choice, winnersother_winner_0_0_choice_2 : boolean;
     variable winnersother_winner_0_0_value_2, winnersother_winner_0_0_choice_3 : boolean;
     variable winnersother_winner_0_0_value_3, winnersother_winner_0_0_choice_4 : boolean;
     variable winnersother_winner_0_0_value_4, winnersother_winner_0_0_choice_5 : boolean;
     variable winnersother_winner_0_0_value_5, winnersother_winner_0_0_choice_6 : boolean;
     variable winnersother_winner_0_0_value_6, winnersother_winner_0_0_choice_7 : boolean;
-    variable winnersother_winner_0_0_choice_8, winnersother_cost_0_10_value, winnersother_cost_0_10_choice : boolean;
-    variable winnersother_cost_0_10_choice_2, winnersother_cost_0_10_value_2, winnersother_cost_0_10_choice_3 : boolean;
-    variable winnersother_cost_0_10_value_3, winnersother_cost_0_10_choice_4, winnersother_cost_0_10_value_4 : boolean;
-    variable winnersother_cost_0_10_choice_5, winnersother_cost_0_10_value_5, winnersother_cost_0_10_choice_6 : boolean;
-    variable winnersother_cost_0_10_value_6, winnersother_cost_0_10_choice_7, winnersother_cost_0_10_choice_8 : boolean;
-    variable winnersother_cost_0_10_choice_9, winnersother_cost_0_10_all, winnersother_cost_0_11_all : boolean;
-    variable winnerswinner1_best_index_0_0_value, winnerswinner1_best_index_0_0_choice : boolean;
-    variable winnerswinner1_best_index_0_0_value_2, winnerswinner1_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_0_value_3, winnerswinner1_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_0_value_4, winnerswinner1_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_0_value_5, winnerswinner1_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_0_value_6, winnerswinner1_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_7, winnerswinner1_best_index_0_1_value : boolean;
-    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_value_2 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_2, winnerswinner1_best_index_0_1_value_3 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_value_4 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_4, winnerswinner1_best_index_0_1_value_5 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_value_6 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_6, winnerswinner1_best_index_0_1_value_7 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_2_value : boolean;
-    variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_value_2 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_2, winnerswinner1_best_index_0_2_value_3 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_value_4 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_4, winnerswinner1_best_index_0_2_value_5 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_value_6 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_6, winnerswinner1_best_index_0_2_value_7 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_3_value : boolean;
-    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_value_2 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_2, winnerswinner1_best_index_0_3_value_3 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_value_4 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_4, winnerswinner1_best_index_0_3_value_5 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_value_6 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_6, winnerswinner1_best_index_0_3_value_7 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_4_value : boolean;
-    variable winnerswinner1_best_index_0_4_choice, winnerswinner1_best_index_0_4_value_2 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_2, winnerswinner1_best_index_0_4_value_3 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_value_4 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_4, winnerswinner1_best_index_0_4_value_5 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_value_6 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_6, winnerswinner1_best_index_0_4_value_7 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_5_value : boolean;
-    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_value_2 : boolean;
-    variable winnerswinner1_best_index_0_5_value_3, winnerswinner1_best_index_0_5_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_5_value_4, winnerswinner1_best_index_0_5_value_5 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_3, winnerswinner1_best_index_0_5_value_6 : boolean;
-    variable winnerswinner1_best_index_0_5_value_7, winnerswinner1_best_index_0_5_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_5_value_8, winnerswinner1_best_index_0_5_value_9 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_5, winnerswinner1_best_index_0_5_value_10 : boolean;
-    variable winnerswinner1_best_index_0_5_value_11, winnerswinner1_best_index_0_5_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_5_value_12, winnerswinner1_best_index_0_5_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_0_value_5, winnerswinner2_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_8, winnerswinner2_best_index_0_1_choice : boolean;
-    variable winnerswinner2_best_index_0_1_choice_2, winnerswinner2_best_index_0_1_value : boolean;
-    variable winnerswinner2_best_index_0_1_choice_3, winnerswinner2_best_index_0_1_value_2 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_4, winnerswinner2_best_index_0_1_value_3 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_5, winnerswinner2_best_index_0_1_value_4 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_6, winnerswinner2_best_index_0_1_value_5 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_1_choice_8 : boolean;
-    variable winnerswinner2_best_index_0_2_choice, winnerswinner2_best_index_0_2_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_2_value, winnerswinner2_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_2_value_2, winnerswinner2_best_index_0_2_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_2_value_3, winnerswinner2_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_2_value_4, winnerswinner2_best_index_0_2_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_2_value_5, winnerswinner2_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_8, winnerswinner2_best_at_start_0_0_choice : boolean;
-    variable winnerswinner2_best_at_start_0_1_choice, winnerswinner2_best_at_start_0_2_choice : boolean;
-    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner3_best_index_0_0_value_5, winnerswinner3_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_8, winnerswinner3_best_below_0_0_is_equal : boolean;
-    variable winnerswinner3_best_above_0_0_is_equal, winnerswinner3_best_at_start_0_0_choice : boolean;
-    variable winnerswinner4_best_index_0_0_choice, winnerswinner4_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner4_best_index_0_0_value, winnerswinner4_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner4_best_index_0_0_value_2, winnerswinner4_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner4_best_index_0_0_value_3, winnerswinner4_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner4_best_index_0_0_value_4, winnerswinner4_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner4_best_index_0_0_value_5, winnerswinner4_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_8, winnerswinner4_best_below_0_0_is_equal : boolean;
-    variable winnerswinner4_best_above_0_0_is_equal, refinement_below_0_differs, refinement_below_0_differs_2 : boolean;
-    variable refinement_above_0_all, refinement_above_0_choice, refinement_above_0_choice_2 : boolean;
-    variable refinement_divisor_0_0_is_less, leftright_holds_winners_all, turn_order_address_any : boolean;
-    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
-    variable turn_ready_tag_row_start_choice_2, turn_ready_tag_row_start_is_equal_2 : boolean;
-    variable turn_ready_tag_row_start_all, turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2 : boolean;
-    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
-    variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all, map_low_0_0_all : boolean;
+    variable winnersother_winner_0_0_choice_8, winnerswinner1_best_index_0_0_value : boolean;
+    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_value_2 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_value_3 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_value_4 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_value_5 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_value_6 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_1_value, winnerswinner1_best_index_0_1_choice : boolean;
+    variable winnerswinner1_best_index_0_1_value_2, winnerswinner1_best_index_0_1_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_1_value_3, winnerswinner1_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_1_value_4, winnerswinner1_best_index_0_1_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_1_value_5, winnerswinner1_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_1_value_6, winnerswinner1_best_index_0_1_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_1_value_7, winnerswinner1_best_index_0_1_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_2_value, winnerswinner1_best_index_0_2_choice : boolean;
+    variable winnerswinner1_best_index_0_2_value_2, winnerswinner1_best_index_0_2_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_2_value_3, winnerswinner1_best_index_0_2_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_2_value_4, winnerswinner1_best_index_0_2_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_2_value_5, winnerswinner1_best_index_0_2_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_2_value_6, winnerswinner1_best_index_0_2_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_2_value_7, winnerswinner1_best_index_0_2_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_3_value, winnerswinner1_best_index_0_3_choice : boolean;
+    variable winnerswinner1_best_index_0_3_value_2, winnerswinner1_best_index_0_3_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_3_value_3, winnerswinner1_best_index_0_3_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_3_value_4, winnerswinner1_best_index_0_3_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_3_value_5, winnerswinner1_best_index_0_3_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_3_value_6, winnerswinner1_best_index_0_3_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_3_value_7, winnerswinner1_best_index_0_3_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_4_value, winnerswinner1_best_index_0_4_choice : boolean;
+    variable winnerswinner1_best_index_0_4_value_2, winnerswinner1_best_index_0_4_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_4_value_3, winnerswinner1_best_index_0_4_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_4_value_4, winnerswinner1_best_index_0_4_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_4_value_5, winnerswinner1_best_index_0_4_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_4_value_6, winnerswinner1_best_index_0_4_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_4_value_7, winnerswinner1_best_index_0_4_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_5_value, winnerswinner1_best_index_0_5_choice : boolean;
+    variable winnerswinner1_best_index_0_5_value_2, winnerswinner1_best_index_0_5_value_3 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_value_4 : boolean;
+    variable winnerswinner1_best_index_0_5_value_5, winnerswinner1_best_index_0_5_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_5_value_6, winnerswinner1_best_index_0_5_value_7 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_value_8 : boolean;
+    variable winnerswinner1_best_index_0_5_value_9, winnerswinner1_best_index_0_5_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_5_value_10, winnerswinner1_best_index_0_5_value_11 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_6, winnerswinner1_best_index_0_5_value_12 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
+    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
+    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_value_5 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_1_value_5, winnerswinner2_best_index_0_1_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_8, winnerswinner2_best_index_0_2_choice : boolean;
+    variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
+    variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_value_5 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner2_best_index_0_2_choice_8 : boolean;
+    variable winnerswinner2_best_at_start_0_0_choice, winnerswinner2_best_at_start_0_1_choice : boolean;
+    variable winnerswinner2_best_at_start_0_2_choice, winnerswinner3_best_index_0_0_choice : boolean;
+    variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
+    variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_value_5 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner3_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner3_best_below_0_0_is_equal, winnerswinner3_best_above_0_0_is_equal : boolean;
+    variable winnerswinner3_best_at_start_0_0_choice, winnerswinner4_best_index_0_0_choice : boolean;
+    variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
+    variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_value_5 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_7, winnerswinner4_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner4_best_below_0_0_is_equal, winnerswinner4_best_above_0_0_is_equal : boolean;
+    variable refinement_below_0_differs, refinement_below_0_differs_2, refinement_above_0_all : boolean;
+    variable refinement_above_0_choice, refinement_above_0_choice_2, refinement_divisor_0_0_is_less : boolean;
+    variable leftright_holds_winners_all, turn_order_address_any, turn_order_address_any_2 : boolean;
+    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_is_equal : boolean;
+    variable turn_ready_tag_row_start_choice, turn_ready_tag_row_start_choice_2 : boolean;
+    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
+    variable turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2, map_counter_group_is_equal : boolean;
+    variable map_line_ended_choice, map_at_arrives_value, map_window_complete_choice : boolean;
+    variable map_window_complete_choice_2, map_low_1_0_all, map_low_0_0_all, other_0_choice, other_0_any : boolean;
+    variable other_0_choice_2, other_1_choice, other_1_all, other_0_all, other_3_any, other_3_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
@@ -1663,6 +1688,11 @@ begin
     variable sums_right_arrived_11_choice : natural range 0 to 127;
     variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 255;
     variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : natural range 0 to 255;
+    variable winnersother_cost_0_1_choice_10, winnersother_cost_0_2_choice_10 : natural range 0 to 255;
+    variable winnersother_cost_0_3_choice_10, winnersother_cost_0_4_choice_10 : natural range 0 to 255;
+    variable winnersother_cost_0_5_choice_10, winnersother_cost_0_6_choice_10 : natural range 0 to 255;
+    variable winnersother_cost_0_7_choice_10, winnersother_cost_0_8_choice_10 : natural range 0 to 255;
+    variable winnersother_cost_0_9_choice_10, winnersother_cost_0_10_choice_10 : natural range 0 to 255;
     variable winnerswinner1_held_0_0_any, winnerswinner1_held_0_1_any : natural range 0 to 255;
     variable winnerswinner1_held_0_2_any, winnerswinner1_held_0_3_any : natural range 0 to 255;
     variable winnerswinner1_held_0_4_any, winnerswinner1_held_0_5_any : natural range 0 to 255;
@@ -1692,35 +1722,6 @@ begin
     variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 70;
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 70;
     variable sums_turn_waiting_read_place_choice, sums_turn_waiting_read_place_choice_2 : natural range 0 to 63;
-    variable winnersother_cost_0_1_choice_10, winnersother_cost_0_1_choice_11 : natural range 0 to 254;
-    variable winnersother_cost_0_1_choice_12, winnersother_cost_0_2_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_2_choice_11, winnersother_cost_0_2_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_3_choice_10, winnersother_cost_0_3_choice_11 : natural range 0 to 254;
-    variable winnersother_cost_0_3_choice_12, winnersother_cost_0_4_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_4_choice_11, winnersother_cost_0_4_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_5_choice_10, winnersother_cost_0_5_choice_11 : natural range 0 to 254;
-    variable winnersother_cost_0_5_choice_12, winnersother_cost_0_6_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_6_choice_11, winnersother_cost_0_6_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_7_choice_10, winnersother_cost_0_7_choice_11 : natural range 0 to 254;
-    variable winnersother_cost_0_7_choice_12, winnersother_cost_0_8_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_8_choice_11, winnersother_cost_0_8_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_9_choice_10, winnersother_cost_0_9_choice_11 : natural range 0 to 254;
-    variable winnersother_cost_0_9_choice_12 : natural range 0 to 254;
-    variable winnersother_winner_0_0_choice_9, winnersother_winner_0_0_choice_10 : natural range 0 to 11;
-    variable winnersother_winner_0_0_choice_11, winnersother_winner_0_1_choice : natural range 0 to 11;
-    variable winnersother_winner_0_1_choice_2, winnersother_winner_0_1_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_2_choice, winnersother_winner_0_2_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_2_choice_3, winnersother_winner_0_3_choice : natural range 0 to 11;
-    variable winnersother_winner_0_3_choice_2, winnersother_winner_0_3_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_4_choice, winnersother_winner_0_4_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_4_choice_3, winnersother_winner_0_5_choice : natural range 0 to 11;
-    variable winnersother_winner_0_5_choice_2, winnersother_winner_0_5_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_6_choice, winnersother_winner_0_6_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_6_choice_3, winnersother_winner_0_7_choice : natural range 0 to 11;
-    variable winnersother_winner_0_7_choice_2, winnersother_winner_0_7_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_8_choice, winnersother_winner_0_8_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_8_choice_3, winnersother_winner_0_9_choice : natural range 0 to 11;
-    variable winnersother_winner_0_9_choice_2, winnersother_winner_0_9_choice_3 : natural range 0 to 11;
     variable winnerswinner1_held_0_0_sum, winnerswinner1_held_0_1_sum : natural range 255 to 256;
     variable winnerswinner1_held_0_2_sum, winnerswinner1_held_0_3_sum : natural range 255 to 256;
     variable winnerswinner1_held_0_4_sum, winnerswinner1_held_0_5_sum : natural range 255 to 256;
@@ -1755,6 +1756,8 @@ begin
         settings_p2 <= in_p2 mod 32;
         settings_uniqueness_distance <= in_uniqueness_distance mod 256;
         settings_left_right_threshold <= in_left_right_threshold;
+        settings_first_disparity <= in_first_disparity;
+        settings_last_disparity <= in_last_disparity;
       end if;
       -- transform
       transform_counter_group_is_equal := transform_counter_column = 39;
@@ -3185,7 +3188,7 @@ begin
       delay_tag_map_column_is_less := raster_place_column < 39;
       delay_tag_first_column_is_equal := raster_place_column = 1;
       delay_split_search_inside_0_is_equal := (raster_place_column / 2) = 0;
-      delay_split_search_inside_0_all := (not other_12) and raster_features_valid and (raster_place_column = 0);
+      delay_split_search_inside_0_all := (not other_21) and raster_features_valid and (raster_place_column = 0);
       delay_split_search_inside_0_all_2 := (not delay_split_search_inside_0_all) and delay_split_inside_before_0;
       delay_split_inside_before_0_differs := raster_place_column /= 39;
       delay_split_inside_before_1_all := (not delay_split_search_inside_0_all) and delay_split_inside_before_1;
@@ -3960,11 +3963,11 @@ begin
         slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
         slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
         slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
-        slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
-        slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
         slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
       end if;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
       slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
       slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
       slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
@@ -3972,10 +3975,12 @@ begin
       slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_map_column <= slice0window_centre_map_column_0;
-      slice0window_tag_output_column <= slice0window_centre_output_column_0;
-      slice0window_tag_first_column <= slice0window_centre_first_column_0;
-      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      if slice0window_tag_valid then
+        slice0window_tag_output_column <= slice0window_centre_output_column_0;
+        slice0window_tag_first_column <= slice0window_centre_first_column_0;
+        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      end if;
       -- slice0mask
       slice0mask_inside_0_all := (not slice0cost_tag_valid) and slice0mask_inside_0;
       slice0mask_inside_0_choice := slice0mask_inside_0_all when slice1cost_tag_first_column else slice0cost_tag_valid
@@ -3998,12 +4003,46 @@ begin
       if slice0cost_tag_valid then
         slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 64;
       end if;
+      slice0mask_searched_0_is_equal := settings_first_disparity = 0;
+      slice0mask_searched_1_value := ((settings_first_disparity / 4) mod 2) = 1;
+      slice0mask_searched_1_is_equal := (settings_first_disparity / 8) = 0;
+      slice0mask_searched_1_all := ((settings_last_disparity / 4) /= 0) and ((not slice0mask_searched_1_value) or
+        ((settings_first_disparity mod 4) = 0)) and slice0mask_searched_1_is_equal;
+      slice0mask_searched_2_value := ((settings_last_disparity / 2) mod 2) = 1;
+      slice0mask_searched_2_any := (not slice0mask_searched_2_value) or (not ((settings_last_disparity mod 2) = 1));
+      slice0mask_searched_2_is_equal := (settings_first_disparity / 4) = 0;
+      slice0mask_searched_2_value_2 := ((settings_last_disparity / 64) mod 2) = 1;
+      slice0mask_searched_2_any_2 := ((settings_last_disparity / 128) = 1) or slice0mask_searched_2_value_2;
+      slice0mask_searched_2_choice := slice0mask_searched_2_is_equal and slice0mask_searched_2_any_2 when
+        slice0mask_searched_2_any and (((settings_last_disparity / 4) mod 16) = 0) else slice0mask_searched_2_is_equal;
+      slice0mask_searched_3_value := ((settings_first_disparity / 2) mod 2) = 1;
+      slice0mask_searched_3_any := (not slice0mask_searched_3_value) or (not ((settings_first_disparity mod 2) = 1));
+      slice0mask_searched_3_all := slice0mask_searched_3_any and ((settings_last_disparity / 2) /= 0) and
+        slice0mask_searched_2_is_equal;
+      slice0mask_searched_4_is_equal := (settings_last_disparity / 16) = 0;
+      slice0mask_searched_4_is_equal_2 := (settings_first_disparity / 2) = 0;
+      slice0mask_searched_4_choice := ((settings_last_disparity mod 16) /= 0) and slice0mask_searched_4_is_equal_2 when
+        slice0mask_searched_4_is_equal else slice0mask_searched_4_is_equal_2;
+      slice0mask_searched_0_all := slice1cost_tag_start_of_frame and slice1cost_tag_output_column and
+        slice0cost_tag_valid;
+      if slice0mask_searched_0_all then
+        slice0mask_searched_0 <= slice0mask_searched_0_is_equal;
+        slice0mask_searched_1 <= slice0mask_searched_1_all;
+        slice0mask_searched_2 <= slice0mask_searched_2_choice;
+        slice0mask_searched_3 <= slice0mask_searched_3_all;
+        slice0mask_searched_4 <= slice0mask_searched_4_choice;
+      end if;
       -- slice0
-      slice0_held_0_0 <= slice0window_sum_0_0 / 16 when slice0mask_inside_0 else 13;
-      slice0_held_0_1 <= slice0window_sum_0_1 / 16 when slice0mask_inside_1 else 13;
-      slice0_held_0_2 <= slice0window_sum_0_2 / 16 when slice0mask_inside_2 else 13;
-      slice0_held_0_3 <= slice0window_sum_0_3 / 16 when slice0mask_inside_3 else 13;
-      slice0_held_0_4 <= slice0window_sum_0_4 / 16 when slice0mask_inside_4 else 13;
+      slice0_held_0_0 <= 13 when (not slice0mask_searched_0) or (not slice0mask_inside_0) else slice0window_sum_0_0 /
+        16;
+      slice0_held_0_1 <= 13 when (not slice0mask_searched_4) or (not slice0mask_inside_1) else slice0window_sum_0_1 /
+        16;
+      slice0_held_0_2 <= 13 when (not slice0mask_searched_3) or (not slice0mask_inside_2) else slice0window_sum_0_2 /
+        16;
+      slice0_held_0_3 <= 13 when (not slice0mask_searched_2) or (not slice0mask_inside_3) else slice0window_sum_0_3 /
+        16;
+      slice0_held_0_4 <= 13 when (not slice0mask_searched_1) or (not slice0mask_inside_4) else slice0window_sum_0_4 /
+        16;
       slice0_held_1_0 <= slice0_held_0_0;
       slice0_held_1_1 <= slice0_held_0_1;
       slice0_held_1_2 <= slice0_held_0_2;
@@ -4016,14 +4055,12 @@ begin
       slice0_held_2_4 <= slice0_held_1_4;
       slice0_tag_0_valid <= slice0window_tag_valid;
       slice0_tag_0_map_column <= slice0window_tag_map_column;
-      slice0_tag_0_output_column <= slice0window_tag_output_column;
-      slice0_tag_0_start_of_frame <= slice0window_tag_start_of_frame;
       slice0_tag_0_end_of_line <= slice0window_tag_end_of_line;
       slice0_tag_1_valid <= slice0_tag_0_valid;
       slice0_tag_1_map_column <= slice0_tag_0_map_column;
-      slice0_tag_1_output_column <= slice0_tag_0_output_column;
+      slice0_tag_1_output_column <= slice1window_tag_output_column;
       slice0_tag_1_first_column <= slice1window_tag_first_column;
-      slice0_tag_1_start_of_frame <= slice0_tag_0_start_of_frame;
+      slice0_tag_1_start_of_frame <= slice1window_tag_start_of_frame;
       slice0_tag_1_end_of_line <= slice0_tag_0_end_of_line;
       slice0_tag_2_valid <= slice0_tag_1_valid;
       slice0_tag_2_map_column <= slice0_tag_1_map_column;
@@ -4032,7 +4069,9 @@ begin
       slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
       slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
       if slice0_tag_0_valid then
-        slice0_tag_0_first_column <= slice0window_tag_first_column;
+        slice0_tag_0_output_column <= slice2cost_tag_output_column;
+        slice0_tag_0_first_column <= slice2cost_tag_first_column;
+        slice0_tag_0_start_of_frame <= slice2cost_tag_start_of_frame;
       end if;
       -- slice1shift
       if slice0shift_tag_valid then
@@ -4678,7 +4717,9 @@ begin
       slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
       slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
       if slice0cost_tag_valid then
+        slice1cost_tag_output_column <= slice0cost_tag_output_column;
         slice1cost_tag_first_column <= slice0cost_tag_first_column;
+        slice1cost_tag_start_of_frame <= slice0cost_tag_start_of_frame;
       end if;
       -- slice1window
       if slice0window_tag_valid then
@@ -4692,38 +4733,78 @@ begin
         slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
         slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
         slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
-        slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       end if;
+      slice1window_centre_output_column_0 <= slice1cost_tag_output_column;
+      slice1window_centre_first_column_0 <= slice1cost_tag_first_column;
+      slice1window_centre_start_of_frame_0 <= slice1cost_tag_start_of_frame;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
       slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
       slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
-      slice1window_tag_first_column <= slice2cost_tag_first_column;
+      slice1window_tag_output_column <= slice1window_centre_output_column_0;
+      slice1window_tag_first_column <= slice1window_centre_first_column_0;
+      slice1window_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
       -- slice1mask
       slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside_0;
-      slice1mask_inside_0_choice := slice1mask_inside_0_all when slice1window_centre_first_column_0 else
+      slice1mask_inside_0_choice := slice1mask_inside_0_all when slice0window_tag_first_column else
         slice0window_tag_valid or slice1mask_inside_0;
       slice1mask_inside_1_choice := slice1mask_inside_0 when slice0window_tag_valid else slice1mask_inside_1;
       slice1mask_inside_2_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_2;
       slice1mask_inside_3_choice := slice1mask_inside_2 when slice0window_tag_valid else slice1mask_inside_3;
       slice1mask_inside_4_choice := slice1mask_inside_3 when slice0window_tag_valid else slice1mask_inside_4;
       slice1mask_inside_0 <= slice1mask_inside_0_choice when slice0mask_left_out else slice1mask_inside_0_all;
-      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when
-        slice1window_centre_first_column_0 else slice1mask_inside_1_choice;
-      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when
-        slice1window_centre_first_column_0 else slice1mask_inside_2_choice;
-      slice1mask_inside_3 <= (not slice0window_tag_valid) and slice1mask_inside_3 when
-        slice1window_centre_first_column_0 else slice1mask_inside_3_choice;
-      slice1mask_inside_4 <= (not slice0window_tag_valid) and slice1mask_inside_4 when
-        slice1window_centre_first_column_0 else slice1mask_inside_4_choice;
+      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when slice0window_tag_first_column
+        else slice1mask_inside_1_choice;
+      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when slice0window_tag_first_column
+        else slice1mask_inside_2_choice;
+      slice1mask_inside_3 <= (not slice0window_tag_valid) and slice1mask_inside_3 when slice0window_tag_first_column
+        else slice1mask_inside_3_choice;
+      slice1mask_inside_4 <= (not slice0window_tag_valid) and slice1mask_inside_4 when slice0window_tag_first_column
+        else slice1mask_inside_4_choice;
       slice1mask_left_out <= slice1mask_inside_4;
+      slice1mask_searched_0_value := ((settings_first_disparity / 8) mod 2) = 1;
+      slice1mask_searched_0_is_equal := (settings_first_disparity / 16) = 0;
+      slice1mask_searched_0_choice := (not (slice1mask_searched_0_value and (slice0mask_searched_1_value or
+        slice0mask_searched_3_value or ((settings_first_disparity mod 2) = 1)))) and slice1mask_searched_0_is_equal and
+        ((settings_last_disparity / 128) = 1) when ((settings_last_disparity / 8) mod 16) = 0 else (not
+        (slice1mask_searched_0_value and (slice0mask_searched_1_value or slice0mask_searched_3_value or
+        ((settings_first_disparity mod 2) = 1)))) and slice1mask_searched_0_is_equal;
+      slice1mask_searched_1_value := ((settings_last_disparity / 4) mod 2) = 1;
+      slice1mask_searched_1_value_2 := ((settings_last_disparity / 8) mod 2) = 1;
+      slice1mask_searched_1_value_3 := ((settings_last_disparity / 32) mod 2) = 1;
+      slice1mask_searched_1_choice := slice0mask_searched_1_is_equal and slice1mask_searched_1_value_3 when (not
+        (((settings_last_disparity / 16) mod 2) = 1)) and ((not slice1mask_searched_1_value) or (not
+        slice0mask_searched_2_value) or (not ((settings_last_disparity mod 2) = 1))) and (not ((settings_last_disparity
+        / 128) = 1)) and (not slice0mask_searched_2_value_2) and (not slice1mask_searched_1_value_2) else
+        slice0mask_searched_1_is_equal;
+      slice1mask_searched_2_all := ((not slice0mask_searched_1_value) or (not slice0mask_searched_3_value) or (not
+        ((settings_first_disparity mod 2) = 1))) and (not (((not slice1mask_searched_1_value) or (not
+        slice0mask_searched_2_value)) and ((settings_last_disparity / 8) = 0))) and slice0mask_searched_1_is_equal;
+      slice1mask_searched_3_any := (not slice0mask_searched_1_value) or (not slice0mask_searched_3_value);
+      slice1mask_searched_3_choice := slice1mask_searched_3_any and slice0mask_searched_1_is_equal and
+        slice1mask_searched_1_value_3 when (not (((settings_last_disparity / 16) mod 2) = 1)) and ((not
+        slice1mask_searched_1_value) or ((settings_last_disparity mod 4) = 0)) and (not ((settings_last_disparity /
+        128) = 1)) and (not slice0mask_searched_2_value_2) and (not slice1mask_searched_1_value_2) else
+        slice1mask_searched_3_any and slice0mask_searched_1_is_equal;
+      slice1mask_searched_0_all := slice0window_tag_valid and slice0window_tag_start_of_frame and
+        slice0window_tag_output_column;
+      if slice1mask_searched_0_all then
+        slice1mask_searched_0 <= slice1mask_searched_0_choice;
+        slice1mask_searched_1 <= slice1mask_searched_1_choice;
+        slice1mask_searched_2 <= slice1mask_searched_2_all;
+        slice1mask_searched_3 <= slice1mask_searched_3_choice;
+      end if;
       -- slice1
-      slice1_held_0_0 <= slice1window_sum_0_0 / 16 when slice1mask_inside_0 else 13;
-      slice1_held_0_1 <= slice1window_sum_0_1 / 16 when slice1mask_inside_1 else 13;
-      slice1_held_0_2 <= slice1window_sum_0_2 / 16 when slice1mask_inside_2 else 13;
-      slice1_held_0_3 <= slice1window_sum_0_3 / 16 when slice1mask_inside_3 else 13;
-      slice1_held_0_4 <= slice1window_sum_0_4 / 16 when slice1mask_inside_4 else 13;
+      slice1_held_0_0 <= 13 when (not slice1mask_searched_3) or (not slice1mask_inside_0) else slice1window_sum_0_0 /
+        16;
+      slice1_held_0_1 <= 13 when (not slice1mask_searched_2) or (not slice1mask_inside_1) else slice1window_sum_0_1 /
+        16;
+      slice1_held_0_2 <= 13 when (not slice1mask_searched_1) or (not slice1mask_inside_2) else slice1window_sum_0_2 /
+        16;
+      slice1_held_0_3 <= 13 when (not slice1mask_searched_0) or (not slice1mask_inside_3) else slice1window_sum_0_3 /
+        16;
+      slice1_held_0_4 <= 13 when (not other_3) or (not slice1mask_inside_4) else slice1window_sum_0_4 / 16;
       slice1_held_1_0 <= slice1_held_0_0;
       slice1_held_1_1 <= slice1_held_0_1;
       slice1_held_1_2 <= slice1_held_0_2;
@@ -5027,7 +5108,9 @@ begin
       slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
       slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
       slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_tag_first_column <= slice1cost_tag_first_column;
+      slice2cost_tag_output_column <= slice0window_centre_output_column_0;
+      slice2cost_tag_first_column <= slice0window_centre_first_column_0;
+      slice2cost_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -5046,8 +5129,8 @@ begin
       slice2mask_inside_1 <= (not slice0_tag_0_valid) and slice2mask_inside_1 when slice0_tag_0_first_column else
         slice2mask_inside_1_choice;
       -- slice2
-      slice2_held_0_0 <= slice2window_sum_0_0 / 16 when slice2mask_inside_0 else 13;
-      slice2_held_0_1 <= slice2window_sum_0_1 / 16 when slice2mask_inside_1 else 13;
+      slice2_held_0_0 <= 13 when (not other_1) or (not slice2mask_inside_0) else slice2window_sum_0_0 / 16;
+      slice2_held_0_1 <= 13 when (not other_0) or (not slice2mask_inside_1) else slice2window_sum_0_1 / 16;
       -- entry
       entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
       entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
@@ -6150,17 +6233,27 @@ begin
         winnersmask_inside_6 <= sums_tags_held_13_first_column or winnersmask_inside_7;
         winnersmask_inside_7 <= sums_tags_held_13_first_column or winnersmask_inside_8;
         winnersmask_inside_8 <= sums_tags_held_13_first_column or winnersmask_inside_9;
+        winnersmask_inside_9 <= sums_tags_held_13_first_column or winnersmask_inside_10;
+        winnersmask_inside_10 <= sums_tags_held_13_first_column or winnersmask_inside_11;
         winnersmask_column <= 0 when sums_tags_held_13_first_column else (winnersmask_column + 1) mod 64;
       end if;
-      winnersmask_inside_9_choice := sums_tags_held_13_first_column when sums_tags_moved else winnersmask_inside_9;
       winnersmask_inside_11_choice := not sums_tags_held_13_first_column when (winnersmask_column / 32) = 1 else (not
         sums_tags_held_13_first_column) and (((winnersmask_column / 8) mod 4) = 3);
-      winnersmask_inside_9 <= sums_tags_moved or winnersmask_inside_9 when winnersmask_inside_10 else
-        winnersmask_inside_9_choice;
-      winnersmask_inside_10 <= (not sums_tags_moved) or sums_tags_held_13_first_column or winnersmask_inside_11 when
-        winnersmask_inside_10 else sums_tags_moved and (sums_tags_held_13_first_column or winnersmask_inside_11);
       winnersmask_inside_11 <= (not sums_tags_moved) and winnersmask_inside_11 when winnersmask_inside_11_choice else
         sums_tags_moved or winnersmask_inside_11;
+      winnersmask_searched_0_all := sums_tags_moved and sums_tags_held_13_start_of_frame and
+        sums_tags_held_13_output_column;
+      if winnersmask_searched_0_all then
+        winnersmask_searched_0 <= slice0mask_searched_0_is_equal;
+        winnersmask_searched_1 <= slice1mask_searched_0_choice;
+        winnersmask_searched_2 <= slice1mask_searched_1_choice;
+        winnersmask_searched_3 <= slice1mask_searched_2_all;
+        winnersmask_searched_4 <= slice1mask_searched_3_choice;
+        winnersmask_searched_5 <= slice0mask_searched_1_all;
+        winnersmask_searched_6 <= slice0mask_searched_2_choice;
+        winnersmask_searched_7 <= slice0mask_searched_3_all;
+        winnersmask_searched_8 <= slice0mask_searched_4_choice;
+      end if;
       -- winnersother
       winnersother_cost_0_1_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1)) when
         (winnersother_cost_0_2 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
@@ -6190,10 +6283,9 @@ begin
         (winnersother_cost_0_2 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_1_choice_9 := winnersother_cost_0_1_choice_8 when winnersother_cost_0_1_choice_7 else (not
         ((winnersother_cost_0_2 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 128) = 1);
-      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_9) and winnersmask_inside_1;
-      winnersother_cost_0_1_choice_10 := sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_2;
-      winnersother_cost_0_1_choice_11 := winnersother_cost_0_1_choice_10 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_1_choice_12 := winnersother_cost_0_2 when sums_tag_valid else winnersother_cost_0_1;
+      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_9) and sums_tag_output_column and
+        winnersmask_searched_8 and winnersmask_inside_1;
+      winnersother_cost_0_1_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_2;
       winnersother_cost_0_2_value := ((sums_sum_0_2 / 2) mod 2) = 1;
       winnersother_cost_0_2_choice := (not winnersother_cost_0_2_value) or (not ((sums_sum_0_2 mod 2) = 1)) when
         (winnersother_cost_0_3 mod 2) = 1 else not winnersother_cost_0_2_value;
@@ -6223,10 +6315,9 @@ begin
         (winnersother_cost_0_3 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_2_choice_9 := winnersother_cost_0_2_choice_8 when winnersother_cost_0_2_choice_7 else (not
         ((winnersother_cost_0_3 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 128) = 1);
-      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_9) and winnersmask_inside_2;
-      winnersother_cost_0_2_choice_10 := sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_3;
-      winnersother_cost_0_2_choice_11 := winnersother_cost_0_2_choice_10 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_12 := winnersother_cost_0_3 when sums_tag_valid else winnersother_cost_0_2;
+      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_9) and sums_tag_output_column and
+        winnersmask_searched_7 and winnersmask_inside_2;
+      winnersother_cost_0_2_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_3;
       winnersother_cost_0_3_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1)) when
         (winnersother_cost_0_4 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
       winnersother_cost_0_3_choice_2 := winnersother_cost_0_3_choice when ((winnersother_cost_0_4 / 2) mod 2) = 1 else
@@ -6255,10 +6346,9 @@ begin
         (winnersother_cost_0_4 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_3_choice_9 := winnersother_cost_0_3_choice_8 when winnersother_cost_0_3_choice_7 else (not
         ((winnersother_cost_0_4 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 128) = 1);
-      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_9) and winnersmask_inside_3;
-      winnersother_cost_0_3_choice_10 := sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_4;
-      winnersother_cost_0_3_choice_11 := winnersother_cost_0_3_choice_10 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_12 := winnersother_cost_0_4 when sums_tag_valid else winnersother_cost_0_3;
+      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_9) and sums_tag_output_column and
+        winnersmask_searched_6 and winnersmask_inside_3;
+      winnersother_cost_0_3_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_4;
       winnersother_cost_0_4_value := ((sums_sum_0_4 / 2) mod 2) = 1;
       winnersother_cost_0_4_choice := (not winnersother_cost_0_4_value) or (not ((sums_sum_0_4 mod 2) = 1)) when
         (winnersother_cost_0_5 mod 2) = 1 else not winnersother_cost_0_4_value;
@@ -6288,10 +6378,9 @@ begin
         (winnersother_cost_0_5 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_4_choice_9 := winnersother_cost_0_4_choice_8 when winnersother_cost_0_4_choice_7 else (not
         ((winnersother_cost_0_5 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 128) = 1);
-      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_9) and winnersmask_inside_4;
-      winnersother_cost_0_4_choice_10 := sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_5;
-      winnersother_cost_0_4_choice_11 := winnersother_cost_0_4_choice_10 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_12 := winnersother_cost_0_5 when sums_tag_valid else winnersother_cost_0_4;
+      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_9) and sums_tag_output_column and
+        winnersmask_searched_5 and winnersmask_inside_4;
+      winnersother_cost_0_4_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_5;
       winnersother_cost_0_5_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1)) when
         (winnersother_cost_0_6 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
       winnersother_cost_0_5_choice_2 := winnersother_cost_0_5_choice when ((winnersother_cost_0_6 / 2) mod 2) = 1 else
@@ -6320,10 +6409,9 @@ begin
         (winnersother_cost_0_6 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_5_choice_9 := winnersother_cost_0_5_choice_8 when winnersother_cost_0_5_choice_7 else (not
         ((winnersother_cost_0_6 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 128) = 1);
-      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_9) and winnersmask_inside_5;
-      winnersother_cost_0_5_choice_10 := sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_6;
-      winnersother_cost_0_5_choice_11 := winnersother_cost_0_5_choice_10 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_12 := winnersother_cost_0_6 when sums_tag_valid else winnersother_cost_0_5;
+      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_9) and sums_tag_output_column and
+        winnersmask_searched_4 and winnersmask_inside_5;
+      winnersother_cost_0_5_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_6;
       winnersother_cost_0_6_value := ((sums_sum_0_6 / 2) mod 2) = 1;
       winnersother_cost_0_6_choice := (not winnersother_cost_0_6_value) or (not ((sums_sum_0_6 mod 2) = 1)) when
         (winnersother_cost_0_7 mod 2) = 1 else not winnersother_cost_0_6_value;
@@ -6353,10 +6441,9 @@ begin
         (winnersother_cost_0_7 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_6_choice_9 := winnersother_cost_0_6_choice_8 when winnersother_cost_0_6_choice_7 else (not
         ((winnersother_cost_0_7 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 128) = 1);
-      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_9) and winnersmask_inside_6;
-      winnersother_cost_0_6_choice_10 := sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_7;
-      winnersother_cost_0_6_choice_11 := winnersother_cost_0_6_choice_10 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_12 := winnersother_cost_0_7 when sums_tag_valid else winnersother_cost_0_6;
+      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_9) and sums_tag_output_column and
+        winnersmask_searched_3 and winnersmask_inside_6;
+      winnersother_cost_0_6_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_7;
       winnersother_cost_0_7_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1)) when
         (winnersother_cost_0_8 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
       winnersother_cost_0_7_choice_2 := winnersother_cost_0_7_choice when ((winnersother_cost_0_8 / 2) mod 2) = 1 else
@@ -6385,10 +6472,9 @@ begin
         (winnersother_cost_0_8 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_7_choice_9 := winnersother_cost_0_7_choice_8 when winnersother_cost_0_7_choice_7 else (not
         ((winnersother_cost_0_8 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 128) = 1);
-      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_9) and winnersmask_inside_7;
-      winnersother_cost_0_7_choice_10 := sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_8;
-      winnersother_cost_0_7_choice_11 := winnersother_cost_0_7_choice_10 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_12 := winnersother_cost_0_8 when sums_tag_valid else winnersother_cost_0_7;
+      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_9) and sums_tag_output_column and
+        winnersmask_searched_2 and winnersmask_inside_7;
+      winnersother_cost_0_7_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_8;
       winnersother_cost_0_8_value := ((sums_sum_0_8 / 2) mod 2) = 1;
       winnersother_cost_0_8_choice := (not winnersother_cost_0_8_value) or (not ((sums_sum_0_8 mod 2) = 1)) when
         (winnersother_cost_0_9 mod 2) = 1 else not winnersother_cost_0_8_value;
@@ -6418,10 +6504,9 @@ begin
         (winnersother_cost_0_9 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_8_choice_9 := winnersother_cost_0_8_choice_8 when winnersother_cost_0_8_choice_7 else (not
         ((winnersother_cost_0_9 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 128) = 1);
-      winnersother_cost_0_8_all := (not winnersother_cost_0_8_choice_9) and winnersmask_inside_8;
-      winnersother_cost_0_8_choice_10 := sums_sum_0_8 when winnersother_cost_0_8_all else winnersother_cost_0_9;
-      winnersother_cost_0_8_choice_11 := winnersother_cost_0_8_choice_10 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_12 := winnersother_cost_0_9 when sums_tag_valid else winnersother_cost_0_8;
+      winnersother_cost_0_8_all := (not winnersother_cost_0_8_choice_9) and sums_tag_output_column and
+        winnersmask_searched_1 and winnersmask_inside_8;
+      winnersother_cost_0_8_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_9;
       winnersother_cost_0_9_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1)) when
         (winnersother_cost_0_10 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
       winnersother_cost_0_9_choice_2 := winnersother_cost_0_9_choice when ((winnersother_cost_0_10 / 2) mod 2) = 1 else
@@ -6450,118 +6535,9 @@ begin
         (winnersother_cost_0_10 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_9_choice_9 := winnersother_cost_0_9_choice_8 when winnersother_cost_0_9_choice_7 else (not
         ((winnersother_cost_0_10 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 128) = 1);
-      winnersother_cost_0_9_all := (not winnersother_cost_0_9_choice_9) and winnersmask_inside_9;
-      winnersother_cost_0_9_choice_10 := sums_sum_0_9 when winnersother_cost_0_9_all else winnersother_cost_0_10;
-      winnersother_cost_0_9_choice_11 := winnersother_cost_0_9_choice_10 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_12 := winnersother_cost_0_10 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_winner_0_0_value := ((sums_sum_0_0 / 2) mod 2) = 1;
-      winnersother_winner_0_0_choice := (not winnersother_winner_0_0_value) or (not ((sums_sum_0_0 mod 2) = 1)) when
-        (winnersother_cost_0_1 mod 2) = 1 else not winnersother_winner_0_0_value;
-      winnersother_winner_0_0_choice_2 := winnersother_winner_0_0_choice when ((winnersother_cost_0_1 / 2) mod 2) = 1
-        else ((winnersother_cost_0_1 mod 2) = 1) and ((sums_sum_0_0 mod 4) = 0);
-      winnersother_winner_0_0_value_2 := ((sums_sum_0_0 / 4) mod 2) = 1;
-      winnersother_winner_0_0_choice_3 := (not (((winnersother_cost_0_1 / 4) mod 2) = 1)) and
-        winnersother_winner_0_0_value_2 when winnersother_winner_0_0_choice_2 else (not (((winnersother_cost_0_1 / 4)
-        mod 2) = 1)) or winnersother_winner_0_0_value_2;
-      winnersother_winner_0_0_value_3 := ((sums_sum_0_0 / 8) mod 2) = 1;
-      winnersother_winner_0_0_choice_4 := (not (((winnersother_cost_0_1 / 8) mod 2) = 1)) or
-        winnersother_winner_0_0_value_3 when winnersother_winner_0_0_choice_3 else (not (((winnersother_cost_0_1 / 8)
-        mod 2) = 1)) and winnersother_winner_0_0_value_3;
-      winnersother_winner_0_0_value_4 := ((sums_sum_0_0 / 16) mod 2) = 1;
-      winnersother_winner_0_0_choice_5 := (not (((winnersother_cost_0_1 / 16) mod 2) = 1)) or
-        winnersother_winner_0_0_value_4 when winnersother_winner_0_0_choice_4 else (not (((winnersother_cost_0_1 / 16)
-        mod 2) = 1)) and winnersother_winner_0_0_value_4;
-      winnersother_winner_0_0_value_5 := ((sums_sum_0_0 / 32) mod 2) = 1;
-      winnersother_winner_0_0_choice_6 := (not (((winnersother_cost_0_1 / 32) mod 2) = 1)) or
-        winnersother_winner_0_0_value_5 when winnersother_winner_0_0_choice_5 else (not (((winnersother_cost_0_1 / 32)
-        mod 2) = 1)) and winnersother_winner_0_0_value_5;
-      winnersother_winner_0_0_value_6 := ((sums_sum_0_0 / 64) mod 2) = 1;
-      winnersother_winner_0_0_choice_7 := (not (((winnersother_cost_0_1 / 64) mod 2) = 1)) or
-        winnersother_winner_0_0_value_6 when winnersother_winner_0_0_choice_6 else (not (((winnersother_cost_0_1 / 64)
-        mod 2) = 1)) and winnersother_winner_0_0_value_6;
-      winnersother_winner_0_0_choice_8 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_1 / 128) = 1)) or
-        ((sums_sum_0_0 / 128) = 1)) when winnersother_winner_0_0_choice_7 else (not sums_tag_first_column) and (not
-        ((winnersother_cost_0_1 / 128) = 1)) and ((sums_sum_0_0 / 128) = 1);
-      winnersother_winner_0_0_choice_9 := 0 when (not winnersother_winner_0_0_choice_8) and winnersmask_inside_0 else
-        winnersother_winner_0_1;
-      winnersother_winner_0_0_choice_10 := winnersother_winner_0_0_choice_9 when sums_tag_valid else
-        winnersother_winner_0_0;
-      winnersother_winner_0_0_choice_11 := winnersother_winner_0_1 when sums_tag_valid else winnersother_winner_0_0;
-      winnersother_winner_0_1_choice := 1 when winnersother_cost_0_1_all else winnersother_winner_0_2;
-      winnersother_winner_0_1_choice_2 := winnersother_winner_0_1_choice when sums_tag_valid else
-        winnersother_winner_0_1;
-      winnersother_winner_0_1_choice_3 := winnersother_winner_0_2 when sums_tag_valid else winnersother_winner_0_1;
-      winnersother_winner_0_2_choice := 2 when winnersother_cost_0_2_all else winnersother_winner_0_3;
-      winnersother_winner_0_2_choice_2 := winnersother_winner_0_2_choice when sums_tag_valid else
-        winnersother_winner_0_2;
-      winnersother_winner_0_2_choice_3 := winnersother_winner_0_3 when sums_tag_valid else winnersother_winner_0_2;
-      winnersother_winner_0_3_choice := 3 when winnersother_cost_0_3_all else winnersother_winner_0_4;
-      winnersother_winner_0_3_choice_2 := winnersother_winner_0_3_choice when sums_tag_valid else
-        winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_3 := winnersother_winner_0_4 when sums_tag_valid else winnersother_winner_0_3;
-      winnersother_winner_0_4_choice := 4 when winnersother_cost_0_4_all else winnersother_winner_0_5;
-      winnersother_winner_0_4_choice_2 := winnersother_winner_0_4_choice when sums_tag_valid else
-        winnersother_winner_0_4;
-      winnersother_winner_0_4_choice_3 := winnersother_winner_0_5 when sums_tag_valid else winnersother_winner_0_4;
-      winnersother_winner_0_5_choice := 5 when winnersother_cost_0_5_all else winnersother_winner_0_6;
-      winnersother_winner_0_5_choice_2 := winnersother_winner_0_5_choice when sums_tag_valid else
-        winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_3 := winnersother_winner_0_6 when sums_tag_valid else winnersother_winner_0_5;
-      winnersother_winner_0_6_choice := 6 when winnersother_cost_0_6_all else winnersother_winner_0_7;
-      winnersother_winner_0_6_choice_2 := winnersother_winner_0_6_choice when sums_tag_valid else
-        winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_3 := winnersother_winner_0_7 when sums_tag_valid else winnersother_winner_0_6;
-      winnersother_winner_0_7_choice := 7 when winnersother_cost_0_7_all else winnersother_winner_0_8;
-      winnersother_winner_0_7_choice_2 := winnersother_winner_0_7_choice when sums_tag_valid else
-        winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_3 := winnersother_winner_0_8 when sums_tag_valid else winnersother_winner_0_7;
-      winnersother_winner_0_8_choice := 8 when winnersother_cost_0_8_all else winnersother_winner_0_9;
-      winnersother_winner_0_8_choice_2 := winnersother_winner_0_8_choice when sums_tag_valid else
-        winnersother_winner_0_8;
-      winnersother_winner_0_8_choice_3 := winnersother_winner_0_9 when sums_tag_valid else winnersother_winner_0_8;
-      winnersother_winner_0_9_choice := 9 when winnersother_cost_0_9_all else winnersother_winner_0_10;
-      winnersother_winner_0_9_choice_2 := winnersother_winner_0_9_choice when sums_tag_valid else
-        winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_3 := winnersother_winner_0_10 when sums_tag_valid else winnersother_winner_0_9;
-      winnersother_cost_0_1 <= winnersother_cost_0_1_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_1_choice_12;
-      winnersother_cost_0_2 <= winnersother_cost_0_2_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_2_choice_12;
-      winnersother_cost_0_3 <= winnersother_cost_0_3_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_3_choice_12;
-      winnersother_cost_0_4 <= winnersother_cost_0_4_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_4_choice_12;
-      winnersother_cost_0_5 <= winnersother_cost_0_5_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_5_choice_12;
-      winnersother_cost_0_6 <= winnersother_cost_0_6_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_6_choice_12;
-      winnersother_cost_0_7 <= winnersother_cost_0_7_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_7_choice_12;
-      winnersother_cost_0_8 <= winnersother_cost_0_8_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_8_choice_12;
-      winnersother_cost_0_9 <= winnersother_cost_0_9_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_9_choice_12;
-      winnersother_winner_0_0 <= winnersother_winner_0_0_choice_10 when sums_tag_output_column else
-        winnersother_winner_0_0_choice_11;
-      winnersother_winner_0_1 <= winnersother_winner_0_1_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_1_choice_3;
-      winnersother_winner_0_2 <= winnersother_winner_0_2_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_2_choice_3;
-      winnersother_winner_0_3 <= winnersother_winner_0_3_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_3_choice_3;
-      winnersother_winner_0_4 <= winnersother_winner_0_4_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_4_choice_3;
-      winnersother_winner_0_5 <= winnersother_winner_0_5_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_5_choice_3;
-      winnersother_winner_0_6 <= winnersother_winner_0_6_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_6_choice_3;
-      winnersother_winner_0_7 <= winnersother_winner_0_7_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_7_choice_3;
-      winnersother_winner_0_8 <= winnersother_winner_0_8_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_8_choice_3;
-      winnersother_winner_0_9 <= winnersother_winner_0_9_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_9_choice_3;
-      winnersother_winner_out_0 <= winnersother_winner_0_0;
+      winnersother_cost_0_9_all := (not winnersother_cost_0_9_choice_9) and sums_tag_output_column and other_20 and
+        winnersmask_inside_9;
+      winnersother_cost_0_9_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_10;
       winnersother_cost_0_10_value := ((sums_sum_0_10 / 2) mod 2) = 1;
       winnersother_cost_0_10_choice := (not winnersother_cost_0_10_value) or (not ((sums_sum_0_10 mod 2) = 1)) when
         (winnersother_cost_0_11 mod 2) = 1 else not winnersother_cost_0_10_value;
@@ -6591,50 +6567,100 @@ begin
         (winnersother_cost_0_11 / 128) = 1 else not sums_tag_first_column;
       winnersother_cost_0_10_choice_9 := winnersother_cost_0_10_choice_8 when winnersother_cost_0_10_choice_7 else (not
         ((winnersother_cost_0_11 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_10 / 128) = 1);
-      winnersother_cost_0_10_all := (not winnersother_cost_0_10_choice_9) and winnersmask_inside_10 and
-        sums_tag_output_column;
-      winnersother_cost_0_11_all := winnersmask_inside_11 and sums_tag_output_column;
+      winnersother_cost_0_10_all := (not winnersother_cost_0_10_choice_9) and sums_tag_output_column and other_19 and
+        winnersmask_inside_10;
+      winnersother_cost_0_10_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_11;
+      winnersother_cost_0_11_all := sums_tag_output_column and other_18 and winnersmask_inside_11;
+      winnersother_winner_0_0_value := ((sums_sum_0_0 / 2) mod 2) = 1;
+      winnersother_winner_0_0_choice := (not winnersother_winner_0_0_value) or (not ((sums_sum_0_0 mod 2) = 1)) when
+        (winnersother_cost_0_1 mod 2) = 1 else not winnersother_winner_0_0_value;
+      winnersother_winner_0_0_choice_2 := winnersother_winner_0_0_choice when ((winnersother_cost_0_1 / 2) mod 2) = 1
+        else ((winnersother_cost_0_1 mod 2) = 1) and ((sums_sum_0_0 mod 4) = 0);
+      winnersother_winner_0_0_value_2 := ((sums_sum_0_0 / 4) mod 2) = 1;
+      winnersother_winner_0_0_choice_3 := (not (((winnersother_cost_0_1 / 4) mod 2) = 1)) and
+        winnersother_winner_0_0_value_2 when winnersother_winner_0_0_choice_2 else (not (((winnersother_cost_0_1 / 4)
+        mod 2) = 1)) or winnersother_winner_0_0_value_2;
+      winnersother_winner_0_0_value_3 := ((sums_sum_0_0 / 8) mod 2) = 1;
+      winnersother_winner_0_0_choice_4 := (not (((winnersother_cost_0_1 / 8) mod 2) = 1)) or
+        winnersother_winner_0_0_value_3 when winnersother_winner_0_0_choice_3 else (not (((winnersother_cost_0_1 / 8)
+        mod 2) = 1)) and winnersother_winner_0_0_value_3;
+      winnersother_winner_0_0_value_4 := ((sums_sum_0_0 / 16) mod 2) = 1;
+      winnersother_winner_0_0_choice_5 := (not (((winnersother_cost_0_1 / 16) mod 2) = 1)) or
+        winnersother_winner_0_0_value_4 when winnersother_winner_0_0_choice_4 else (not (((winnersother_cost_0_1 / 16)
+        mod 2) = 1)) and winnersother_winner_0_0_value_4;
+      winnersother_winner_0_0_value_5 := ((sums_sum_0_0 / 32) mod 2) = 1;
+      winnersother_winner_0_0_choice_6 := (not (((winnersother_cost_0_1 / 32) mod 2) = 1)) or
+        winnersother_winner_0_0_value_5 when winnersother_winner_0_0_choice_5 else (not (((winnersother_cost_0_1 / 32)
+        mod 2) = 1)) and winnersother_winner_0_0_value_5;
+      winnersother_winner_0_0_value_6 := ((sums_sum_0_0 / 64) mod 2) = 1;
+      winnersother_winner_0_0_choice_7 := (not (((winnersother_cost_0_1 / 64) mod 2) = 1)) or
+        winnersother_winner_0_0_value_6 when winnersother_winner_0_0_choice_6 else (not (((winnersother_cost_0_1 / 64)
+        mod 2) = 1)) and winnersother_winner_0_0_value_6;
+      winnersother_winner_0_0_choice_8 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_1 / 128) = 1)) or
+        ((sums_sum_0_0 / 128) = 1)) when winnersother_winner_0_0_choice_7 else (not sums_tag_first_column) and (not
+        ((winnersother_cost_0_1 / 128) = 1)) and ((sums_sum_0_0 / 128) = 1);
       if sums_tag_valid then
-        winnersother_cost_0_10 <= sums_sum_0_10 when winnersother_cost_0_10_all else winnersother_cost_0_11;
-        winnersother_cost_0_11 <= sums_sum_0_11 when winnersother_cost_0_11_all else 0;
+        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_1_choice_10;
+        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_2_choice_10;
+        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_3_choice_10;
+        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_4_choice_10;
+        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_5_choice_10;
+        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_6_choice_10;
+        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_7_choice_10;
+        winnersother_cost_0_8 <= sums_sum_0_8 when winnersother_cost_0_8_all else winnersother_cost_0_8_choice_10;
+        winnersother_cost_0_9 <= sums_sum_0_9 when winnersother_cost_0_9_all else winnersother_cost_0_9_choice_10;
+        winnersother_cost_0_10 <= sums_sum_0_10 when winnersother_cost_0_10_all else winnersother_cost_0_10_choice_10;
+        winnersother_cost_0_11 <= sums_sum_0_11 when winnersother_cost_0_11_all else 255;
+        winnersother_winner_0_0 <= 0 when (not winnersother_winner_0_0_choice_8) and sums_tag_output_column and
+          winnersmask_searched_0 and winnersmask_inside_0 else winnersother_winner_0_1;
+        winnersother_winner_0_1 <= 1 when winnersother_cost_0_1_all else winnersother_winner_0_2;
+        winnersother_winner_0_2 <= 2 when winnersother_cost_0_2_all else winnersother_winner_0_3;
+        winnersother_winner_0_3 <= 3 when winnersother_cost_0_3_all else winnersother_winner_0_4;
+        winnersother_winner_0_4 <= 4 when winnersother_cost_0_4_all else winnersother_winner_0_5;
+        winnersother_winner_0_5 <= 5 when winnersother_cost_0_5_all else winnersother_winner_0_6;
+        winnersother_winner_0_6 <= 6 when winnersother_cost_0_6_all else winnersother_winner_0_7;
+        winnersother_winner_0_7 <= 7 when winnersother_cost_0_7_all else winnersother_winner_0_8;
+        winnersother_winner_0_8 <= 8 when winnersother_cost_0_8_all else winnersother_winner_0_9;
+        winnersother_winner_0_9 <= 9 when winnersother_cost_0_9_all else winnersother_winner_0_10;
         winnersother_winner_0_10 <= 10 when winnersother_cost_0_10_all else winnersother_winner_0_11;
         winnersother_winner_0_11 <= 11 when winnersother_cost_0_11_all else 0;
       end if;
+      winnersother_winner_out_0 <= winnersother_winner_0_0;
       -- winnerswinner1
-      winnerswinner1_held_0_0_sum := as_number(winnersmask_inside_0) + 255;
+      winnerswinner1_held_0_0_sum := as_number((winnersmask_searched_0 and winnersmask_inside_0)) + 255;
       winnerswinner1_held_0_0_any := to_integer(((to_unsigned(sums_sum_0_0, 8)) or
         (to_unsigned((winnerswinner1_held_0_0_sum mod 256), 8))));
-      winnerswinner1_held_0_1_sum := as_number(winnersmask_inside_1) + 255;
+      winnerswinner1_held_0_1_sum := as_number((winnersmask_searched_8 and winnersmask_inside_1)) + 255;
       winnerswinner1_held_0_1_any := to_integer(((to_unsigned(sums_sum_0_1, 8)) or
         (to_unsigned((winnerswinner1_held_0_1_sum mod 256), 8))));
-      winnerswinner1_held_0_2_sum := as_number(winnersmask_inside_2) + 255;
+      winnerswinner1_held_0_2_sum := as_number((winnersmask_searched_7 and winnersmask_inside_2)) + 255;
       winnerswinner1_held_0_2_any := to_integer(((to_unsigned(sums_sum_0_2, 8)) or
         (to_unsigned((winnerswinner1_held_0_2_sum mod 256), 8))));
-      winnerswinner1_held_0_3_sum := as_number(winnersmask_inside_3) + 255;
+      winnerswinner1_held_0_3_sum := as_number((winnersmask_searched_6 and winnersmask_inside_3)) + 255;
       winnerswinner1_held_0_3_any := to_integer(((to_unsigned(sums_sum_0_3, 8)) or
         (to_unsigned((winnerswinner1_held_0_3_sum mod 256), 8))));
-      winnerswinner1_held_0_4_sum := as_number(winnersmask_inside_4) + 255;
+      winnerswinner1_held_0_4_sum := as_number((winnersmask_searched_5 and winnersmask_inside_4)) + 255;
       winnerswinner1_held_0_4_any := to_integer(((to_unsigned(sums_sum_0_4, 8)) or
         (to_unsigned((winnerswinner1_held_0_4_sum mod 256), 8))));
-      winnerswinner1_held_0_5_sum := as_number(winnersmask_inside_5) + 255;
+      winnerswinner1_held_0_5_sum := as_number((winnersmask_searched_4 and winnersmask_inside_5)) + 255;
       winnerswinner1_held_0_5_any := to_integer(((to_unsigned(sums_sum_0_5, 8)) or
         (to_unsigned((winnerswinner1_held_0_5_sum mod 256), 8))));
-      winnerswinner1_held_0_6_sum := as_number(winnersmask_inside_6) + 255;
+      winnerswinner1_held_0_6_sum := as_number((winnersmask_searched_3 and winnersmask_inside_6)) + 255;
       winnerswinner1_held_0_6_any := to_integer(((to_unsigned(sums_sum_0_6, 8)) or
         (to_unsigned((winnerswinner1_held_0_6_sum mod 256), 8))));
-      winnerswinner1_held_0_7_sum := as_number(winnersmask_inside_7) + 255;
+      winnerswinner1_held_0_7_sum := as_number((winnersmask_searched_2 and winnersmask_inside_7)) + 255;
       winnerswinner1_held_0_7_any := to_integer(((to_unsigned(sums_sum_0_7, 8)) or
         (to_unsigned((winnerswinner1_held_0_7_sum mod 256), 8))));
-      winnerswinner1_held_0_8_sum := as_number(winnersmask_inside_8) + 255;
+      winnerswinner1_held_0_8_sum := as_number((winnersmask_searched_1 and winnersmask_inside_8)) + 255;
       winnerswinner1_held_0_8_any := to_integer(((to_unsigned(sums_sum_0_8, 8)) or
         (to_unsigned((winnerswinner1_held_0_8_sum mod 256), 8))));
-      winnerswinner1_held_0_9_sum := as_number(winnersmask_inside_9) + 255;
+      winnerswinner1_held_0_9_sum := as_number((other_20 and winnersmask_inside_9)) + 255;
       winnerswinner1_held_0_9_any := to_integer(((to_unsigned(sums_sum_0_9, 8)) or
         (to_unsigned((winnerswinner1_held_0_9_sum mod 256), 8))));
-      winnerswinner1_held_0_10_sum := as_number(winnersmask_inside_10) + 255;
+      winnerswinner1_held_0_10_sum := as_number((other_19 and winnersmask_inside_10)) + 255;
       winnerswinner1_held_0_10_any := to_integer(((to_unsigned(sums_sum_0_10, 8)) or
         (to_unsigned((winnerswinner1_held_0_10_sum mod 256), 8))));
-      winnerswinner1_held_0_11_sum := as_number(winnersmask_inside_11) + 255;
+      winnerswinner1_held_0_11_sum := as_number((other_18 and winnersmask_inside_11)) + 255;
       winnerswinner1_held_0_11_any := to_integer(((to_unsigned(sums_sum_0_11, 8)) or
         (to_unsigned((winnerswinner1_held_0_11_sum mod 256), 8))));
       winnerswinner1_best_index_0_0_value := (((winnerswinner1_held_0_0_sum mod 256) / 2) mod 2) = 1;
@@ -7048,9 +7074,9 @@ begin
       winnerswinner2_best_index_0_2_choice_8 := ((winnerswinner1_best_cost_0_4 / 128) = 1) and (not
         ((winnerswinner1_best_cost_0_5 / 128) = 1)) when winnerswinner2_best_index_0_2_choice_7 else
         ((winnerswinner1_best_cost_0_4 / 128) = 1) or (not ((winnerswinner1_best_cost_0_5 / 128) = 1));
-      winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1 when other_15 else winnerswinner1_best_below_0_1;
-      winnerswinner2_best_below_0_1_choice := winnerswinner1_held_0_5 when other_14 else winnerswinner1_best_below_0_3;
-      winnerswinner2_best_below_0_2_choice := winnerswinner1_held_0_9 when other_13 else winnerswinner1_best_below_0_5;
+      winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1 when other_5 else winnerswinner1_best_below_0_1;
+      winnerswinner2_best_below_0_1_choice := winnerswinner1_held_0_5 when other_4 else winnerswinner1_best_below_0_3;
+      winnerswinner2_best_below_0_2_choice := winnerswinner1_held_0_9 when other_2 else winnerswinner1_best_below_0_5;
       winnerswinner2_best_above_0_0_choice := winnerswinner1_held_0_2 when winnerswinner1_best_index_0_0 else
         winnerswinner1_best_above_0_0;
       winnerswinner2_best_above_0_1_choice := winnerswinner1_held_0_6 when ((winnerswinner1_best_index_0_2 / 4) = 1)
@@ -7121,9 +7147,9 @@ begin
       winnerswinner2_best_place_0_0 <= winnerswinner2_best_index_0_0_choice_8;
       winnerswinner2_best_place_0_1 <= winnerswinner2_best_index_0_1_choice_8;
       winnerswinner2_best_place_0_2 <= winnerswinner2_best_index_0_2_choice_8;
-      winnerswinner2_best_at_start_0_0 <= (not winnerswinner2_best_at_start_0_0_choice) and other_15;
-      winnerswinner2_best_at_start_0_1 <= (not winnerswinner2_best_at_start_0_1_choice) and other_14;
-      winnerswinner2_best_at_start_0_2 <= (not winnerswinner2_best_at_start_0_2_choice) and other_13;
+      winnerswinner2_best_at_start_0_0 <= (not winnerswinner2_best_at_start_0_0_choice) and other_5;
+      winnerswinner2_best_at_start_0_1 <= (not winnerswinner2_best_at_start_0_1_choice) and other_4;
+      winnerswinner2_best_at_start_0_2 <= (not winnerswinner2_best_at_start_0_2_choice) and other_2;
       winnerswinner2_best_at_end_0_0 <= winnerswinner2_best_at_start_0_0_choice and winnerswinner1_best_index_0_0;
       winnerswinner2_best_at_end_0_1 <= winnerswinner2_best_at_start_0_1_choice and ((winnerswinner1_best_index_0_2 /
         4) = 1) and ((winnerswinner1_best_index_0_2 mod 2) = 1);
@@ -7461,7 +7487,7 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((refinement_remainder_7_0 * 2) + 512) - refinement_divisor_7_0) / 512) + ((other_5
+      refinement_quotient_8_0 <= ((((refinement_remainder_7_0 * 2) + 512) - refinement_divisor_7_0) / 512) + ((other_11
         / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -7604,11 +7630,11 @@ begin
         (((map_counter_group / 2) /= 6) or (not ((map_counter_group mod 2) = 1))) and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group;
       map_line_ended_choice := turn_ready_tag_map_column when turn_ready_tag_valid else map_line_ended;
-      map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
+      map_at_arrives_value := to_integer(other_6(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_of_column_0_a_choice := other_1 / 2;
+        map_of_column_0_a_choice := other_7 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c_choice := map_column_1 / 2;
@@ -7656,7 +7682,7 @@ begin
       map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
       map_counter_group <= map_counter_group_choice * 4 when turn_ready_tag_start_of_frame and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group_choice_3;
-      map_counter_next_frame <= to_integer(other_0(40 downto 40)) = 1;
+      map_counter_next_frame <= to_integer(other_6(40 downto 40)) = 1;
       map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
         8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
       map_arrives <= turn_ready_tag_row_start_all_2;
@@ -7665,13 +7691,13 @@ begin
         turn_ready_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_write_column <= to_integer(other_0(5 downto 0));
-      map_column_1 <= other_3 / 8192;
+      map_write_column <= to_integer(other_6(5 downto 0));
+      map_column_1 <= other_9 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= to_integer(other_0(24 downto 24)) = 1;
-      map_at_top <= to_integer(other_0(32 downto 32)) = 1;
-      map_at_output <= to_integer(other_0(48 downto 48)) = 1;
+      map_at_behind <= to_integer(other_6(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_6(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_6(48 downto 48)) = 1;
       map_of_column_0_a <= map_of_column_0_a_choice;
       map_of_column_0_b <= map_column_1 / 2;
       map_of_column_0_c <= map_of_column_0_c_choice;
@@ -7746,8 +7772,8 @@ begin
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
       if map_at_arrives_value then
-        map_rows_write_words_0 <= (other_3 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= to_integer(other_0(5 downto 0));
+        map_rows_write_words_0 <= (other_9 / 8192) + (map_rows_ready_newest_0 * 8192);
+        map_at_column <= to_integer(other_6(5 downto 0));
       end if;
       map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
@@ -7769,28 +7795,58 @@ begin
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= other_2;
-      other_1 <= ((other_3 mod 8192) / 2) * 2;
-      other_2 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
+      other_0_choice := ((settings_last_disparity / 16) mod 4) = 0 when (not slice1mask_searched_1_value) and
+        slice0mask_searched_2_any else ((settings_last_disparity / 8) mod 8) = 0;
+      other_0_any := (not slice1mask_searched_0_value) or (not slice0mask_searched_1_value);
+      other_0_choice_2 := other_0_any and slice1mask_searched_0_is_equal and slice0mask_searched_2_any_2 when
+        other_0_choice else other_0_any and slice1mask_searched_0_is_equal;
+      other_1_choice := ((settings_first_disparity / 16) mod 4) = 0 when (not slice0mask_searched_1_value) and
+        slice0mask_searched_3_any else ((settings_first_disparity / 8) mod 8) = 0;
+      other_1_all := other_1_choice and (not (((not slice1mask_searched_1_value_2) or (((settings_last_disparity / 2)
+        mod 4) = 0)) and slice0mask_searched_4_is_equal)) and ((settings_first_disparity / 64) = 0);
+      other_0_all := slice0_tag_0_start_of_frame and slice0_tag_0_output_column and slice0_tag_0_valid;
+      if other_0_all then
+        other_0 <= other_0_choice_2;
+        other_1 <= other_1_all;
+      end if;
+      other_2 <= winnerswinner1_best_index_0_5_choice_7;
+      other_4 <= winnerswinner1_best_index_0_3_choice_7;
+      other_5 <= winnerswinner1_best_index_0_1_choice_7;
+      other_6 <= other_8;
+      other_7 <= ((other_9 mod 8192) / 2) * 2;
+      other_8 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_3 <= to_integer(other_4);
-      other_5 <= ((refinement_remainder_7_0_difference / 512) * 2) + ((other_6 / 4) * 4);
-      other_6 <= ((refinement_remainder_6_0_difference / 512) * 4) + ((other_7 / 8) * 8);
-      other_7 <= ((refinement_remainder_5_0_difference / 512) * 8) + ((other_8 / 16) * 16);
-      other_8 <= ((refinement_remainder_4_0_difference / 512) * 16) + ((other_9 / 32) * 32);
-      other_9 <= ((refinement_remainder_3_0_difference / 512) * 32) + ((other_10 / 64) * 64);
-      other_10 <= ((refinement_remainder_2_0_difference / 512) * 64) + ((other_11 / 128) * 128);
-      other_11 <= (refinement_remainder_1_0_difference / 512) * 128;
-      other_12 <= raster_place_group_is_equal_2;
-      other_13 <= winnerswinner1_best_index_0_5_choice_7;
-      other_14 <= winnerswinner1_best_index_0_3_choice_7;
-      other_15 <= winnerswinner1_best_index_0_1_choice_7;
+      other_9 <= to_integer(other_10);
+      other_11 <= ((refinement_remainder_7_0_difference / 512) * 2) + ((other_12 / 4) * 4);
+      other_12 <= ((refinement_remainder_6_0_difference / 512) * 4) + ((other_13 / 8) * 8);
+      other_13 <= ((refinement_remainder_5_0_difference / 512) * 8) + ((other_14 / 16) * 16);
+      other_14 <= ((refinement_remainder_4_0_difference / 512) * 16) + ((other_15 / 32) * 32);
+      other_15 <= ((refinement_remainder_3_0_difference / 512) * 32) + ((other_16 / 64) * 64);
+      other_16 <= ((refinement_remainder_2_0_difference / 512) * 64) + ((other_17 / 128) * 128);
+      other_17 <= (refinement_remainder_1_0_difference / 512) * 128;
+      other_21 <= raster_place_group_is_equal_2;
+      other_3_any := (not slice1mask_searched_0_value) or (((settings_first_disparity / 2) mod 4) = 0);
+      other_3_choice := other_3_any and slice1mask_searched_0_is_equal and slice1mask_searched_1_value_3 when (not
+        (slice1mask_searched_1_value_2 and (slice1mask_searched_1_value or slice0mask_searched_2_value or
+        ((settings_last_disparity mod 2) = 1)))) and (not ((settings_last_disparity / 128) = 1)) and (not
+        slice0mask_searched_2_value_2) and (not (((settings_last_disparity / 16) mod 2) = 1)) else other_3_any and
+        slice1mask_searched_0_is_equal;
+      if slice1mask_searched_0_all then
+        other_3 <= other_3_choice;
+      end if;
+      if winnersmask_searched_0_all then
+        other_18 <= other_0_choice_2;
+        other_19 <= other_1_all;
+        other_20 <= other_3_choice;
+      end if;
       if reset = '1' then
         settings_p1 <= 5;
         settings_p2 <= 22;
         settings_uniqueness_distance <= 3;
+        settings_first_disparity <= 0;
+        settings_last_disparity <= 11;
         transform_left_0 <= 0;
         transform_right_0 <= 0;
         transform_valid <= false;
@@ -8225,6 +8281,11 @@ begin
         slice0mask_inside_4 <= false;
         slice0mask_left_out <= false;
         slice0mask_column <= 0;
+        slice0mask_searched_0 <= true;
+        slice0mask_searched_1 <= true;
+        slice0mask_searched_2 <= true;
+        slice0mask_searched_3 <= true;
+        slice0mask_searched_4 <= true;
         slice0_held_0_0 <= 0;
         slice0_held_0_1 <= 0;
         slice0_held_0_2 <= 0;
@@ -8429,7 +8490,9 @@ begin
         slice1cost_column_0_2 <= 0;
         slice1cost_column_0_3 <= 0;
         slice1cost_column_0_4 <= 0;
+        slice1cost_tag_output_column <= false;
         slice1cost_tag_first_column <= false;
+        slice1cost_tag_start_of_frame <= false;
         slice1window_partial_0_0_0 <= 0;
         slice1window_partial_0_0_1 <= 0;
         slice1window_partial_0_0_2 <= 0;
@@ -8440,19 +8503,27 @@ begin
         slice1window_partial_0_1_2 <= 0;
         slice1window_partial_0_1_3 <= 0;
         slice1window_partial_0_1_4 <= 0;
+        slice1window_centre_output_column_0 <= false;
         slice1window_centre_first_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
         slice1window_sum_0_0 <= 0;
         slice1window_sum_0_1 <= 0;
         slice1window_sum_0_2 <= 0;
         slice1window_sum_0_3 <= 0;
         slice1window_sum_0_4 <= 0;
+        slice1window_tag_output_column <= false;
         slice1window_tag_first_column <= false;
+        slice1window_tag_start_of_frame <= false;
         slice1mask_inside_0 <= false;
         slice1mask_inside_1 <= false;
         slice1mask_inside_2 <= false;
         slice1mask_inside_3 <= false;
         slice1mask_inside_4 <= false;
         slice1mask_left_out <= false;
+        slice1mask_searched_0 <= true;
+        slice1mask_searched_1 <= true;
+        slice1mask_searched_2 <= true;
+        slice1mask_searched_3 <= true;
         slice1_held_0_0 <= 0;
         slice1_held_0_1 <= 0;
         slice1_held_0_2 <= 0;
@@ -8532,7 +8603,9 @@ begin
         slice2cost_single_0_1 <= 0;
         slice2cost_column_0_0 <= 0;
         slice2cost_column_0_1 <= 0;
+        slice2cost_tag_output_column <= false;
         slice2cost_tag_first_column <= false;
+        slice2cost_tag_start_of_frame <= false;
         slice2window_partial_0_0_0 <= 0;
         slice2window_partial_0_0_1 <= 0;
         slice2window_partial_0_1_0 <= 0;
@@ -9108,6 +9181,15 @@ begin
         winnersmask_inside_10 <= false;
         winnersmask_inside_11 <= false;
         winnersmask_column <= 0;
+        winnersmask_searched_0 <= true;
+        winnersmask_searched_1 <= true;
+        winnersmask_searched_2 <= true;
+        winnersmask_searched_3 <= true;
+        winnersmask_searched_4 <= true;
+        winnersmask_searched_5 <= true;
+        winnersmask_searched_6 <= true;
+        winnersmask_searched_7 <= true;
+        winnersmask_searched_8 <= true;
         winnerswinner1_held_0_0 <= 0;
         winnerswinner1_held_0_1 <= 0;
         winnerswinner1_held_0_2 <= 0;
@@ -9453,19 +9535,25 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= to_unsigned(0, 49);
-        other_2 <= to_unsigned(0, 49);
-        other_5 <= 0;
-        other_6 <= 0;
-        other_7 <= 0;
-        other_8 <= 0;
-        other_9 <= 0;
-        other_10 <= 0;
+        other_0 <= true;
+        other_1 <= true;
+        other_2 <= false;
+        other_3 <= true;
+        other_4 <= false;
+        other_5 <= false;
+        other_6 <= to_unsigned(0, 49);
+        other_8 <= to_unsigned(0, 49);
         other_11 <= 0;
-        other_12 <= false;
-        other_13 <= false;
-        other_14 <= false;
-        other_15 <= false;
+        other_12 <= 0;
+        other_13 <= 0;
+        other_14 <= 0;
+        other_15 <= 0;
+        other_16 <= 0;
+        other_17 <= 0;
+        other_18 <= true;
+        other_19 <= true;
+        other_20 <= true;
+        other_21 <= false;
       end if;
     end if;
   end process;

@@ -66,10 +66,10 @@ begin
       latency_clocks => 59,
       flush_groups => 267,
       gap_groups => 0,
-      core_id => x"adb34c37",
+      core_id => x"0dae1b65",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (7, 198, 11, 31, 0, 0),
-      settings_start => (5, 3, 1, 22, 0, 0))
+      settings_largest => (7, 198, 11, 31, 11, 11),
+      settings_start => (5, 3, 1, 22, 0, 11))
     port map (
       aclk => aclk,
       aresetn => aresetn,
@@ -141,5 +141,7 @@ begin
       p1 => settings(0),
       p2 => settings(3),
       uniqueness_distance => settings(1),
-      left_right_threshold => settings(2)(7 downto 0));
+      left_right_threshold => settings(2)(7 downto 0),
+      first_disparity => settings(4)(7 downto 0),
+      last_disparity => settings(5)(7 downto 0));
 end architecture;

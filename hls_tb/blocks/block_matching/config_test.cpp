@@ -118,6 +118,17 @@ TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {
    EXPECT_TRUE(config.has_check());
    config.min_disparity = -9;
    EXPECT_FALSE(config.has_check());
+   config.last_disparity = 8;
+   EXPECT_TRUE(config.has_check()) << "the last column leads out of the image with what is searched";
+   config.last_disparity = 10;
+   config.window_px = 3;
+   EXPECT_EQ(config.problem().text, std::string("the last disparity is 10 but must be -1 ... 9"));
+   config.last_disparity = -1;
+   config.run_time_settings = true;
+   EXPECT_EQ(config.problem().text, std::string());
+   EXPECT_TRUE(config.has_check()) << "the ports may leave any disparity out";
+   config = {{.width_px = 20, .height_px = 30}, {.disparities = 10, .first_disparity = 1}, {}};
+   EXPECT_EQ(config.problem().text, std::string("a search of only some disparities needs a map of full width"));
 }
 
 /// Plain core: the last window needs the rows below it, then the columns of its row that come after it.

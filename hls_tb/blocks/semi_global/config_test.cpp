@@ -66,8 +66,8 @@ TEST(SemiGlobalConfig, PortsBringAllNumbersOfTheirBits) {
    config.uniqueness_distance = 3;
    SettingList list;
    config.settings(list);
-   ASSERT_EQ(list.count, 4);
-   const int largest[] = {7, 31, config.largest_sum(), 0}, start[] = {5, 22, 3, 0};
+   ASSERT_EQ(list.count, 6);
+   const int largest[] = {7, 31, config.largest_sum(), 0, 0, 0}, start[] = {5, 22, 3, 0, 0, 0};
    for (int i = 0; i < list.count; ++i) {
       EXPECT_EQ(list.setting[i].largest, largest[i]) << list.setting[i].name;
       EXPECT_EQ(list.setting[i].start, start[i]) << list.setting[i].name;

@@ -52,7 +52,7 @@ int map_width(int width_px, const Matching& matching) {
 SearchedRange searched_range(int x, int width, const Matching& matching) {
    if (!matching.full_width) return {0, matching.disparities - 1};
    const int first = x + matching.min_disparity;  // where disparity 0 leads to
-   return {std::max(0, -first), std::min(matching.disparities - 1, width - 1 - first)};
+   return {std::max(matching.first_disparity, -first), std::min(matching.last_searched(), width - 1 - first)};
 }
 
 int map_first_column(const Matching& matching) {

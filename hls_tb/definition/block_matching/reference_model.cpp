@@ -63,9 +63,10 @@ DisparityMap match(const RasterImage<Pixel>& left, const RasterImage<Pixel>& rig
       return mirrored(match(mirrored(right), mirrored(left), of_mirror));
    }
    const CostVolume costs = costs_of(left, right, matching);
-   const CostVolume sums = matching.full_width ? full_width_sums(all_window_sums(costs, matching.window_px),
-                                                                 matching.window_px, matching.min_disparity)
-                                               : window_sums(costs, matching.window_px);
+   const DisparityRange range{matching.min_disparity, matching.first_disparity, matching.last_searched()};
+   const CostVolume sums = matching.full_width
+                               ? full_width_sums(all_window_sums(costs, matching.window_px), matching.window_px, range)
+                               : window_sums(costs, matching.window_px);
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
    if (matching.median) map = median_filtered(map);

@@ -236,7 +236,7 @@ TEST(ReferenceOptions, FullWidthByHand) {
    // Windows of 2x2: of column x, the columns x-1 and x of the only row. Columns 1 ... 3 of the map.
    const GrayImage left = image(4, 1, {10, 20, 30, 40}), right = image(4, 1, {20, 30, 30, 99});
    const Matching matching{.disparities = 2, .window_px = 2, .full_width = true};
-   const CostVolume sums = full_width_sums(all_window_sums(pixel_costs(left, right, matching), 2), 2, 0);
+   const CostVolume sums = full_width_sums(all_window_sums(pixel_costs(left, right, matching), 2), 2, {0, 0, 1});
    EXPECT_TRUE(same_volume(volume(3, 1, 2, {20, 0, 10, 10, 59, kNoCandidate}), sums));
    EXPECT_TRUE(same_map(map(3, 1, {1, 0, 0}), match_reference(left, right, matching)));
    Matching later = matching;
@@ -249,6 +249,40 @@ TEST(ReferenceOptions, FullWidthByHand) {
    EXPECT_TRUE(same_map(expected, match_reference(left, right, later)));
    EXPECT_TRUE(later.has_check());
    EXPECT_FALSE(matching.has_check());
+}
+
+TEST(ReferenceOptions, APartOfTheRangeIsARangeOfItsOwn) {
+   Random random(test_seed());
+   int invalid = 0;
+   for (int i = 0; i < 60; ++i) {
+      Matching whole{.disparities = 2 + random.below(9), .window_px = 2 + random.below(4), .full_width = true};
+      whole.min_disparity = random.below(13) - 8;
+      whole.reference = random.percent(50) ? Reference::left : Reference::right;
+      whole.ties = random.percent(50) ? Ties::largest : Ties::smallest;
+      whole.subpixel = random.percent(50);
+      if (random.percent(50)) whole.left_right_threshold = random.below(2);
+      if (random.percent(50)) whole.uniqueness_percent = random.below(60);
+      whole.first_disparity = random.below(whole.disparities);
+      whole.last_disparity = whole.first_disparity + random.below(whole.disparities - whole.first_disparity);
+      Matching part = whole;
+      part.disparities = whole.last_disparity - whole.first_disparity + 1;
+      part.min_disparity += whole.first_disparity;
+      part.first_disparity = 0;
+      part.last_disparity = -1;
+      part.left_right_threshold = std::min(whole.left_right_threshold, part.disparities - 1);
+      const ImagePair pair = random_pair(24, 6, random.bits(), 2 + random.below(20));
+      const DisparityMap of_whole = match_reference(pair.left, pair.right, whole);
+      const DisparityMap of_part = match_reference(pair.left, pair.right, part);
+      const int step = whole.subpixel ? 16 : 1;
+      for (int y = 0; y < of_whole.height; ++y)
+         for (int x = 0; x < of_whole.width; ++x) {
+            ASSERT_EQ(of_whole.valid_at(x, y), of_part.valid_at(x, y)) << "x=" << x << " y=" << y;
+            if (!of_whole.valid_at(x, y)) ++invalid;
+            else
+               ASSERT_EQ(of_whole.at(x, y), of_part.at(x, y) + step * whole.first_disparity) << "x=" << x << " y=" << y;
+         }
+   }
+   EXPECT_GT(invalid, 0);
 }
 
 TEST(ReferenceOptions, FullWidthIsTheSameWhereAllDisparitiesFit) {

@@ -71,12 +71,16 @@ std::vector<int> column_of(const CostVolume& volume, int x, int y) {
    return values;
 }
 
+DisparityRange range_of(const Matching& matching) {
+   return {matching.min_disparity, matching.first_disparity, matching.window_costs().last_searched()};
+}
+
 }  // namespace
 
 CostVolume path_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
    const CostVolume pixels = block_matching::pixel_costs(left, right, matching.window_costs());
    CostVolume costs = all_window_sums(pixels, matching.window_px);
-   if (matching.full_width) costs = full_width_sums(costs, matching.window_px, matching.min_disparity);
+   if (matching.full_width) costs = full_width_sums(costs, matching.window_px, range_of(matching));
    for (int& value : costs.values)
       value = value == kNoCandidate ? largest_path_cost(matching)
                                     : std::min(value >> matching.cost_shift, matching.cost_cap);
@@ -144,7 +148,7 @@ DisparityMap match_reference(const GrayImage& left, const GrayImage& right, cons
    if (matching.reference == Reference::left)
       return mirrored(match_reference(mirrored(right), mirrored(left), mirrored(matching)));
    CostVolume sums = path_sums(path_costs(left, right, matching), matching);
-   if (matching.full_width) keep_candidates(sums, matching.min_disparity);
+   if (matching.full_width) keep_candidates(sums, range_of(matching));
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
    if (matching.median) map = median_filtered(map);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 
 #include "definition/pixel_range.hpp"
 
@@ -61,7 +62,10 @@ std::vector<uint32_t> random_settings(const SettingList& ports, Random& random) 
    // Small values are the likely ones; both ends must come.
    for (const Setting& port : ports) {
       const int most = random.percent(50) ? port.largest : std::min(port.largest, 1 + port.largest / 8);
-      values.push_back(random.percent(15) ? 0 : uint32_t(random.below(most + 1)));
+      const uint32_t value = random.percent(15) ? 0 : uint32_t(random.below(most + 1));
+      // Of the last disparity the large ones: most frames shall search something.
+      const bool from_top = std::string_view(port.name) == "last_disparity";
+      values.push_back(from_top ? uint32_t(port.largest) - value : value);
    }
    return values;
 }

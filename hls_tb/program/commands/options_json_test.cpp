@@ -43,9 +43,11 @@ TEST(Options, EveryNameOfTheJsonCanBeSet) {
                                          .texture_threshold = 4,
                                          .subpixel = true,
                                          .median = true,
-                                         .full_width = true};
+                                         .full_width = true,
+                                         .first_disparity = 2,
+                                         .last_disparity = 9};
    const nlohmann::json wanted = options_json(algorithm(others)->options()), plain = options_json(kPlain->options());
-   ASSERT_EQ(wanted.size(), 17u);
+   ASSERT_EQ(wanted.size(), 19u);
    std::vector<std::string> settings;
    for (const auto& [name, value] : wanted.items()) {
       EXPECT_NE(value, plain[name]) << name << " must differ for this test to see it";

@@ -76,6 +76,10 @@ block_matching::Matching random_parameters(Random& random, int width) {
    if (random.percent(50)) p.left_right_threshold = random.below(std::min(p.disparities, 4));
    if (random.percent(50)) p.uniqueness_percent = random.below(random.percent(50) ? 10 : 101);
    p.full_width = random.percent(40) && p.window_px >= 2 && p.window_px < width;
+   if (p.full_width && random.percent(50)) {
+      p.first_disparity = random.below(p.disparities);
+      p.last_disparity = random.below(p.disparities + 1) - 1;
+   }
    return p;
 }
 

@@ -57,6 +57,10 @@ Matching random_options(Random& random, int width) {
    m.subpixel = random.percent(50);
    m.median = random.percent(50);
    m.full_width = random.percent(40) && m.window_px >= 3 && m.window_px < width;
+   if (m.full_width && random.percent(50)) {
+      m.first_disparity = random.below(m.disparities);
+      m.last_disparity = random.below(m.disparities + 1) - 1;
+   }
    return m;
 }
 
