@@ -37,6 +37,7 @@ FRAMES = {
     "ambrosch2007": 26,
     # each frame with its own settings
     "tiny_settings": 200,
+    "tiny_settings_full": 200,
     "tiny_sgm_settings": 200,
     "tiny_sgm_settings_full": 200,
     "tiny_settings_all": 200,
