@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Settings whose ports are tied to the configuration's own numbers cost next to nothing. Prints what they cost."""
+
+import re
+from dataclasses import replace
+
+from conftest import where_reachable
+from flow.base import ghdl as ghdl_flow, rtl
+from flow.base.configurations import designs
+from flow.implementation import yosys as yosys_flow
+from flow.implementation.figures import lut_count
+from flow.implementation.targets import TARGETS, TOP
+from flow.synthesis import manifest
+
+TARGET = replace(TARGETS["ecp5"], device=None)  # area only
+# All settings of block matching. Those of semi-global matching cost more: its paths must hold what ports may bring.
+WITH_PORTS, WITHOUT = "tiny_settings_full", "tiny_full_all"
+LARGEST_PERCENT = 2.0
+
+
+def area(config, work, tied=()):
+    """(LUT4, flip-flops). `tied`: settings whose ports get a number each."""
+    work.mkdir()
+    entity = rtl.entity(config)
+    verilog = ghdl_flow.to_verilog(manifest.vhdl_files(rtl.folder(config)), work, entity)
+    core = re.sub(rf"\bmodule {entity}\b", "module inner", verilog)
+    found, _ = yosys_flow.synthesize(TARGET, core + top_of(verilog, entity, dict(tied)), work)
+    return lut_count(found), found["ffs"]
+
+
+def top_of(verilog, entity, tied):
+    """A module around the core with all ports but the tied ones."""
+    ports = re.search(rf"module {entity}\s*\((.*?)\);", verilog, re.DOTALL)
+    found = re.findall(r"(input|output)\s+(\[\d+:0\])?\s*(\w+)", ports.group(1))
+    assert set(tied) <= {name for *_, name in found}
+    outer = ", ".join(f"{way} {width} {name}" for way, width, name in found if name not in tied)
+    inner = ", ".join(f".{name}({tied.get(name, name)})" for *_, name in found)
+    return f"\nmodule {TOP}({outer});\n  inner core({inner});\nendmodule\n"
+
+
+def test_tied_settings_cost_nothing(ghdl, tmp_path):
+    where_reachable(yosys_flow.find_yosys)
+    settings = rtl.settings_of(designs()[WITH_PORTS])
+    assert any(setting.largest > 0 for setting in settings)
+    tied = [(setting.name, f"{setting.bits}'d{setting.start}") for setting in settings]
+    luts, ffs = area(WITH_PORTS, tmp_path / "tied", tied)
+    plain_luts, plain_ffs = area(WITHOUT, tmp_path / "plain")
+    more, more_ffs = (100 * (a / b - 1) for a, b in ((luts, plain_luts), (ffs, plain_ffs)))
+    print(f"{WITH_PORTS}, tied: {luts} LUT4 ({more:+.1f} %), {ffs} flip-flops ({more_ffs:+.1f} %)")
+    assert max(more, more_ffs) <= LARGEST_PERCENT
+    free_luts, free_ffs = area(WITH_PORTS, tmp_path / "free")
+    assert free_luts > plain_luts and free_ffs > plain_ffs, "the ports do nothing"
