@@ -11,7 +11,9 @@ from flow.base import rtl, venv
 from flow.base.tools import ROOT
 from flow.kit import ipxact
 from flow.kit.subject import Subject
+from flow.shell import registers
 
+VERSION = ".".join(map(str, registers.VERSION))
 VALIDATE = """
 import sys
 from pathlib import Path
@@ -56,7 +58,7 @@ def test_the_component_of_a_kit_is_valid(validate, tmp_path):
 @pytest.mark.parametrize(
     "what, instead, said",
     [
-        ("<ipxact:version>1.2.0</ipxact:version>", "", "version"),
+        (f"<ipxact:version>{VERSION}</ipxact:version>", "", "version"),
         ("read-only", "read", "access"),
         ('memoryMapRef="registers"', 'memoryMapRef="others"', "memoryMapRef"),
         ("<ipxact:direction>in<", "<ipxact:direction>input<", "direction"),
