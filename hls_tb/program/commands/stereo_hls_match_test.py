@@ -76,6 +76,8 @@ def test_match_writes_its_facts(tmp_path, match, pair):
         "subpixel": False,
         "median": False,
         "full_width": False,
+        "first_disparity": 0,
+        "last_disparity": -1,
         "output_width_px": WIDTH - DISPARITIES,
         "output_height_px": HEIGHT,
         "output_first_column": 0,
