@@ -18,6 +18,7 @@ TINY, CHECKED, VGA = (template.SYSTEMS[name] for name in ("tiny", "tiny_checked"
 STAGE, CORE = pipeline.rows_of(TINY)
 WIDTH, HEIGHT = CORE["width_px"], CORE["height_px"]
 DEPTHS = pipeline.depth_table(TINY, streams.FOCAL_BASELINE)
+LEAST_MHZ = 100
 TABLES, DEPTH = template.FOLDER / "camera_tables.vhd", template.FOLDER / "camera_depth.vhd"
 
 
@@ -85,12 +86,23 @@ def test_a_whole_frame_of_vga_is_exact():
     assert f"{seen['latency']['last_clocks'] / core['width_px']:.2f} lines" in shown
 
 
-def test_the_page_shows_the_clock_of_vga():
-    """Where a place and route is recorded."""
+@pytest.fixture
+def routed_vga():
     found = record.read(VGA)
     if not found or "implementation" not in found:
         pytest.skip("SKIP: no place and route of camera_system_vga is recorded")
-    result = found["implementation"]["ecp5"]
+    return found["implementation"]["ecp5"]
+
+
+@pytest.mark.xfail(
+    strict=True, reason="89.94 MHz: README, what does not work yet. When it passes, the pages must say so"
+)
+def test_vga_reaches_its_clock(routed_vga):
+    assert routed_vga["fmax_mhz"]["median"] >= LEAST_MHZ
+
+
+def test_the_page_shows_the_clock_of_vga(routed_vga):
+    result = routed_vga
     page = " ".join((template.FOLDER / "README.md").read_text().split())
     assert f"{result['fmax_mhz']['median']} MHz" in page and f"{figures.lut_count(result):,} LUT4" in page
     assert not result["memory_in_flip_flops"]
