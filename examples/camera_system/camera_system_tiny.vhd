@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 38,
+      latency_clocks => 42,
       flush_groups => 160,
       gap_groups => 0,
       core_id => x"912d4ff4",
@@ -208,7 +208,7 @@ begin
       pixels_per_clock => 1,
       table_columns => 9,
       table_rows => 4,
-      latency_clocks => 20,
+      latency_clocks => 24,
       flush_groups => 128)
     port map (
       clock => aclk,

@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 71,
+      latency_clocks => 75,
       flush_groups => 233,
       gap_groups => 0,
       core_id => x"5b75f464",
@@ -208,7 +208,7 @@ begin
       pixels_per_clock => 1,
       table_columns => 9,
       table_rows => 4,
-      latency_clocks => 20,
+      latency_clocks => 24,
       flush_groups => 128)
     port map (
       clock => aclk,

@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 576,
-      latency_clocks => 76,
+      latency_clocks => 80,
       flush_groups => 14792,
       gap_groups => 2560,
       core_id => x"bc083e1e",
@@ -208,7 +208,7 @@ begin
       pixels_per_clock => 1,
       table_columns => 41,
       table_rows => 31,
-      latency_clocks => 20,
+      latency_clocks => 24,
       flush_groups => 10880)
     port map (
       clock => aclk,

@@ -22,12 +22,12 @@ struct Core {
    //            |         \.
    //   clocks   counter    delay          1           place in the frame
    //            grid         |            1           place between the nodes
-   //            offsets      |            8           of each camera: to the place in its image
+   //            offsets      |            10          of each camera: to the place in its image
    //            |         /               .
    //            |       sample            3           where the pair is kept; beside it
    //            taps (2)                  .           of each camera: which four pixels
    //            |
-   //            sampler                   8           of each camera: their rows, and the weighted sum
+   //            sampler                   10          of each camera: their rows, and the weighted sum
    //            |
    //            a pixel pair
    static constexpr int kDelay = 1 + GridPlace<C>::kClocks + Offsets<C>::kClocks - 1;
@@ -75,8 +75,8 @@ struct Core {
    /// What the registers show in this clock. Does not depend on this clock's input.
    HLS_INLINE StereoInput output() const {
       StereoInput out;
-      out.left[0] = uint8_t(left_sampler.pixel.value);
-      out.right[0] = uint8_t(right_sampler.pixel.value);
+      out.left[0] = uint8_t(left_sampler.pixel.value());
+      out.right[0] = uint8_t(right_sampler.pixel.value());
       out.start_of_frame = starts.oldest() && valid.oldest();
       out.valid = valid.oldest();
       return out;

@@ -7,7 +7,7 @@
 
 namespace stereo::rectification {
 
-/// One camera's table, and from it the way from each pixel to its place in the camera's image. 8 clocks.
+/// One camera's table, and from it the way from each pixel to its place in the camera's image. 10 clocks.
 /// Memory: nodes x 2 offset_bits.
 template <const Config& C>
 struct Offsets {

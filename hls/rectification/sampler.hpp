@@ -5,7 +5,7 @@
 
 namespace stereo::rectification {
 
-/// Keeps the last rows of one camera and makes each pixel that leaves of four of theirs. 8 clocks.
+/// Keeps the last rows of one camera and makes each pixel that leaves of four of theirs. 10 clocks.
 /// Memory: buffered columns x rows x 8 bits.
 template <const Config& C>
 struct Sampler {

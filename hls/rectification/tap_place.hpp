@@ -52,8 +52,8 @@ struct TapPlace {
       weight_x = uint8_t(source_x & ((1 << C.weight_bits) - 1));
       weight_y = uint8_t(offset_y & ((1 << C.weight_bits) - 1));
 
-      source_x = (uint32_t(sample.place.column) << C.weight_bits) + offsets.x.value;
-      offset_y = offsets.y.value;
+      source_x = (uint32_t(sample.place.column) << C.weight_bits) + offsets.x.value();
+      offset_y = offsets.y.value();
    }
 
   private:

@@ -87,11 +87,11 @@ architecture rtl of stereo_axis is
   signal beat_flags : std_logic_vector(1 downto 0);  -- start of frame, end of line
   signal beat_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
   signal beat_valid, beat_take : std_logic;
-  signal may_send, may_start, sends, starts, breaks, at_rest, in_flight, all_back, stray : std_logic;
+  signal may_send, may_start, sends, starts, breaks, at_rest, in_flight, all_back, due : std_logic;
   signal stream_errors : std_logic_vector(3 downto 0);
   signal group_valid, group_start : std_logic;
   signal group_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
-  signal core_in_reset, shows, result : std_logic;
+  signal core_in_reset, result, stray : std_logic;
   signal queues : std_logic := '0';  -- `queued` is a result: a clock later, for whether its frame is whole comes late
   signal queued : std_logic_vector(word_bits - 1 downto 0);
   signal frame_error, ends, entering, leaving : std_logic;
@@ -130,9 +130,10 @@ begin
   core_start_of_frame <= group_start;
   core_valid <= group_valid;
 
-  shows <= core_disparity_valid and not core_in_reset;
-  -- What has no credit has no place in the queue either.
-  result <= shows and not stray;
+  -- What has no credit has no place in the queue either. Nothing is due while the core is reset, so what it shows of the
+  -- time before counts nowhere.
+  result <= core_disparity_valid and due;
+  stray <= core_disparity_valid and not due and not core_in_reset;
 
   frames : entity work.stereo_frames
     generic map (row_groups => height_px / pixels_per_clock)
@@ -155,8 +156,8 @@ begin
   credit : entity work.stream_credit
     generic map (words => credits, latency => latency_clocks)
     port map (
-      clock => aclk, reset => reset, sends => sends, result => shows, taken => taken,
-      may_send => may_send, in_flight => in_flight, all_back => all_back, stray => stray);
+      clock => aclk, reset => reset, sends => sends, result => result, taken => taken,
+      may_send => may_send, in_flight => in_flight, all_back => all_back, due => due);
 
   taken <= word_valid and m_axis_tready;
   m_axis_tvalid <= word_valid;

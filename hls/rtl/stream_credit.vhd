@@ -8,7 +8,8 @@
 --   may_send, in_flight  from registers
 --   in_flight  groups are in the core that may still give a disparity
 --   all_back   no credit is out: nothing in the core that may give a disparity, nothing in the queue
---   stray      a disparity came in a clock where none can: `latency` is not that of the core
+--   due        a group may give its disparity in this clock; from a register. A disparity in another clock is nobody's:
+--              `latency` is not that of the core, and neither a credit nor a place in the queue waits for it
 -- In stereo_axis a credit is away latency + 5 clocks when nothing waits (one to enter the core, `latency` in it, one in a
 -- register, two in the queue, one to count), so as many credits give a group a clock.
 -- Size: latency + 3 register bits and a counter of 0 ... words.
@@ -29,7 +30,7 @@ entity stream_credit is
     may_send : out std_logic;
     in_flight : out std_logic := '0';
     all_back : out std_logic;
-    stray : out std_logic
+    due : out std_logic
   );
 end entity;
 
@@ -39,7 +40,7 @@ architecture rtl of stream_credit is
   signal unused : std_logic;
 begin
   all_back <= '1' when lent = 0 else '0';
-  stray <= result and not flight(latency);
+  due <= flight(latency);
   unused <= flight(latency) and not result;
 
   -- `sends` comes late in a clock: what follows from it is one addition, and one choice between three answers.

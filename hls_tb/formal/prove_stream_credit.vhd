@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- To be proved: `bad` is '0' for ever. In front of a core that answers each group after `latency` clocks or not at all,
 -- whichever it likes, and a queue whose reader takes words when it likes, stream_credit never lets the queue get more words
--- than it has room for, counts no stray result, and lets a group in whenever words are free.
+-- than it has room for, never calls a result not due, and lets a group in whenever words are free.
 library ieee;
 use ieee.std_logic_1164.all;
 
@@ -21,7 +21,7 @@ entity prove_stream_credit is
 end entity;
 
 architecture proof of prove_stream_credit is
-  signal may_send, sends, result, taken, in_flight, all_back, stray, begun, was_reset : std_logic := '0';
+  signal may_send, sends, result, taken, in_flight, all_back, due, begun, was_reset : std_logic := '0';
   signal flight : std_logic_vector(0 to latency) := (others => '0');
   signal queued : natural range 0 to words := 0;
   signal out_valid : std_logic;
@@ -46,11 +46,11 @@ begin
     generic map (words => words, latency => latency)
     port map (
       clock => clock, reset => reset, sends => sends, result => result, taken => taken, may_send => may_send,
-      in_flight => in_flight, all_back => all_back, stray => stray);
+      in_flight => in_flight, all_back => all_back, due => due);
 
   process (all)
   begin
-    bad <= stray;
+    bad <= result and not due;
     if result = '1' and queued = words then
       bad <= '1';
     end if;

@@ -43,6 +43,7 @@ FAULTS = {
     "a beat changes while it waits": ("stream_fifo", "(shows = '0' or out_ready = '1')", "true"),
     "one credit too many": ("stream_credit", "lent = words - 1", "lent = words"),
     "a full queue is forgotten": ("stream_credit", "(change = 0 and lent = words)", "false"),
+    "a disparity is due early": ("stream_credit", "due <= flight(latency);", "due <= flight(latency - 1);"),
     "a credit is lost": (
         "stream_credit",
         "unused <= flight(latency) and not result;",

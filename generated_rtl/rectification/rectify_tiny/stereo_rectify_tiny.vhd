@@ -16,7 +16,7 @@ entity stereo_rectify_tiny is
     pixels_per_clock : positive := 1;
     table_columns : positive := 9;
     table_rows : positive := 4;
-    latency_clocks : positive := 20;
+    latency_clocks : positive := 24;
     flush_groups : positive := 128
   );
   port (
@@ -43,7 +43,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_rectify_tiny: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert table_columns = 9 report "stereo_rectify_tiny: table_columns is " & integer'image(table_columns) & " but this core has 9" severity failure;
   assert table_rows = 4 report "stereo_rectify_tiny: table_rows is " & integer'image(table_rows) & " but this core has 4" severity failure;
-  assert latency_clocks = 20 report "stereo_rectify_tiny: latency_clocks is " & integer'image(latency_clocks) & " but this core has 20" severity failure;
+  assert latency_clocks = 24 report "stereo_rectify_tiny: latency_clocks is " & integer'image(latency_clocks) & " but this core has 24" severity failure;
   assert flush_groups = 128 report "stereo_rectify_tiny: flush_groups is " & integer'image(flush_groups) & " but this core has 128" severity failure;
 end entity;
 
@@ -105,12 +105,14 @@ architecture rtl of stereo_rectify_tiny is
   signal delay_held_2_left, delay_held_2_right, delay_held_3_left, delay_held_3_right : natural range 0 to 255;
   signal delay_held_4_left, delay_held_4_right, delay_held_5_left, delay_held_5_right : natural range 0 to 255;
   signal delay_held_6_left, delay_held_6_right, delay_held_7_left, delay_held_7_right : natural range 0 to 255;
-  signal delay_held_8_left, delay_held_8_right : natural range 0 to 255;
+  signal delay_held_8_left, delay_held_8_right, delay_held_9_left, delay_held_9_right : natural range 0 to 255;
+  signal delay_held_10_left, delay_held_10_right : natural range 0 to 255;
   signal delay_held_0_start_of_frame, delay_held_0_valid, delay_held_1_start_of_frame, delay_held_1_valid : boolean;
   signal delay_held_2_start_of_frame, delay_held_2_valid, delay_held_3_start_of_frame, delay_held_3_valid : boolean;
   signal delay_held_4_start_of_frame, delay_held_4_valid, delay_held_5_start_of_frame, delay_held_5_valid : boolean;
   signal delay_held_6_start_of_frame, delay_held_6_valid, delay_held_7_start_of_frame, delay_held_7_valid : boolean;
-  signal delay_held_8_start_of_frame, delay_held_8_valid : boolean;
+  signal delay_held_8_start_of_frame, delay_held_8_valid, delay_held_9_start_of_frame, delay_held_9_valid : boolean;
+  signal delay_held_10_start_of_frame, delay_held_10_valid : boolean;
   -- grid
   signal grid_node_column : natural range 0 to 7;
   signal grid_node_row, grid_weight_x_held_0, grid_weight_x_held_1, grid_weight_x_held_2 : natural range 0 to 3;
@@ -121,8 +123,8 @@ architecture rtl of stereo_rectify_tiny is
   signal leftoffsets_nodes_odd_line : natural range 0 to 5;
   signal leftoffsets_nodes_write_line : natural range 0 to 7;
   signal leftoffsets_nodes_even_column : natural range 0 to 4;
-  signal leftoffsets_nodes_odd_column, leftoffsets_x_weight_y, leftoffsets_x_weight_x_0 : natural range 0 to 3;
-  signal leftoffsets_x_weight_x_1, leftoffsets_x_weight_x_2 : natural range 0 to 3;
+  signal leftoffsets_nodes_odd_column, leftoffsets_x_left_part, leftoffsets_x_weight_x_held_0 : natural range 0 to 3;
+  signal leftoffsets_x_weight_x_held_1, leftoffsets_x_weight_x_held_2, leftoffsets_x_row_part : natural range 0 to 3;
   signal leftoffsets_nodes_write_column, leftoffsets_nodes_even_even_write_address : natural range 0 to 15;
   signal leftoffsets_nodes_even_odd_write_address, leftoffsets_nodes_odd_even_write_address : natural range 0 to 15;
   signal leftoffsets_nodes_odd_odd_write_address : natural range 0 to 15;
@@ -140,14 +142,18 @@ architecture rtl of stereo_rectify_tiny is
   signal leftoffsets_nodes_even_even_read_address : natural range 0 to 10;
   signal leftoffsets_nodes_even_odd_read_address, leftoffsets_nodes_odd_even_read_address : natural range 0 to 9;
   signal leftoffsets_nodes_odd_odd_read_address : natural range 0 to 8;
-  signal leftoffsets_x_upper_0, leftoffsets_x_upper_1, leftoffsets_x_value : natural range 0 to 65535;
-  signal leftoffsets_y_upper_0, leftoffsets_y_upper_1, leftoffsets_y_value : natural range 0 to 65535;
-  signal leftoffsets_x_fall_0, leftoffsets_x_fall_1, leftoffsets_y_fall_0 : integer range -65535 to 65535;
-  signal leftoffsets_y_fall_1 : integer range -65535 to 65535;
-  signal leftoffsets_x_column_0, leftoffsets_x_column_1, leftoffsets_y_column_0 : natural range 0 to 262143;
-  signal leftoffsets_y_column_1 : natural range 0 to 262143;
-  signal leftoffsets_x_first, leftoffsets_y_first : natural range 0 to 1048588;
-  signal leftoffsets_x_rise, leftoffsets_y_rise : integer range -262143 to 262143;
+  signal leftoffsets_x_left_from, leftoffsets_x_right_from, leftoffsets_x_row_value : natural range 0 to 65535;
+  signal leftoffsets_y_left_from, leftoffsets_y_right_from, leftoffsets_y_row_value : natural range 0 to 65535;
+  signal leftoffsets_x_left_difference, leftoffsets_x_right_difference : integer range -65535 to 65535;
+  signal leftoffsets_y_left_difference, leftoffsets_y_right_difference : integer range -65535 to 65535;
+  signal leftoffsets_x_left_base, leftoffsets_x_right_base, leftoffsets_y_left_base : natural range 0 to 262140;
+  signal leftoffsets_y_right_base : natural range 0 to 262140;
+  signal leftoffsets_x_left_value, leftoffsets_x_right_value, leftoffsets_x_row_from : natural range 0 to 262143;
+  signal leftoffsets_y_left_value, leftoffsets_y_right_value, leftoffsets_y_row_from : natural range 0 to 262143;
+  signal leftoffsets_x_row_difference, leftoffsets_y_row_difference : integer range -262143 to 262143;
+  signal leftoffsets_x_row_base, leftoffsets_y_row_base : natural range 0 to 1048588;
+  signal leftoffsets_x_row_share, leftoffsets_y_row_share : integer range -786429 to 786429;
+  signal leftoffsets_y_left_share, leftoffsets_y_right_share : integer range -131072 to 131071;
   -- rightoffsets
   signal rightoffsets_nodes_to_even_even, rightoffsets_nodes_to_even_odd, rightoffsets_nodes_to_odd_even : boolean;
   signal rightoffsets_nodes_to_odd_odd : boolean;
@@ -159,14 +165,17 @@ architecture rtl of stereo_rectify_tiny is
   signal rightoffsets_nodes_odd_even_write_word, rightoffsets_nodes_odd_even_read_word : unsigned(31 downto 0);
   signal rightoffsets_nodes_odd_even_ready_word, rightoffsets_nodes_odd_odd_write_word : unsigned(31 downto 0);
   signal rightoffsets_nodes_odd_odd_read_word, rightoffsets_nodes_odd_odd_ready_word : unsigned(31 downto 0);
-  signal rightoffsets_x_upper_0, rightoffsets_x_upper_1, rightoffsets_x_value : natural range 0 to 65535;
-  signal rightoffsets_y_upper_0, rightoffsets_y_upper_1, rightoffsets_y_value : natural range 0 to 65535;
-  signal rightoffsets_x_fall_0, rightoffsets_x_fall_1, rightoffsets_y_fall_0 : integer range -65535 to 65535;
-  signal rightoffsets_y_fall_1 : integer range -65535 to 65535;
-  signal rightoffsets_x_column_0, rightoffsets_x_column_1, rightoffsets_y_column_0 : natural range 0 to 262143;
-  signal rightoffsets_y_column_1 : natural range 0 to 262143;
-  signal rightoffsets_x_first, rightoffsets_y_first : natural range 0 to 1048588;
-  signal rightoffsets_x_rise, rightoffsets_y_rise : integer range -262143 to 262143;
+  signal rightoffsets_x_left_from, rightoffsets_x_right_from, rightoffsets_x_row_value : natural range 0 to 65535;
+  signal rightoffsets_y_left_from, rightoffsets_y_right_from, rightoffsets_y_row_value : natural range 0 to 65535;
+  signal rightoffsets_x_left_difference, rightoffsets_x_right_difference : integer range -65535 to 65535;
+  signal rightoffsets_y_left_difference, rightoffsets_y_right_difference : integer range -65535 to 65535;
+  signal rightoffsets_x_left_base, rightoffsets_x_right_base, rightoffsets_y_left_base : natural range 0 to 262140;
+  signal rightoffsets_y_right_base : natural range 0 to 262140;
+  signal rightoffsets_x_left_value, rightoffsets_x_right_value, rightoffsets_x_row_from : natural range 0 to 262143;
+  signal rightoffsets_y_left_value, rightoffsets_y_right_value, rightoffsets_y_row_from : natural range 0 to 262143;
+  signal rightoffsets_x_row_difference, rightoffsets_y_row_difference : integer range -262143 to 262143;
+  signal rightoffsets_x_row_base, rightoffsets_y_row_base : natural range 0 to 1048588;
+  signal rightoffsets_x_row_share, rightoffsets_y_row_share : integer range -786429 to 786429;
   -- sample
   signal sample_place_column, sample_place_group : natural range 0 to 31;
   signal sample_place_next_frame, sample_pixels_valid, sample_leaves, sample_starts : boolean;
@@ -205,23 +214,26 @@ architecture rtl of stereo_rectify_tiny is
   signal leftsampler_rows_even_even_ready_word, leftsampler_rows_even_odd_write_word : natural range 0 to 255;
   signal leftsampler_rows_even_odd_ready_word, leftsampler_rows_odd_even_write_word : natural range 0 to 255;
   signal leftsampler_rows_odd_even_ready_word, leftsampler_rows_odd_odd_write_word : natural range 0 to 255;
-  signal leftsampler_rows_odd_odd_ready_word, leftsampler_pixel_upper_0 : natural range 0 to 255;
-  signal leftsampler_pixel_upper_1, leftsampler_pixel_value : natural range 0 to 255;
+  signal leftsampler_rows_odd_odd_ready_word, leftsampler_pixel_left_from : natural range 0 to 255;
+  signal leftsampler_pixel_right_from, leftsampler_pixel_row_value : natural range 0 to 255;
   signal leftsampler_rows_even_even_write_address, leftsampler_rows_even_odd_write_address : natural range 0 to 67;
   signal leftsampler_rows_odd_even_write_address, leftsampler_rows_odd_odd_write_address : natural range 0 to 67;
   signal leftsampler_rows_even_even_read_word, leftsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal leftsampler_rows_odd_even_read_word, leftsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
   signal leftsampler_weight_x_held_0, leftsampler_weight_x_held_1, leftsampler_weight_x_held_2 : natural range 0 to 31;
   signal leftsampler_weight_x_held_3, leftsampler_weight_y_held_0, leftsampler_weight_y_held_1 : natural range 0 to 31;
-  signal leftsampler_weight_y_held_2, leftsampler_weight_y_held_3, leftsampler_pixel_weight_y : natural range 0 to 31;
-  signal leftsampler_pixel_weight_x_0, leftsampler_pixel_weight_x_1 : natural range 0 to 31;
-  signal leftsampler_pixel_weight_x_2 : natural range 0 to 31;
+  signal leftsampler_weight_y_held_2, leftsampler_weight_y_held_3, leftsampler_pixel_left_part : natural range 0 to 31;
+  signal leftsampler_pixel_weight_x_held_0, leftsampler_pixel_weight_x_held_1 : natural range 0 to 31;
+  signal leftsampler_pixel_weight_x_held_2, leftsampler_pixel_row_part : natural range 0 to 31;
   signal leftsampler_shown_held_0, leftsampler_shown_held_1, leftsampler_shown_held_2 : natural range 0 to 15;
   signal leftsampler_shown_held_3 : natural range 0 to 15;
-  signal leftsampler_pixel_fall_0, leftsampler_pixel_fall_1 : integer range -255 to 255;
-  signal leftsampler_pixel_column_0, leftsampler_pixel_column_1 : natural range 0 to 8191;
-  signal leftsampler_pixel_first : natural range 0 to 262624;
-  signal leftsampler_pixel_rise : integer range -8191 to 8191;
+  signal leftsampler_pixel_left_difference, leftsampler_pixel_right_difference : integer range -255 to 255;
+  signal leftsampler_pixel_left_base, leftsampler_pixel_right_base : natural range 0 to 8160;
+  signal leftsampler_pixel_left_value, leftsampler_pixel_right_value : natural range 0 to 8191;
+  signal leftsampler_pixel_row_from : natural range 0 to 8191;
+  signal leftsampler_pixel_row_difference : integer range -8191 to 8191;
+  signal leftsampler_pixel_row_base : natural range 0 to 262624;
+  signal leftsampler_pixel_row_share : integer range -253921 to 253921;
   -- rightsampler
   signal rightsampler_rows_even_line : natural range 0 to 52;
   signal rightsampler_rows_odd_line : natural range 0 to 51;
@@ -232,8 +244,8 @@ architecture rtl of stereo_rectify_tiny is
   signal rightsampler_rows_even_even_ready_word, rightsampler_rows_even_odd_write_word : natural range 0 to 255;
   signal rightsampler_rows_even_odd_ready_word, rightsampler_rows_odd_even_write_word : natural range 0 to 255;
   signal rightsampler_rows_odd_even_ready_word, rightsampler_rows_odd_odd_write_word : natural range 0 to 255;
-  signal rightsampler_rows_odd_odd_ready_word, rightsampler_pixel_upper_0 : natural range 0 to 255;
-  signal rightsampler_pixel_upper_1, rightsampler_pixel_value : natural range 0 to 255;
+  signal rightsampler_rows_odd_odd_ready_word, rightsampler_pixel_left_from : natural range 0 to 255;
+  signal rightsampler_pixel_right_from, rightsampler_pixel_row_value : natural range 0 to 255;
   signal rightsampler_rows_even_even_read_word, rightsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal rightsampler_rows_odd_even_read_word, rightsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
   signal rightsampler_rows_row_odd_0, rightsampler_rows_row_odd_1, rightsampler_rows_row_odd_2 : boolean;
@@ -243,20 +255,27 @@ architecture rtl of stereo_rectify_tiny is
   signal rightsampler_weight_x_held_2, rightsampler_weight_x_held_3 : natural range 0 to 31;
   signal rightsampler_weight_y_held_0, rightsampler_weight_y_held_1 : natural range 0 to 31;
   signal rightsampler_weight_y_held_2, rightsampler_weight_y_held_3 : natural range 0 to 31;
-  signal rightsampler_pixel_weight_y, rightsampler_pixel_weight_x_0 : natural range 0 to 31;
-  signal rightsampler_pixel_weight_x_1, rightsampler_pixel_weight_x_2 : natural range 0 to 31;
+  signal rightsampler_pixel_left_part, rightsampler_pixel_weight_x_held_0 : natural range 0 to 31;
+  signal rightsampler_pixel_weight_x_held_1, rightsampler_pixel_weight_x_held_2 : natural range 0 to 31;
+  signal rightsampler_pixel_row_part : natural range 0 to 31;
   signal rightsampler_shown_held_0, rightsampler_shown_held_1, rightsampler_shown_held_2 : natural range 0 to 15;
   signal rightsampler_shown_held_3 : natural range 0 to 15;
-  signal rightsampler_pixel_fall_0, rightsampler_pixel_fall_1 : integer range -255 to 255;
-  signal rightsampler_pixel_column_0, rightsampler_pixel_column_1 : natural range 0 to 8191;
-  signal rightsampler_pixel_first : natural range 0 to 262624;
-  signal rightsampler_pixel_rise : integer range -8191 to 8191;
+  signal rightsampler_pixel_left_difference, rightsampler_pixel_right_difference : integer range -255 to 255;
+  signal rightsampler_pixel_left_base, rightsampler_pixel_right_base : natural range 0 to 8160;
+  signal rightsampler_pixel_left_value, rightsampler_pixel_right_value : natural range 0 to 8191;
+  signal rightsampler_pixel_row_from : natural range 0 to 8191;
+  signal rightsampler_pixel_row_difference : integer range -8191 to 8191;
+  signal rightsampler_pixel_row_base : natural range 0 to 262624;
+  signal rightsampler_pixel_row_share : integer range -253921 to 253921;
   -- valid
   signal valid_held_0, valid_held_1, valid_held_2, valid_held_3, valid_held_4, valid_held_5, valid_held_6 : boolean;
-  signal valid_held_7 : boolean;
+  signal valid_held_7, valid_held_8, valid_held_9 : boolean;
   -- starts
   signal starts_held_0, starts_held_1, starts_held_2, starts_held_3, starts_held_4, starts_held_5 : boolean;
-  signal starts_held_6, starts_held_7 : boolean;
+  signal starts_held_6, starts_held_7, starts_held_8, starts_held_9 : boolean;
+  -- other
+  signal other_0, other_1, other_2, other_3, other_6, other_7 : natural range 0 to 262143;
+  signal other_4, other_5, other_8, other_9 : natural range 0 to 8191;
   signal leftsampler_rows_even_even_read_word_memory_write_data : unsigned(7 downto 0);
   signal leftsampler_rows_even_odd_read_word_memory_write_data : unsigned(7 downto 0);
   signal leftsampler_rows_odd_even_read_word_memory_write_data : unsigned(7 downto 0);
@@ -285,10 +304,10 @@ begin
   in_start_of_frame <= start_of_frame = '1';
   in_right_pixel <= to_integer(unsigned(right_pixel));
   in_left_pixel <= to_integer(unsigned(left_pixel));
-  rectified_left <= std_logic_vector(to_unsigned(leftsampler_pixel_value, 8));
-  rectified_right <= std_logic_vector(to_unsigned(rightsampler_pixel_value, 8));
-  rectified_start_of_frame <= as_bit(valid_held_7 and starts_held_7);
-  rectified_valid <= as_bit(valid_held_7);
+  rectified_left <= std_logic_vector(to_unsigned(leftsampler_pixel_row_value, 8));
+  rectified_right <= std_logic_vector(to_unsigned(rightsampler_pixel_row_value, 8));
+  rectified_start_of_frame <= as_bit(valid_held_9 and starts_held_9);
+  rectified_valid <= as_bit(valid_held_9);
 
   leftsampler_rows_even_even_read_word_memory_write_data <= to_unsigned(leftsampler_rows_even_even_write_word, 8);
   leftsampler_rows_even_even_read_word_memory : entity work.line_memory
@@ -432,44 +451,40 @@ begin
     variable sample_place_group_choice_3 : natural range 0 to 31;
     variable grid_node_row_choice, leftoffsets_nodes_even_even_write_address_value : natural range 0 to 15;
     variable leftoffsets_nodes_even_line_value : natural range 0 to 2;
-    variable leftoffsets_x_upper_0_choice, leftoffsets_x_upper_0_choice_2 : natural range 0 to 65535;
-    variable leftoffsets_x_upper_0_choice_3, leftoffsets_x_upper_1_choice : natural range 0 to 65535;
-    variable leftoffsets_x_upper_1_choice_2, leftoffsets_x_upper_1_choice_3 : natural range 0 to 65535;
-    variable leftoffsets_x_fall_0_choice, leftoffsets_x_fall_1_choice : natural range 0 to 65535;
-    variable rightoffsets_x_upper_0_choice, rightoffsets_x_upper_0_choice_2 : natural range 0 to 65535;
-    variable rightoffsets_x_upper_0_choice_3, rightoffsets_x_upper_1_choice : natural range 0 to 65535;
-    variable rightoffsets_x_upper_1_choice_2, rightoffsets_x_upper_1_choice_3 : natural range 0 to 65535;
-    variable rightoffsets_x_fall_0_choice, rightoffsets_x_fall_1_choice : natural range 0 to 65535;
+    variable leftoffsets_x_left_from_choice, leftoffsets_x_left_from_choice_2 : natural range 0 to 65535;
+    variable leftoffsets_x_left_from_choice_3, leftoffsets_x_left_difference_choice : natural range 0 to 65535;
+    variable leftoffsets_x_right_from_choice, leftoffsets_x_right_from_choice_2 : natural range 0 to 65535;
+    variable leftoffsets_x_right_from_choice_3, leftoffsets_x_right_difference_choice : natural range 0 to 65535;
+    variable rightoffsets_x_left_from_choice, rightoffsets_x_left_from_choice_2 : natural range 0 to 65535;
+    variable rightoffsets_x_left_from_choice_3, rightoffsets_x_left_difference_choice : natural range 0 to 65535;
+    variable rightoffsets_x_right_from_choice, rightoffsets_x_right_from_choice_2 : natural range 0 to 65535;
+    variable rightoffsets_x_right_from_choice_3, rightoffsets_x_right_difference_choice : natural range 0 to 65535;
     variable lefttaps_taps_row_sum, righttaps_taps_row_sum : natural range 0 to 65535;
-    variable leftoffsets_x_column_0_product, leftoffsets_x_column_1_product : integer range -196605 to 196605;
-    variable leftoffsets_y_column_0_product, leftoffsets_y_column_1_product : integer range -196605 to 196605;
-    variable rightoffsets_x_column_0_product, rightoffsets_x_column_1_product : integer range -196605 to 196605;
-    variable rightoffsets_y_column_0_product, rightoffsets_y_column_1_product : integer range -196605 to 196605;
-    variable leftoffsets_y_upper_0_choice, leftoffsets_y_upper_0_choice_2 : unsigned(31 downto 0);
-    variable leftoffsets_y_upper_0_choice_3, leftoffsets_y_upper_1_choice : unsigned(31 downto 0);
-    variable leftoffsets_y_upper_1_choice_2, leftoffsets_y_upper_1_choice_3 : unsigned(31 downto 0);
-    variable leftoffsets_y_fall_0_choice, leftoffsets_y_fall_1_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_upper_0_choice, rightoffsets_y_upper_0_choice_2 : unsigned(31 downto 0);
-    variable rightoffsets_y_upper_0_choice_3, rightoffsets_y_upper_1_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_upper_1_choice_2, rightoffsets_y_upper_1_choice_3 : unsigned(31 downto 0);
-    variable rightoffsets_y_fall_0_choice, rightoffsets_y_fall_1_choice : unsigned(31 downto 0);
+    variable leftoffsets_y_left_from_choice, leftoffsets_y_left_from_choice_2 : unsigned(31 downto 0);
+    variable leftoffsets_y_left_from_choice_3, leftoffsets_y_left_difference_choice : unsigned(31 downto 0);
+    variable leftoffsets_y_right_from_choice, leftoffsets_y_right_from_choice_2 : unsigned(31 downto 0);
+    variable leftoffsets_y_right_from_choice_3, leftoffsets_y_right_difference_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_left_from_choice, rightoffsets_y_left_from_choice_2 : unsigned(31 downto 0);
+    variable rightoffsets_y_left_from_choice_3, rightoffsets_y_left_difference_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_right_from_choice, rightoffsets_y_right_from_choice_2 : unsigned(31 downto 0);
+    variable rightoffsets_y_right_from_choice_3, rightoffsets_y_right_difference_choice : unsigned(31 downto 0);
     variable sample_place_column_sum : natural range 1 to 32;
     variable lefttaps_taps_row_choice, righttaps_taps_row_choice : natural range 0 to 7;
     variable leftsampler_rows_even_line_value, rightsampler_rows_even_line_value : natural range 0 to 4;
-    variable leftsampler_pixel_upper_0_choice, leftsampler_pixel_upper_0_choice_2 : natural range 0 to 255;
-    variable leftsampler_pixel_upper_0_choice_3, leftsampler_pixel_upper_0_choice_4 : natural range 0 to 255;
-    variable leftsampler_pixel_upper_1_choice, leftsampler_pixel_upper_1_choice_2 : natural range 0 to 255;
-    variable leftsampler_pixel_upper_1_choice_3, leftsampler_pixel_upper_1_choice_4 : natural range 0 to 255;
-    variable leftsampler_pixel_fall_0_choice, leftsampler_pixel_fall_0_choice_2 : natural range 0 to 255;
-    variable leftsampler_pixel_fall_1_choice, leftsampler_pixel_fall_1_choice_2 : natural range 0 to 255;
-    variable rightsampler_pixel_upper_0_choice, rightsampler_pixel_upper_0_choice_2 : natural range 0 to 255;
-    variable rightsampler_pixel_upper_0_choice_3, rightsampler_pixel_upper_0_choice_4 : natural range 0 to 255;
-    variable rightsampler_pixel_upper_1_choice, rightsampler_pixel_upper_1_choice_2 : natural range 0 to 255;
-    variable rightsampler_pixel_upper_1_choice_3, rightsampler_pixel_upper_1_choice_4 : natural range 0 to 255;
-    variable rightsampler_pixel_fall_0_choice, rightsampler_pixel_fall_0_choice_2 : natural range 0 to 255;
-    variable rightsampler_pixel_fall_1_choice, rightsampler_pixel_fall_1_choice_2 : natural range 0 to 255;
-    variable leftsampler_pixel_column_0_product, leftsampler_pixel_column_1_product : integer range -7905 to 7905;
-    variable rightsampler_pixel_column_0_product, rightsampler_pixel_column_1_product : integer range -7905 to 7905;
+    variable leftsampler_pixel_left_from_choice, leftsampler_pixel_left_from_choice_2 : natural range 0 to 255;
+    variable leftsampler_pixel_left_from_choice_3, leftsampler_pixel_left_from_choice_4 : natural range 0 to 255;
+    variable leftsampler_pixel_left_difference_choice : natural range 0 to 255;
+    variable leftsampler_pixel_left_difference_choice_2, leftsampler_pixel_right_from_choice : natural range 0 to 255;
+    variable leftsampler_pixel_right_from_choice_2, leftsampler_pixel_right_from_choice_3 : natural range 0 to 255;
+    variable leftsampler_pixel_right_from_choice_4, leftsampler_pixel_right_difference_choice : natural range 0 to 255;
+    variable leftsampler_pixel_right_difference_choice_2, rightsampler_pixel_left_from_choice : natural range 0 to 255;
+    variable rightsampler_pixel_left_from_choice_2, rightsampler_pixel_left_from_choice_3 : natural range 0 to 255;
+    variable rightsampler_pixel_left_from_choice_4, rightsampler_pixel_left_difference_choice : natural range 0 to 255;
+    variable rightsampler_pixel_left_difference_choice_2, rightsampler_pixel_right_from_choice : natural range 0 to 255;
+    variable rightsampler_pixel_right_from_choice_2, rightsampler_pixel_right_from_choice_3 : natural range 0 to 255;
+    variable rightsampler_pixel_right_from_choice_4 : natural range 0 to 255;
+    variable rightsampler_pixel_right_difference_choice : natural range 0 to 255;
+    variable rightsampler_pixel_right_difference_choice_2 : natural range 0 to 255;
     variable leftsampler_rows_even_even_write_address_sum : natural range 0 to 67;
   begin
     if rising_edge(clock) then
@@ -529,6 +544,14 @@ begin
       delay_held_8_right <= delay_held_7_right;
       delay_held_8_start_of_frame <= delay_held_7_start_of_frame;
       delay_held_8_valid <= delay_held_7_valid;
+      delay_held_9_left <= delay_held_8_left;
+      delay_held_9_right <= delay_held_8_right;
+      delay_held_9_start_of_frame <= delay_held_8_start_of_frame;
+      delay_held_9_valid <= delay_held_8_valid;
+      delay_held_10_left <= delay_held_9_left;
+      delay_held_10_right <= delay_held_9_right;
+      delay_held_10_start_of_frame <= delay_held_9_start_of_frame;
+      delay_held_10_valid <= delay_held_9_valid;
       -- grid
       grid_node_row_all := counter_next_frame_differs and (((counter_group / 16) = 1) or (((counter_group / 8) mod 2) =
         1) or (((counter_group / 4) mod 2) = 1));
@@ -552,53 +575,49 @@ begin
       -- leftoffsets
       leftoffsets_nodes_even_line_value := (grid_node_row + 1) / 2;
       if leftoffsets_nodes_column_odd_3 then
-        leftoffsets_x_upper_0_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
+        leftoffsets_x_left_from_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
       else
-        leftoffsets_x_upper_0_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
+        leftoffsets_x_left_from_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
       end if;
       if leftoffsets_nodes_column_odd_3 then
-        leftoffsets_x_upper_0_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
+        leftoffsets_x_left_from_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
       else
-        leftoffsets_x_upper_0_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
+        leftoffsets_x_left_from_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      leftoffsets_x_upper_0_choice_3 := leftoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_x_upper_0_choice_2;
+      leftoffsets_x_left_from_choice_3 := leftoffsets_x_left_from_choice when leftoffsets_nodes_row_odd_3 else
+        leftoffsets_x_left_from_choice_2;
+      leftoffsets_x_left_difference_choice := leftoffsets_x_left_from_choice_2 when leftoffsets_nodes_row_odd_3 else
+        leftoffsets_x_left_from_choice;
       if leftoffsets_nodes_column_odd_3 then
-        leftoffsets_x_upper_1_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
+        leftoffsets_x_right_from_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
-        leftoffsets_x_upper_1_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
+        leftoffsets_x_right_from_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
       end if;
       if leftoffsets_nodes_column_odd_3 then
-        leftoffsets_x_upper_1_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
+        leftoffsets_x_right_from_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
       else
-        leftoffsets_x_upper_1_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
+        leftoffsets_x_right_from_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      leftoffsets_x_upper_1_choice_3 := leftoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_x_upper_1_choice_2;
-      leftoffsets_x_fall_0_choice := leftoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_x_upper_0_choice;
-      leftoffsets_x_fall_1_choice := leftoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_x_upper_1_choice;
-      leftoffsets_x_column_0_product := leftoffsets_x_fall_0 * leftoffsets_x_weight_y;
-      leftoffsets_x_column_1_product := leftoffsets_x_fall_1 * leftoffsets_x_weight_y;
-      leftoffsets_y_upper_0_choice := leftoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
+      leftoffsets_x_right_from_choice_3 := leftoffsets_x_right_from_choice when leftoffsets_nodes_row_odd_3 else
+        leftoffsets_x_right_from_choice_2;
+      leftoffsets_x_right_difference_choice := leftoffsets_x_right_from_choice_2 when leftoffsets_nodes_row_odd_3 else
+        leftoffsets_x_right_from_choice;
+      leftoffsets_y_left_from_choice := leftoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_odd_even_ready_word;
-      leftoffsets_y_upper_0_choice_2 := leftoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3 else
-        leftoffsets_nodes_even_even_ready_word;
-      leftoffsets_y_upper_0_choice_3 := leftoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_y_upper_0_choice_2;
-      leftoffsets_y_upper_1_choice := leftoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3 else
+      leftoffsets_y_left_from_choice_2 := leftoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3
+        else leftoffsets_nodes_even_even_ready_word;
+      leftoffsets_y_left_from_choice_3 := leftoffsets_y_left_from_choice when leftoffsets_nodes_row_odd_3 else
+        leftoffsets_y_left_from_choice_2;
+      leftoffsets_y_left_difference_choice := leftoffsets_y_left_from_choice_2 when leftoffsets_nodes_row_odd_3 else
+        leftoffsets_y_left_from_choice;
+      leftoffsets_y_right_from_choice := leftoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3 else
         leftoffsets_nodes_odd_odd_ready_word;
-      leftoffsets_y_upper_1_choice_2 := leftoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3 else
-        leftoffsets_nodes_even_odd_ready_word;
-      leftoffsets_y_upper_1_choice_3 := leftoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_y_upper_1_choice_2;
-      leftoffsets_y_fall_0_choice := leftoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_y_upper_0_choice;
-      leftoffsets_y_fall_1_choice := leftoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_y_upper_1_choice;
-      leftoffsets_y_column_0_product := leftoffsets_y_fall_0 * leftoffsets_x_weight_y;
-      leftoffsets_y_column_1_product := leftoffsets_y_fall_1 * leftoffsets_x_weight_y;
+      leftoffsets_y_right_from_choice_2 := leftoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3
+        else leftoffsets_nodes_even_odd_ready_word;
+      leftoffsets_y_right_from_choice_3 := leftoffsets_y_right_from_choice when leftoffsets_nodes_row_odd_3 else
+        leftoffsets_y_right_from_choice_2;
+      leftoffsets_y_right_difference_choice := leftoffsets_y_right_from_choice_2 when leftoffsets_nodes_row_odd_3 else
+        leftoffsets_y_right_from_choice;
       leftoffsets_nodes_even_line <= 0 when grid_node_row = 3 else ((leftoffsets_nodes_even_line_value mod 2) * 4) +
         leftoffsets_nodes_even_line_value;
       leftoffsets_nodes_odd_line <= ((grid_node_row / 2) * 4) + (grid_node_row / 2);
@@ -632,36 +651,47 @@ begin
       leftoffsets_nodes_column_odd_1 <= leftoffsets_nodes_column_odd_0;
       leftoffsets_nodes_column_odd_2 <= leftoffsets_nodes_column_odd_1;
       leftoffsets_nodes_column_odd_3 <= leftoffsets_nodes_column_odd_2;
-      leftoffsets_x_upper_0 <= leftoffsets_x_upper_0_choice_3;
-      leftoffsets_x_upper_1 <= leftoffsets_x_upper_1_choice_3;
-      leftoffsets_x_fall_0 <= leftoffsets_x_fall_0_choice - leftoffsets_x_upper_0_choice_3;
-      leftoffsets_x_fall_1 <= leftoffsets_x_fall_1_choice - leftoffsets_x_upper_1_choice_3;
-      leftoffsets_x_weight_y <= grid_weight_y_held_4;
-      leftoffsets_x_weight_x_0 <= grid_weight_x_held_4;
-      leftoffsets_x_weight_x_1 <= leftoffsets_x_weight_x_0;
-      leftoffsets_x_weight_x_2 <= leftoffsets_x_weight_x_1;
-      leftoffsets_x_column_0 <= (((leftoffsets_x_upper_0 + ((leftoffsets_x_column_0_product mod 262144) / 4)) mod
-        65536) * 4) + (leftoffsets_x_column_0_product mod 4);
-      leftoffsets_x_column_1 <= (((leftoffsets_x_upper_1 + ((leftoffsets_x_column_1_product mod 262144) / 4)) mod
-        65536) * 4) + (leftoffsets_x_column_1_product mod 4);
-      leftoffsets_x_first <= ((((leftoffsets_x_column_0 * 4) / 16) + 1) * 16) + ((leftoffsets_x_column_0 mod 4) * 4);
-      leftoffsets_x_rise <= leftoffsets_x_column_1 - leftoffsets_x_column_0;
-      leftoffsets_x_value <= ((((leftoffsets_x_first / 4) + (((leftoffsets_x_rise * leftoffsets_x_weight_x_2) mod
-        2097152) / 4)) mod 524288) * 4) / 32;
-      leftoffsets_y_upper_0 <= to_integer(leftoffsets_y_upper_0_choice_3(31 downto 16));
-      leftoffsets_y_upper_1 <= to_integer(leftoffsets_y_upper_1_choice_3(31 downto 16));
-      leftoffsets_y_fall_0 <= to_integer(leftoffsets_y_fall_0_choice(31 downto 16)) -
-        to_integer(leftoffsets_y_upper_0_choice_3(31 downto 16));
-      leftoffsets_y_fall_1 <= to_integer(leftoffsets_y_fall_1_choice(31 downto 16)) -
-        to_integer(leftoffsets_y_upper_1_choice_3(31 downto 16));
-      leftoffsets_y_column_0 <= (((leftoffsets_y_upper_0 + ((leftoffsets_y_column_0_product mod 262144) / 4)) mod
-        65536) * 4) + (leftoffsets_y_column_0_product mod 4);
-      leftoffsets_y_column_1 <= (((leftoffsets_y_upper_1 + ((leftoffsets_y_column_1_product mod 262144) / 4)) mod
-        65536) * 4) + (leftoffsets_y_column_1_product mod 4);
-      leftoffsets_y_first <= ((((leftoffsets_y_column_0 * 4) / 16) + 1) * 16) + ((leftoffsets_y_column_0 mod 4) * 4);
-      leftoffsets_y_rise <= leftoffsets_y_column_1 - leftoffsets_y_column_0;
-      leftoffsets_y_value <= ((((leftoffsets_y_first / 4) + (((leftoffsets_y_rise * leftoffsets_x_weight_x_2) mod
-        2097152) / 4)) mod 524288) * 4) / 32;
+      leftoffsets_x_left_from <= leftoffsets_x_left_from_choice_3;
+      leftoffsets_x_left_difference <= leftoffsets_x_left_difference_choice - leftoffsets_x_left_from_choice_3;
+      leftoffsets_x_left_part <= grid_weight_y_held_4;
+      leftoffsets_x_left_base <= leftoffsets_x_left_from * 4;
+      leftoffsets_x_left_value <= ((((leftoffsets_x_left_base / 4) + (other_7 / 4)) mod 65536) * 4) + (other_7 mod 4);
+      leftoffsets_x_right_from <= leftoffsets_x_right_from_choice_3;
+      leftoffsets_x_right_difference <= leftoffsets_x_right_difference_choice - leftoffsets_x_right_from_choice_3;
+      leftoffsets_x_right_base <= leftoffsets_x_right_from * 4;
+      leftoffsets_x_right_value <= ((((leftoffsets_x_right_base / 4) + (other_6 / 4)) mod 65536) * 4) + (other_6 mod 4);
+      leftoffsets_x_weight_x_held_0 <= grid_weight_x_held_4;
+      leftoffsets_x_weight_x_held_1 <= leftoffsets_x_weight_x_held_0;
+      leftoffsets_x_weight_x_held_2 <= leftoffsets_x_weight_x_held_1;
+      leftoffsets_x_row_from <= leftoffsets_x_left_value;
+      leftoffsets_x_row_difference <= leftoffsets_x_right_value - leftoffsets_x_left_value;
+      leftoffsets_x_row_part <= leftoffsets_x_weight_x_held_2;
+      leftoffsets_x_row_base <= ((((leftoffsets_x_row_from * 4) / 16) + 1) * 16) + ((leftoffsets_x_row_from mod 4) * 4);
+      leftoffsets_x_row_share <= leftoffsets_x_row_difference * leftoffsets_x_row_part;
+      leftoffsets_x_row_value <= ((((leftoffsets_x_row_base / 4) + ((leftoffsets_x_row_share mod 2097152) / 4)) mod
+        524288) * 4) / 32;
+      leftoffsets_y_left_from <= to_integer(leftoffsets_y_left_from_choice_3(31 downto 16));
+      leftoffsets_y_left_difference <= to_integer(leftoffsets_y_left_difference_choice(31 downto 16)) -
+        to_integer(leftoffsets_y_left_from_choice_3(31 downto 16));
+      leftoffsets_y_left_base <= leftoffsets_y_left_from * 4;
+      leftoffsets_y_left_share <= (((leftoffsets_y_left_difference * leftoffsets_x_left_part) + 131072) mod 262144) -
+        131072;
+      leftoffsets_y_left_value <= ((((leftoffsets_y_left_base / 4) + ((leftoffsets_y_left_share mod 262144) / 4)) mod
+        65536) * 4) + (leftoffsets_y_left_share mod 4);
+      leftoffsets_y_right_from <= to_integer(leftoffsets_y_right_from_choice_3(31 downto 16));
+      leftoffsets_y_right_difference <= to_integer(leftoffsets_y_right_difference_choice(31 downto 16)) -
+        to_integer(leftoffsets_y_right_from_choice_3(31 downto 16));
+      leftoffsets_y_right_base <= leftoffsets_y_right_from * 4;
+      leftoffsets_y_right_share <= (((leftoffsets_y_right_difference * leftoffsets_x_left_part) + 131072) mod 262144) -
+        131072;
+      leftoffsets_y_right_value <= ((((leftoffsets_y_right_base / 4) + ((leftoffsets_y_right_share mod 262144) / 4))
+        mod 65536) * 4) + (leftoffsets_y_right_share mod 4);
+      leftoffsets_y_row_from <= leftoffsets_y_left_value;
+      leftoffsets_y_row_difference <= leftoffsets_y_right_value - leftoffsets_y_left_value;
+      leftoffsets_y_row_base <= ((((leftoffsets_y_row_from * 4) / 16) + 1) * 16) + ((leftoffsets_y_row_from mod 4) * 4);
+      leftoffsets_y_row_share <= leftoffsets_y_row_difference * leftoffsets_x_row_part;
+      leftoffsets_y_row_value <= ((((leftoffsets_y_row_base / 4) + ((leftoffsets_y_row_share mod 2097152) / 4)) mod
+        524288) * 4) / 32;
       leftoffsets_nodes_even_even_write_address_value := (leftoffsets_nodes_write_line +
         leftoffsets_nodes_write_column) mod 16;
       if leftoffsets_nodes_to_even_even then
@@ -682,53 +712,49 @@ begin
       end if;
       -- rightoffsets
       if leftoffsets_nodes_column_odd_3 then
-        rightoffsets_x_upper_0_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
+        rightoffsets_x_left_from_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
       else
-        rightoffsets_x_upper_0_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
+        rightoffsets_x_left_from_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
       end if;
       if leftoffsets_nodes_column_odd_3 then
-        rightoffsets_x_upper_0_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
+        rightoffsets_x_left_from_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
       else
-        rightoffsets_x_upper_0_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
+        rightoffsets_x_left_from_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      rightoffsets_x_upper_0_choice_3 := rightoffsets_x_upper_0_choice when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_x_upper_0_choice_2;
+      rightoffsets_x_left_from_choice_3 := rightoffsets_x_left_from_choice when leftoffsets_nodes_row_odd_3 else
+        rightoffsets_x_left_from_choice_2;
+      rightoffsets_x_left_difference_choice := rightoffsets_x_left_from_choice_2 when leftoffsets_nodes_row_odd_3 else
+        rightoffsets_x_left_from_choice;
       if leftoffsets_nodes_column_odd_3 then
-        rightoffsets_x_upper_1_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
+        rightoffsets_x_right_from_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
-        rightoffsets_x_upper_1_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
+        rightoffsets_x_right_from_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
       end if;
       if leftoffsets_nodes_column_odd_3 then
-        rightoffsets_x_upper_1_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
+        rightoffsets_x_right_from_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
       else
-        rightoffsets_x_upper_1_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
+        rightoffsets_x_right_from_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      rightoffsets_x_upper_1_choice_3 := rightoffsets_x_upper_1_choice when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_x_upper_1_choice_2;
-      rightoffsets_x_fall_0_choice := rightoffsets_x_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_x_upper_0_choice;
-      rightoffsets_x_fall_1_choice := rightoffsets_x_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_x_upper_1_choice;
-      rightoffsets_x_column_0_product := rightoffsets_x_fall_0 * leftoffsets_x_weight_y;
-      rightoffsets_x_column_1_product := rightoffsets_x_fall_1 * leftoffsets_x_weight_y;
-      rightoffsets_y_upper_0_choice := rightoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
+      rightoffsets_x_right_from_choice_3 := rightoffsets_x_right_from_choice when leftoffsets_nodes_row_odd_3 else
+        rightoffsets_x_right_from_choice_2;
+      rightoffsets_x_right_difference_choice := rightoffsets_x_right_from_choice_2 when leftoffsets_nodes_row_odd_3
+        else rightoffsets_x_right_from_choice;
+      rightoffsets_y_left_from_choice := rightoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
         rightoffsets_nodes_odd_even_ready_word;
-      rightoffsets_y_upper_0_choice_2 := rightoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3
+      rightoffsets_y_left_from_choice_2 := rightoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3
         else rightoffsets_nodes_even_even_ready_word;
-      rightoffsets_y_upper_0_choice_3 := rightoffsets_y_upper_0_choice when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_y_upper_0_choice_2;
-      rightoffsets_y_upper_1_choice := rightoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3 else
-        rightoffsets_nodes_odd_odd_ready_word;
-      rightoffsets_y_upper_1_choice_2 := rightoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3
+      rightoffsets_y_left_from_choice_3 := rightoffsets_y_left_from_choice when leftoffsets_nodes_row_odd_3 else
+        rightoffsets_y_left_from_choice_2;
+      rightoffsets_y_left_difference_choice := rightoffsets_y_left_from_choice_2 when leftoffsets_nodes_row_odd_3 else
+        rightoffsets_y_left_from_choice;
+      rightoffsets_y_right_from_choice := rightoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3
+        else rightoffsets_nodes_odd_odd_ready_word;
+      rightoffsets_y_right_from_choice_2 := rightoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3
         else rightoffsets_nodes_even_odd_ready_word;
-      rightoffsets_y_upper_1_choice_3 := rightoffsets_y_upper_1_choice when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_y_upper_1_choice_2;
-      rightoffsets_y_fall_0_choice := rightoffsets_y_upper_0_choice_2 when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_y_upper_0_choice;
-      rightoffsets_y_fall_1_choice := rightoffsets_y_upper_1_choice_2 when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_y_upper_1_choice;
-      rightoffsets_y_column_0_product := rightoffsets_y_fall_0 * leftoffsets_x_weight_y;
-      rightoffsets_y_column_1_product := rightoffsets_y_fall_1 * leftoffsets_x_weight_y;
+      rightoffsets_y_right_from_choice_3 := rightoffsets_y_right_from_choice when leftoffsets_nodes_row_odd_3 else
+        rightoffsets_y_right_from_choice_2;
+      rightoffsets_y_right_difference_choice := rightoffsets_y_right_from_choice_2 when leftoffsets_nodes_row_odd_3
+        else rightoffsets_y_right_from_choice;
       rightoffsets_nodes_to_even_even <= (not ((in_node_column mod 2) = 1)) and (not ((in_node_row mod 2) = 1)) and
         in_node_valid and in_node_right;
       rightoffsets_nodes_to_even_odd <= ((in_node_column mod 2) = 1) and (not ((in_node_row mod 2) = 1)) and
@@ -741,32 +767,40 @@ begin
       rightoffsets_nodes_even_odd_ready_word <= rightoffsets_nodes_even_odd_read_word;
       rightoffsets_nodes_odd_even_ready_word <= rightoffsets_nodes_odd_even_read_word;
       rightoffsets_nodes_odd_odd_ready_word <= rightoffsets_nodes_odd_odd_read_word;
-      rightoffsets_x_upper_0 <= rightoffsets_x_upper_0_choice_3;
-      rightoffsets_x_upper_1 <= rightoffsets_x_upper_1_choice_3;
-      rightoffsets_x_fall_0 <= rightoffsets_x_fall_0_choice - rightoffsets_x_upper_0_choice_3;
-      rightoffsets_x_fall_1 <= rightoffsets_x_fall_1_choice - rightoffsets_x_upper_1_choice_3;
-      rightoffsets_x_column_0 <= (((rightoffsets_x_upper_0 + ((rightoffsets_x_column_0_product mod 262144) / 4)) mod
-        65536) * 4) + (rightoffsets_x_column_0_product mod 4);
-      rightoffsets_x_column_1 <= (((rightoffsets_x_upper_1 + ((rightoffsets_x_column_1_product mod 262144) / 4)) mod
-        65536) * 4) + (rightoffsets_x_column_1_product mod 4);
-      rightoffsets_x_first <= ((((rightoffsets_x_column_0 * 4) / 16) + 1) * 16) + ((rightoffsets_x_column_0 mod 4) * 4);
-      rightoffsets_x_rise <= rightoffsets_x_column_1 - rightoffsets_x_column_0;
-      rightoffsets_x_value <= ((((rightoffsets_x_first / 4) + (((rightoffsets_x_rise * leftoffsets_x_weight_x_2) mod
-        2097152) / 4)) mod 524288) * 4) / 32;
-      rightoffsets_y_upper_0 <= to_integer(rightoffsets_y_upper_0_choice_3(31 downto 16));
-      rightoffsets_y_upper_1 <= to_integer(rightoffsets_y_upper_1_choice_3(31 downto 16));
-      rightoffsets_y_fall_0 <= to_integer(rightoffsets_y_fall_0_choice(31 downto 16)) -
-        to_integer(rightoffsets_y_upper_0_choice_3(31 downto 16));
-      rightoffsets_y_fall_1 <= to_integer(rightoffsets_y_fall_1_choice(31 downto 16)) -
-        to_integer(rightoffsets_y_upper_1_choice_3(31 downto 16));
-      rightoffsets_y_column_0 <= (((rightoffsets_y_upper_0 + ((rightoffsets_y_column_0_product mod 262144) / 4)) mod
-        65536) * 4) + (rightoffsets_y_column_0_product mod 4);
-      rightoffsets_y_column_1 <= (((rightoffsets_y_upper_1 + ((rightoffsets_y_column_1_product mod 262144) / 4)) mod
-        65536) * 4) + (rightoffsets_y_column_1_product mod 4);
-      rightoffsets_y_first <= ((((rightoffsets_y_column_0 * 4) / 16) + 1) * 16) + ((rightoffsets_y_column_0 mod 4) * 4);
-      rightoffsets_y_rise <= rightoffsets_y_column_1 - rightoffsets_y_column_0;
-      rightoffsets_y_value <= ((((rightoffsets_y_first / 4) + (((rightoffsets_y_rise * leftoffsets_x_weight_x_2) mod
-        2097152) / 4)) mod 524288) * 4) / 32;
+      rightoffsets_x_left_from <= rightoffsets_x_left_from_choice_3;
+      rightoffsets_x_left_difference <= rightoffsets_x_left_difference_choice - rightoffsets_x_left_from_choice_3;
+      rightoffsets_x_left_base <= rightoffsets_x_left_from * 4;
+      rightoffsets_x_left_value <= ((((rightoffsets_x_left_base / 4) + (other_3 / 4)) mod 65536) * 4) + (other_3 mod 4);
+      rightoffsets_x_right_from <= rightoffsets_x_right_from_choice_3;
+      rightoffsets_x_right_difference <= rightoffsets_x_right_difference_choice - rightoffsets_x_right_from_choice_3;
+      rightoffsets_x_right_base <= rightoffsets_x_right_from * 4;
+      rightoffsets_x_right_value <= ((((rightoffsets_x_right_base / 4) + (other_2 / 4)) mod 65536) * 4) + (other_2 mod
+        4);
+      rightoffsets_x_row_from <= rightoffsets_x_left_value;
+      rightoffsets_x_row_difference <= rightoffsets_x_right_value - rightoffsets_x_left_value;
+      rightoffsets_x_row_base <= ((((rightoffsets_x_row_from * 4) / 16) + 1) * 16) + ((rightoffsets_x_row_from mod 4) *
+        4);
+      rightoffsets_x_row_share <= rightoffsets_x_row_difference * leftoffsets_x_row_part;
+      rightoffsets_x_row_value <= ((((rightoffsets_x_row_base / 4) + ((rightoffsets_x_row_share mod 2097152) / 4)) mod
+        524288) * 4) / 32;
+      rightoffsets_y_left_from <= to_integer(rightoffsets_y_left_from_choice_3(31 downto 16));
+      rightoffsets_y_left_difference <= to_integer(rightoffsets_y_left_difference_choice(31 downto 16)) -
+        to_integer(rightoffsets_y_left_from_choice_3(31 downto 16));
+      rightoffsets_y_left_base <= rightoffsets_y_left_from * 4;
+      rightoffsets_y_left_value <= ((((rightoffsets_y_left_base / 4) + (other_1 / 4)) mod 65536) * 4) + (other_1 mod 4);
+      rightoffsets_y_right_from <= to_integer(rightoffsets_y_right_from_choice_3(31 downto 16));
+      rightoffsets_y_right_difference <= to_integer(rightoffsets_y_right_difference_choice(31 downto 16)) -
+        to_integer(rightoffsets_y_right_from_choice_3(31 downto 16));
+      rightoffsets_y_right_base <= rightoffsets_y_right_from * 4;
+      rightoffsets_y_right_value <= ((((rightoffsets_y_right_base / 4) + (other_0 / 4)) mod 65536) * 4) + (other_0 mod
+        4);
+      rightoffsets_y_row_from <= rightoffsets_y_left_value;
+      rightoffsets_y_row_difference <= rightoffsets_y_right_value - rightoffsets_y_left_value;
+      rightoffsets_y_row_base <= ((((rightoffsets_y_row_from * 4) / 16) + 1) * 16) + ((rightoffsets_y_row_from mod 4) *
+        4);
+      rightoffsets_y_row_share <= rightoffsets_y_row_difference * leftoffsets_x_row_part;
+      rightoffsets_y_row_value <= ((((rightoffsets_y_row_base / 4) + ((rightoffsets_y_row_share mod 2097152) / 4)) mod
+        524288) * 4) / 32;
       if rightoffsets_nodes_to_even_even then
         rightoffsets_nodes_even_even_write_address <= leftoffsets_nodes_even_even_write_address_value;
         rightoffsets_nodes_even_even_write_word <= leftoffsets_nodes_written;
@@ -790,25 +824,25 @@ begin
       sample_place_next_frame_is_equal := sample_place_group = 15;
       sample_place_next_frame_is_equal_2 := sample_place_group = 11;
       sample_place_next_frame_all := sample_place_column_is_equal and sample_place_next_frame_is_equal_2;
-      sample_place_next_frame_choice := sample_place_next_frame_all when delay_held_8_start_of_frame else
+      sample_place_next_frame_choice := sample_place_next_frame_all when delay_held_10_start_of_frame else
         sample_place_next_frame;
-      if delay_held_8_valid then
-        sample_place_column <= 0 when sample_place_column_is_equal or delay_held_8_start_of_frame else
+      if delay_held_10_valid then
+        sample_place_column <= 0 when sample_place_column_is_equal or delay_held_10_start_of_frame else
           sample_place_column_sum mod 32;
         sample_place_next_frame <= sample_place_column_is_equal and sample_place_next_frame_is_equal_2 and
-          delay_held_8_start_of_frame when sample_place_column_is_equal and sample_place_next_frame_differs and
+          delay_held_10_start_of_frame when sample_place_column_is_equal and sample_place_next_frame_differs and
           sample_place_next_frame_is_equal else sample_place_next_frame_choice;
       end if;
       sample_place_group_choice := 3 when sample_place_next_frame_all else 0;
       sample_place_group_choice_2 := 4 when sample_place_next_frame and sample_place_next_frame_is_equal else
         (sample_place_group + 1) mod 32;
       sample_place_group_choice_3 := sample_place_group_choice_2 when sample_place_column_is_equal and
-        sample_place_next_frame_differs and delay_held_8_valid else sample_place_group;
-      sample_place_group <= sample_place_group_choice * 4 when delay_held_8_start_of_frame and delay_held_8_valid else
-        sample_place_group_choice_3;
-      sample_pixels_left <= delay_held_8_left;
-      sample_pixels_right <= delay_held_8_right;
-      sample_pixels_valid <= delay_held_8_valid;
+        sample_place_next_frame_differs and delay_held_10_valid else sample_place_group;
+      sample_place_group <= sample_place_group_choice * 4 when delay_held_10_start_of_frame and delay_held_10_valid
+        else sample_place_group_choice_3;
+      sample_pixels_left <= delay_held_10_left;
+      sample_pixels_right <= delay_held_10_right;
+      sample_pixels_valid <= delay_held_10_valid;
       sample_row <= ((((sample_place_group / 4) + 3) mod 4) * 4) + (sample_place_group mod 4);
       sample_leaves <= sample_place_next_frame_differs and (((sample_place_group / 16) = 1) or (((sample_place_group /
         8) mod 2) = 1) or (((sample_place_group / 4) mod 2) = 1));
@@ -824,7 +858,7 @@ begin
       sample_kept_pixels_right <= sample_taken_pixels_right;
       sample_kept_pixels_valid <= sample_taken_pixels_valid;
       sample_kept_starts <= sample_starts;
-      if sample_place_column_is_equal and delay_held_8_valid then
+      if sample_place_column_is_equal and delay_held_10_valid then
         sample_slot <= 0 when sample_slot = 7 else (sample_slot + 1) mod 8;
       end if;
       -- lefttaps
@@ -836,8 +870,9 @@ begin
       else
         lefttaps_taps_row_choice := 0;
       end if;
-      lefttaps_source_x <= (((leftoffsets_x_value / 32) + sample_place_column) * 32) + (leftoffsets_x_value mod 32);
-      lefttaps_offset_y <= leftoffsets_y_value;
+      lefttaps_source_x <= (((leftoffsets_x_row_value / 32) + sample_place_column) * 32) + (leftoffsets_x_row_value mod
+        32);
+      lefttaps_offset_y <= leftoffsets_y_row_value;
       lefttaps_taps_column <= ((lefttaps_source_x / 32) + 65025) mod 256 when lefttaps_taps_column_is_equal else 0;
       lefttaps_taps_row <= (sample_taken_row + lefttaps_taps_row_choice) mod 8;
       lefttaps_weight_x <= lefttaps_source_x mod 32;
@@ -857,8 +892,9 @@ begin
       else
         righttaps_taps_row_choice := 0;
       end if;
-      righttaps_source_x <= (((rightoffsets_x_value / 32) + sample_place_column) * 32) + (rightoffsets_x_value mod 32);
-      righttaps_offset_y <= rightoffsets_y_value;
+      righttaps_source_x <= (((rightoffsets_x_row_value / 32) + sample_place_column) * 32) + (rightoffsets_x_row_value
+        mod 32);
+      righttaps_offset_y <= rightoffsets_y_row_value;
       righttaps_taps_column <= ((righttaps_source_x / 32) + 65025) mod 256 when righttaps_taps_column_is_equal else 0;
       righttaps_taps_row <= (sample_taken_row + righttaps_taps_row_choice) mod 8;
       righttaps_weight_x <= righttaps_source_x mod 32;
@@ -877,32 +913,30 @@ begin
       else
         leftsampler_shown_held_0_choice := 0;
       end if;
-      leftsampler_pixel_upper_0_choice := leftsampler_rows_odd_odd_ready_word when leftsampler_rows_column_odd_3 else
+      leftsampler_pixel_left_from_choice := leftsampler_rows_odd_odd_ready_word when leftsampler_rows_column_odd_3 else
         leftsampler_rows_odd_even_ready_word;
-      leftsampler_pixel_upper_0_choice_2 := leftsampler_rows_even_odd_ready_word when leftsampler_rows_column_odd_3
+      leftsampler_pixel_left_from_choice_2 := leftsampler_rows_even_odd_ready_word when leftsampler_rows_column_odd_3
         else leftsampler_rows_even_even_ready_word;
-      leftsampler_pixel_upper_0_choice_3 := leftsampler_pixel_upper_0_choice when leftsampler_rows_row_odd_3 else
-        leftsampler_pixel_upper_0_choice_2;
-      leftsampler_pixel_upper_0_choice_4 := leftsampler_pixel_upper_0_choice_3 when (leftsampler_shown_held_3 mod 2) =
-        1 else 0;
-      leftsampler_pixel_upper_1_choice := leftsampler_rows_odd_even_ready_word when leftsampler_rows_column_odd_3 else
-        leftsampler_rows_odd_odd_ready_word;
-      leftsampler_pixel_upper_1_choice_2 := leftsampler_rows_even_even_ready_word when leftsampler_rows_column_odd_3
-        else leftsampler_rows_even_odd_ready_word;
-      leftsampler_pixel_upper_1_choice_3 := leftsampler_pixel_upper_1_choice when leftsampler_rows_row_odd_3 else
-        leftsampler_pixel_upper_1_choice_2;
-      leftsampler_pixel_upper_1_choice_4 := leftsampler_pixel_upper_1_choice_3 when ((leftsampler_shown_held_3 / 2) mod
+      leftsampler_pixel_left_from_choice_3 := leftsampler_pixel_left_from_choice when leftsampler_rows_row_odd_3 else
+        leftsampler_pixel_left_from_choice_2;
+      leftsampler_pixel_left_from_choice_4 := leftsampler_pixel_left_from_choice_3 when (leftsampler_shown_held_3 mod
         2) = 1 else 0;
-      leftsampler_pixel_fall_0_choice := leftsampler_pixel_upper_0_choice_2 when leftsampler_rows_row_odd_3 else
-        leftsampler_pixel_upper_0_choice;
-      leftsampler_pixel_fall_0_choice_2 := leftsampler_pixel_fall_0_choice when ((leftsampler_shown_held_3 / 4) mod 2)
-        = 1 else 0;
-      leftsampler_pixel_fall_1_choice := leftsampler_pixel_upper_1_choice_2 when leftsampler_rows_row_odd_3 else
-        leftsampler_pixel_upper_1_choice;
-      leftsampler_pixel_fall_1_choice_2 := leftsampler_pixel_fall_1_choice when (leftsampler_shown_held_3 / 8) = 1 else
-        0;
-      leftsampler_pixel_column_0_product := leftsampler_pixel_fall_0 * leftsampler_pixel_weight_y;
-      leftsampler_pixel_column_1_product := leftsampler_pixel_fall_1 * leftsampler_pixel_weight_y;
+      leftsampler_pixel_left_difference_choice := leftsampler_pixel_left_from_choice_2 when leftsampler_rows_row_odd_3
+        else leftsampler_pixel_left_from_choice;
+      leftsampler_pixel_left_difference_choice_2 := leftsampler_pixel_left_difference_choice when
+        ((leftsampler_shown_held_3 / 4) mod 2) = 1 else 0;
+      leftsampler_pixel_right_from_choice := leftsampler_rows_odd_even_ready_word when leftsampler_rows_column_odd_3
+        else leftsampler_rows_odd_odd_ready_word;
+      leftsampler_pixel_right_from_choice_2 := leftsampler_rows_even_even_ready_word when leftsampler_rows_column_odd_3
+        else leftsampler_rows_even_odd_ready_word;
+      leftsampler_pixel_right_from_choice_3 := leftsampler_pixel_right_from_choice when leftsampler_rows_row_odd_3 else
+        leftsampler_pixel_right_from_choice_2;
+      leftsampler_pixel_right_from_choice_4 := leftsampler_pixel_right_from_choice_3 when ((leftsampler_shown_held_3 /
+        2) mod 2) = 1 else 0;
+      leftsampler_pixel_right_difference_choice := leftsampler_pixel_right_from_choice_2 when
+        leftsampler_rows_row_odd_3 else leftsampler_pixel_right_from_choice;
+      leftsampler_pixel_right_difference_choice_2 := leftsampler_pixel_right_difference_choice when
+        (leftsampler_shown_held_3 / 8) = 1 else 0;
       leftsampler_rows_even_line <= 0 when lefttaps_taps_row = 7 else ((leftsampler_rows_even_line_value mod 4) * 16) +
         leftsampler_rows_even_line_value;
       leftsampler_rows_odd_line <= ((lefttaps_taps_row / 2) * 16) + (lefttaps_taps_row / 2);
@@ -948,23 +982,30 @@ begin
       leftsampler_shown_held_1 <= leftsampler_shown_held_0;
       leftsampler_shown_held_2 <= leftsampler_shown_held_1;
       leftsampler_shown_held_3 <= leftsampler_shown_held_2;
-      leftsampler_pixel_upper_0 <= leftsampler_pixel_upper_0_choice_4;
-      leftsampler_pixel_upper_1 <= leftsampler_pixel_upper_1_choice_4;
-      leftsampler_pixel_fall_0 <= leftsampler_pixel_fall_0_choice_2 - leftsampler_pixel_upper_0_choice_4;
-      leftsampler_pixel_fall_1 <= leftsampler_pixel_fall_1_choice_2 - leftsampler_pixel_upper_1_choice_4;
-      leftsampler_pixel_weight_y <= leftsampler_weight_y_held_3;
-      leftsampler_pixel_weight_x_0 <= leftsampler_weight_x_held_3;
-      leftsampler_pixel_weight_x_1 <= leftsampler_pixel_weight_x_0;
-      leftsampler_pixel_weight_x_2 <= leftsampler_pixel_weight_x_1;
-      leftsampler_pixel_column_0 <= (((leftsampler_pixel_upper_0 + ((leftsampler_pixel_column_0_product mod 8192) /
-        32)) mod 256) * 32) + (leftsampler_pixel_column_0_product mod 32);
-      leftsampler_pixel_column_1 <= (((leftsampler_pixel_upper_1 + ((leftsampler_pixel_column_1_product mod 8192) /
-        32)) mod 256) * 32) + (leftsampler_pixel_column_1_product mod 32);
-      leftsampler_pixel_first <= ((((leftsampler_pixel_column_0 * 32) / 512) + 1) * 512) + ((leftsampler_pixel_column_0
-        mod 16) * 32);
-      leftsampler_pixel_rise <= leftsampler_pixel_column_1 - leftsampler_pixel_column_0;
-      leftsampler_pixel_value <= (((((leftsampler_pixel_first / 32) + (((leftsampler_pixel_weight_x_2 *
-        leftsampler_pixel_rise) mod 524288) / 32)) mod 16384) * 32) / 1024) mod 256;
+      leftsampler_pixel_left_from <= leftsampler_pixel_left_from_choice_4;
+      leftsampler_pixel_left_difference <= leftsampler_pixel_left_difference_choice_2 -
+        leftsampler_pixel_left_from_choice_4;
+      leftsampler_pixel_left_part <= leftsampler_weight_y_held_3;
+      leftsampler_pixel_left_base <= leftsampler_pixel_left_from * 32;
+      leftsampler_pixel_left_value <= ((((leftsampler_pixel_left_base / 32) + (other_9 / 32)) mod 256) * 32) + (other_9
+        mod 32);
+      leftsampler_pixel_right_from <= leftsampler_pixel_right_from_choice_4;
+      leftsampler_pixel_right_difference <= leftsampler_pixel_right_difference_choice_2 -
+        leftsampler_pixel_right_from_choice_4;
+      leftsampler_pixel_right_base <= leftsampler_pixel_right_from * 32;
+      leftsampler_pixel_right_value <= ((((leftsampler_pixel_right_base / 32) + (other_8 / 32)) mod 256) * 32) +
+        (other_8 mod 32);
+      leftsampler_pixel_weight_x_held_0 <= leftsampler_weight_x_held_3;
+      leftsampler_pixel_weight_x_held_1 <= leftsampler_pixel_weight_x_held_0;
+      leftsampler_pixel_weight_x_held_2 <= leftsampler_pixel_weight_x_held_1;
+      leftsampler_pixel_row_from <= leftsampler_pixel_left_value;
+      leftsampler_pixel_row_difference <= leftsampler_pixel_right_value - leftsampler_pixel_left_value;
+      leftsampler_pixel_row_part <= leftsampler_pixel_weight_x_held_2;
+      leftsampler_pixel_row_base <= ((((leftsampler_pixel_row_from * 32) / 512) + 1) * 512) +
+        ((leftsampler_pixel_row_from mod 16) * 32);
+      leftsampler_pixel_row_share <= leftsampler_pixel_row_difference * leftsampler_pixel_row_part;
+      leftsampler_pixel_row_value <= (((((leftsampler_pixel_row_base / 32) + ((leftsampler_pixel_row_share mod 524288)
+        / 32)) mod 16384) * 32) / 1024) mod 256;
       leftsampler_rows_even_even_write_address_sum := leftsampler_rows_write_line + leftsampler_rows_write_column;
       if leftsampler_rows_to_even_even then
         leftsampler_rows_even_even_write_address <= leftsampler_rows_even_even_write_address_sum;
@@ -990,32 +1031,30 @@ begin
       else
         rightsampler_shown_held_0_choice := 0;
       end if;
-      rightsampler_pixel_upper_0_choice := rightsampler_rows_odd_odd_ready_word when rightsampler_rows_column_odd_3
+      rightsampler_pixel_left_from_choice := rightsampler_rows_odd_odd_ready_word when rightsampler_rows_column_odd_3
         else rightsampler_rows_odd_even_ready_word;
-      rightsampler_pixel_upper_0_choice_2 := rightsampler_rows_even_odd_ready_word when rightsampler_rows_column_odd_3
-        else rightsampler_rows_even_even_ready_word;
-      rightsampler_pixel_upper_0_choice_3 := rightsampler_pixel_upper_0_choice when rightsampler_rows_row_odd_3 else
-        rightsampler_pixel_upper_0_choice_2;
-      rightsampler_pixel_upper_0_choice_4 := rightsampler_pixel_upper_0_choice_3 when (rightsampler_shown_held_3 mod 2)
-        = 1 else 0;
-      rightsampler_pixel_upper_1_choice := rightsampler_rows_odd_even_ready_word when rightsampler_rows_column_odd_3
-        else rightsampler_rows_odd_odd_ready_word;
-      rightsampler_pixel_upper_1_choice_2 := rightsampler_rows_even_even_ready_word when rightsampler_rows_column_odd_3
-        else rightsampler_rows_even_odd_ready_word;
-      rightsampler_pixel_upper_1_choice_3 := rightsampler_pixel_upper_1_choice when rightsampler_rows_row_odd_3 else
-        rightsampler_pixel_upper_1_choice_2;
-      rightsampler_pixel_upper_1_choice_4 := rightsampler_pixel_upper_1_choice_3 when ((rightsampler_shown_held_3 / 2)
+      rightsampler_pixel_left_from_choice_2 := rightsampler_rows_even_odd_ready_word when
+        rightsampler_rows_column_odd_3 else rightsampler_rows_even_even_ready_word;
+      rightsampler_pixel_left_from_choice_3 := rightsampler_pixel_left_from_choice when rightsampler_rows_row_odd_3
+        else rightsampler_pixel_left_from_choice_2;
+      rightsampler_pixel_left_from_choice_4 := rightsampler_pixel_left_from_choice_3 when (rightsampler_shown_held_3
         mod 2) = 1 else 0;
-      rightsampler_pixel_fall_0_choice := rightsampler_pixel_upper_0_choice_2 when rightsampler_rows_row_odd_3 else
-        rightsampler_pixel_upper_0_choice;
-      rightsampler_pixel_fall_0_choice_2 := rightsampler_pixel_fall_0_choice when ((rightsampler_shown_held_3 / 4) mod
-        2) = 1 else 0;
-      rightsampler_pixel_fall_1_choice := rightsampler_pixel_upper_1_choice_2 when rightsampler_rows_row_odd_3 else
-        rightsampler_pixel_upper_1_choice;
-      rightsampler_pixel_fall_1_choice_2 := rightsampler_pixel_fall_1_choice when (rightsampler_shown_held_3 / 8) = 1
-        else 0;
-      rightsampler_pixel_column_0_product := rightsampler_pixel_weight_y * rightsampler_pixel_fall_0;
-      rightsampler_pixel_column_1_product := rightsampler_pixel_weight_y * rightsampler_pixel_fall_1;
+      rightsampler_pixel_left_difference_choice := rightsampler_pixel_left_from_choice_2 when
+        rightsampler_rows_row_odd_3 else rightsampler_pixel_left_from_choice;
+      rightsampler_pixel_left_difference_choice_2 := rightsampler_pixel_left_difference_choice when
+        ((rightsampler_shown_held_3 / 4) mod 2) = 1 else 0;
+      rightsampler_pixel_right_from_choice := rightsampler_rows_odd_even_ready_word when rightsampler_rows_column_odd_3
+        else rightsampler_rows_odd_odd_ready_word;
+      rightsampler_pixel_right_from_choice_2 := rightsampler_rows_even_even_ready_word when
+        rightsampler_rows_column_odd_3 else rightsampler_rows_even_odd_ready_word;
+      rightsampler_pixel_right_from_choice_3 := rightsampler_pixel_right_from_choice when rightsampler_rows_row_odd_3
+        else rightsampler_pixel_right_from_choice_2;
+      rightsampler_pixel_right_from_choice_4 := rightsampler_pixel_right_from_choice_3 when ((rightsampler_shown_held_3
+        / 2) mod 2) = 1 else 0;
+      rightsampler_pixel_right_difference_choice := rightsampler_pixel_right_from_choice_2 when
+        rightsampler_rows_row_odd_3 else rightsampler_pixel_right_from_choice;
+      rightsampler_pixel_right_difference_choice_2 := rightsampler_pixel_right_difference_choice when
+        (rightsampler_shown_held_3 / 8) = 1 else 0;
       rightsampler_rows_even_line <= 0 when righttaps_taps_row = 7 else ((rightsampler_rows_even_line_value mod 4) *
         16) + rightsampler_rows_even_line_value;
       rightsampler_rows_odd_line <= ((righttaps_taps_row / 2) * 16) + (righttaps_taps_row / 2);
@@ -1051,23 +1090,30 @@ begin
       rightsampler_shown_held_1 <= rightsampler_shown_held_0;
       rightsampler_shown_held_2 <= rightsampler_shown_held_1;
       rightsampler_shown_held_3 <= rightsampler_shown_held_2;
-      rightsampler_pixel_upper_0 <= rightsampler_pixel_upper_0_choice_4;
-      rightsampler_pixel_upper_1 <= rightsampler_pixel_upper_1_choice_4;
-      rightsampler_pixel_fall_0 <= rightsampler_pixel_fall_0_choice_2 - rightsampler_pixel_upper_0_choice_4;
-      rightsampler_pixel_fall_1 <= rightsampler_pixel_fall_1_choice_2 - rightsampler_pixel_upper_1_choice_4;
-      rightsampler_pixel_weight_y <= rightsampler_weight_y_held_3;
-      rightsampler_pixel_weight_x_0 <= rightsampler_weight_x_held_3;
-      rightsampler_pixel_weight_x_1 <= rightsampler_pixel_weight_x_0;
-      rightsampler_pixel_weight_x_2 <= rightsampler_pixel_weight_x_1;
-      rightsampler_pixel_column_0 <= (((rightsampler_pixel_upper_0 + ((rightsampler_pixel_column_0_product mod 8192) /
-        32)) mod 256) * 32) + (rightsampler_pixel_column_0_product mod 32);
-      rightsampler_pixel_column_1 <= (((rightsampler_pixel_upper_1 + ((rightsampler_pixel_column_1_product mod 8192) /
-        32)) mod 256) * 32) + (rightsampler_pixel_column_1_product mod 32);
-      rightsampler_pixel_first <= ((((rightsampler_pixel_column_0 * 32) / 512) + 1) * 512) +
-        ((rightsampler_pixel_column_0 mod 16) * 32);
-      rightsampler_pixel_rise <= rightsampler_pixel_column_1 - rightsampler_pixel_column_0;
-      rightsampler_pixel_value <= (((((rightsampler_pixel_first / 32) + (((rightsampler_pixel_rise *
-        rightsampler_pixel_weight_x_2) mod 524288) / 32)) mod 16384) * 32) / 1024) mod 256;
+      rightsampler_pixel_left_from <= rightsampler_pixel_left_from_choice_4;
+      rightsampler_pixel_left_difference <= rightsampler_pixel_left_difference_choice_2 -
+        rightsampler_pixel_left_from_choice_4;
+      rightsampler_pixel_left_part <= rightsampler_weight_y_held_3;
+      rightsampler_pixel_left_base <= rightsampler_pixel_left_from * 32;
+      rightsampler_pixel_left_value <= ((((other_4 / 32) + (rightsampler_pixel_left_base / 32)) mod 256) * 32) +
+        (other_4 mod 32);
+      rightsampler_pixel_right_from <= rightsampler_pixel_right_from_choice_4;
+      rightsampler_pixel_right_difference <= rightsampler_pixel_right_difference_choice_2 -
+        rightsampler_pixel_right_from_choice_4;
+      rightsampler_pixel_right_base <= rightsampler_pixel_right_from * 32;
+      rightsampler_pixel_right_value <= ((((other_5 / 32) + (rightsampler_pixel_right_base / 32)) mod 256) * 32) +
+        (other_5 mod 32);
+      rightsampler_pixel_weight_x_held_0 <= rightsampler_weight_x_held_3;
+      rightsampler_pixel_weight_x_held_1 <= rightsampler_pixel_weight_x_held_0;
+      rightsampler_pixel_weight_x_held_2 <= rightsampler_pixel_weight_x_held_1;
+      rightsampler_pixel_row_from <= rightsampler_pixel_left_value;
+      rightsampler_pixel_row_difference <= rightsampler_pixel_right_value - rightsampler_pixel_left_value;
+      rightsampler_pixel_row_part <= rightsampler_pixel_weight_x_held_2;
+      rightsampler_pixel_row_base <= ((((rightsampler_pixel_row_from * 32) / 512) + 1) * 512) +
+        ((rightsampler_pixel_row_from mod 16) * 32);
+      rightsampler_pixel_row_share <= rightsampler_pixel_row_part * rightsampler_pixel_row_difference;
+      rightsampler_pixel_row_value <= ((((((rightsampler_pixel_row_share mod 524288) / 32) +
+        (rightsampler_pixel_row_base / 32)) mod 16384) * 32) / 1024) mod 256;
       if leftsampler_rows_to_even_even then
         rightsampler_rows_even_even_write_word <= rightsampler_rows_written;
       end if;
@@ -1089,6 +1135,8 @@ begin
       valid_held_5 <= valid_held_4;
       valid_held_6 <= valid_held_5;
       valid_held_7 <= valid_held_6;
+      valid_held_8 <= valid_held_7;
+      valid_held_9 <= valid_held_8;
       -- starts
       starts_held_0 <= sample_kept_starts;
       starts_held_1 <= starts_held_0;
@@ -1098,6 +1146,19 @@ begin
       starts_held_5 <= starts_held_4;
       starts_held_6 <= starts_held_5;
       starts_held_7 <= starts_held_6;
+      starts_held_8 <= starts_held_7;
+      starts_held_9 <= starts_held_8;
+      -- other
+      other_0 <= (rightoffsets_y_right_difference * leftoffsets_x_left_part) mod 262144;
+      other_1 <= (rightoffsets_y_left_difference * leftoffsets_x_left_part) mod 262144;
+      other_2 <= (rightoffsets_x_right_difference * leftoffsets_x_left_part) mod 262144;
+      other_3 <= (rightoffsets_x_left_difference * leftoffsets_x_left_part) mod 262144;
+      other_4 <= (rightsampler_pixel_left_difference * rightsampler_pixel_left_part) mod 8192;
+      other_5 <= (rightsampler_pixel_right_difference * rightsampler_pixel_left_part) mod 8192;
+      other_6 <= (leftoffsets_x_right_difference * leftoffsets_x_left_part) mod 262144;
+      other_7 <= (leftoffsets_x_left_difference * leftoffsets_x_left_part) mod 262144;
+      other_8 <= (leftsampler_pixel_right_difference * leftsampler_pixel_left_part) mod 8192;
+      other_9 <= (leftsampler_pixel_left_difference * leftsampler_pixel_left_part) mod 8192;
       if reset = '1' then
         counter_column <= 0;
         counter_group <= 16;
@@ -1120,6 +1181,10 @@ begin
         delay_held_7_valid <= false;
         delay_held_8_start_of_frame <= false;
         delay_held_8_valid <= false;
+        delay_held_9_start_of_frame <= false;
+        delay_held_9_valid <= false;
+        delay_held_10_start_of_frame <= false;
+        delay_held_10_valid <= false;
         grid_node_column <= 0;
         grid_node_row <= 0;
         grid_weight_x_held_0 <= 0;
@@ -1167,28 +1232,39 @@ begin
         leftoffsets_nodes_column_odd_1 <= false;
         leftoffsets_nodes_column_odd_2 <= false;
         leftoffsets_nodes_column_odd_3 <= false;
-        leftoffsets_x_upper_0 <= 0;
-        leftoffsets_x_upper_1 <= 0;
-        leftoffsets_x_fall_0 <= 0;
-        leftoffsets_x_fall_1 <= 0;
-        leftoffsets_x_weight_y <= 0;
-        leftoffsets_x_weight_x_0 <= 0;
-        leftoffsets_x_weight_x_1 <= 0;
-        leftoffsets_x_weight_x_2 <= 0;
-        leftoffsets_x_column_0 <= 0;
-        leftoffsets_x_column_1 <= 0;
-        leftoffsets_x_first <= 0;
-        leftoffsets_x_rise <= 0;
-        leftoffsets_x_value <= 0;
-        leftoffsets_y_upper_0 <= 0;
-        leftoffsets_y_upper_1 <= 0;
-        leftoffsets_y_fall_0 <= 0;
-        leftoffsets_y_fall_1 <= 0;
-        leftoffsets_y_column_0 <= 0;
-        leftoffsets_y_column_1 <= 0;
-        leftoffsets_y_first <= 0;
-        leftoffsets_y_rise <= 0;
-        leftoffsets_y_value <= 0;
+        leftoffsets_x_left_from <= 0;
+        leftoffsets_x_left_difference <= 0;
+        leftoffsets_x_left_part <= 0;
+        leftoffsets_x_left_base <= 0;
+        leftoffsets_x_left_value <= 0;
+        leftoffsets_x_right_from <= 0;
+        leftoffsets_x_right_difference <= 0;
+        leftoffsets_x_right_base <= 0;
+        leftoffsets_x_right_value <= 0;
+        leftoffsets_x_weight_x_held_0 <= 0;
+        leftoffsets_x_weight_x_held_1 <= 0;
+        leftoffsets_x_weight_x_held_2 <= 0;
+        leftoffsets_x_row_from <= 0;
+        leftoffsets_x_row_difference <= 0;
+        leftoffsets_x_row_part <= 0;
+        leftoffsets_x_row_base <= 0;
+        leftoffsets_x_row_share <= 0;
+        leftoffsets_x_row_value <= 0;
+        leftoffsets_y_left_from <= 0;
+        leftoffsets_y_left_difference <= 0;
+        leftoffsets_y_left_base <= 0;
+        leftoffsets_y_left_share <= 0;
+        leftoffsets_y_left_value <= 0;
+        leftoffsets_y_right_from <= 0;
+        leftoffsets_y_right_difference <= 0;
+        leftoffsets_y_right_base <= 0;
+        leftoffsets_y_right_share <= 0;
+        leftoffsets_y_right_value <= 0;
+        leftoffsets_y_row_from <= 0;
+        leftoffsets_y_row_difference <= 0;
+        leftoffsets_y_row_base <= 0;
+        leftoffsets_y_row_share <= 0;
+        leftoffsets_y_row_value <= 0;
         rightoffsets_nodes_to_even_even <= false;
         rightoffsets_nodes_to_even_odd <= false;
         rightoffsets_nodes_to_odd_even <= false;
@@ -1205,24 +1281,32 @@ begin
         rightoffsets_nodes_odd_odd_write_address <= 0;
         rightoffsets_nodes_odd_odd_write_word <= to_unsigned(0, 32);
         rightoffsets_nodes_odd_odd_ready_word <= to_unsigned(0, 32);
-        rightoffsets_x_upper_0 <= 0;
-        rightoffsets_x_upper_1 <= 0;
-        rightoffsets_x_fall_0 <= 0;
-        rightoffsets_x_fall_1 <= 0;
-        rightoffsets_x_column_0 <= 0;
-        rightoffsets_x_column_1 <= 0;
-        rightoffsets_x_first <= 0;
-        rightoffsets_x_rise <= 0;
-        rightoffsets_x_value <= 0;
-        rightoffsets_y_upper_0 <= 0;
-        rightoffsets_y_upper_1 <= 0;
-        rightoffsets_y_fall_0 <= 0;
-        rightoffsets_y_fall_1 <= 0;
-        rightoffsets_y_column_0 <= 0;
-        rightoffsets_y_column_1 <= 0;
-        rightoffsets_y_first <= 0;
-        rightoffsets_y_rise <= 0;
-        rightoffsets_y_value <= 0;
+        rightoffsets_x_left_from <= 0;
+        rightoffsets_x_left_difference <= 0;
+        rightoffsets_x_left_base <= 0;
+        rightoffsets_x_left_value <= 0;
+        rightoffsets_x_right_from <= 0;
+        rightoffsets_x_right_difference <= 0;
+        rightoffsets_x_right_base <= 0;
+        rightoffsets_x_right_value <= 0;
+        rightoffsets_x_row_from <= 0;
+        rightoffsets_x_row_difference <= 0;
+        rightoffsets_x_row_base <= 0;
+        rightoffsets_x_row_share <= 0;
+        rightoffsets_x_row_value <= 0;
+        rightoffsets_y_left_from <= 0;
+        rightoffsets_y_left_difference <= 0;
+        rightoffsets_y_left_base <= 0;
+        rightoffsets_y_left_value <= 0;
+        rightoffsets_y_right_from <= 0;
+        rightoffsets_y_right_difference <= 0;
+        rightoffsets_y_right_base <= 0;
+        rightoffsets_y_right_value <= 0;
+        rightoffsets_y_row_from <= 0;
+        rightoffsets_y_row_difference <= 0;
+        rightoffsets_y_row_base <= 0;
+        rightoffsets_y_row_share <= 0;
+        rightoffsets_y_row_value <= 0;
         sample_place_column <= 0;
         sample_place_group <= 16;
         sample_place_next_frame <= false;
@@ -1278,6 +1362,8 @@ begin
         valid_held_5 <= false;
         valid_held_6 <= false;
         valid_held_7 <= false;
+        valid_held_8 <= false;
+        valid_held_9 <= false;
         starts_held_0 <= false;
         starts_held_1 <= false;
         starts_held_2 <= false;
@@ -1286,6 +1372,14 @@ begin
         starts_held_5 <= false;
         starts_held_6 <= false;
         starts_held_7 <= false;
+        starts_held_8 <= false;
+        starts_held_9 <= false;
+        other_0 <= 0;
+        other_1 <= 0;
+        other_2 <= 0;
+        other_3 <= 0;
+        other_6 <= 0;
+        other_7 <= 0;
       end if;
     end if;
   end process;

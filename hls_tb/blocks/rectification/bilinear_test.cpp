@@ -33,7 +33,7 @@ void expect_weighted_sums() {
       pipeline.push_back(int(std::floor(mean * kUnit * kUnit / std::exp2(Shift) + 0.5)));
       block.clock(taps, uint8_t(x), uint8_t(y));
       if (clock >= block.kClocks - 1) {
-         ASSERT_EQ(int(block.value), pipeline.front()) << "clock " << clock;
+         ASSERT_EQ(int(block.value()), pipeline.front()) << "clock " << clock;
       }
       pipeline.pop_front();
    }

@@ -197,7 +197,7 @@ TYPED_TEST(RectificationCore, MakesThePixelsOfTheDefinitionInTheirClocks) {
    static constexpr Config C = TypeParam::kConfig;
    constexpr int kFlush = rectification::Core<C>::kSchedule.flush_groups;
    static_assert(kFlush == C.lag_rows() * C.width_px);
-   static_assert(rectification::Core<C>::kLatency == 20, "docs/rectification.md says so");
+   static_assert(rectification::Core<C>::kLatency == 24, "docs/rectification.md says so");
    Random random(test_seed());
    for (int round = 0; round < 12; ++round) {
       HeapMemories memories;
