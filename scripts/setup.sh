@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(
-   g++ cmake ninja-build                                     # native build
+   g++ cmake ninja-build ccache                              # native build
    libopencv-dev libgtest-dev libcli11-dev nlohmann-json3-dev
    ghdl-mcode verilator yosys                                # co-simulation and proofs
    python3 python3-venv python3-rich python3-jinja2                # the flow

@@ -83,6 +83,7 @@ architecture rtl of stereo_axis is
   constant credits : positive := latency_clocks + 5;
 
   signal reset, clear, restart : std_logic;
+  signal halts : std_logic := '0';  -- soft_reset a clock later: its register is far from the framing
   signal halted : std_logic := '0';  -- no frame has begun in this clock
   signal beat_flags : std_logic_vector(1 downto 0);  -- start of frame, end of line
   signal beat_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
@@ -117,7 +118,7 @@ begin
       columns => width_px, row_groups => height_px / pixels_per_clock,
       flush_groups => flush_groups, gap_groups => gap_groups, data_bits => 2 * pixel_bits)
     port map (
-      clock => aclk, reset => reset, enable => enable, halt => soft_reset, at_rest => at_rest,
+      clock => aclk, reset => reset, enable => enable, halt => halts, at_rest => at_rest,
       in_valid => beat_valid, in_start => beat_flags(1), in_last => beat_flags(0),
       in_data => beat_pixels, in_take => beat_take,
       may_send => may_send, may_start => may_start, sends => sends, starts => starts, breaks => breaks,
@@ -173,7 +174,8 @@ begin
   process (aclk)
   begin
     if rising_edge(aclk) then
-      halted <= soft_reset;
+      halts <= soft_reset;
+      halted <= soft_reset and halts;
       queues <= result and not reset;
       queued <=
         frame_error & core_disparity_start_of_frame & core_disparity_end_of_line & core_pixel_valid & core_disparity;

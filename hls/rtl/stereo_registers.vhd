@@ -75,7 +75,7 @@ architecture rtl of stereo_registers is
   signal writes : std_logic;  -- a write is complete: it happens in the next clock, that of the answer
   signal applies : std_logic := '0';  -- it happens in this clock
   -- It goes to this setting, and is not more than its largest value. From registers: the comparison takes most of a clock.
-  signal setting_written, setting_fits : std_logic_vector(0 to setting_count - 1);
+  signal setting_addressed, setting_fits : std_logic_vector(0 to setting_count - 1) := (others => '0');
   signal enabled, resetting : std_logic := '0';
   signal sticky : std_logic_vector(5 downto 0) := (others => '0');
   signal frame_done, frame_done_enabled, errors_enabled, any_error : std_logic := '0';
@@ -171,10 +171,10 @@ begin
         write_bytes <= s_axil_wstrb;
       end if;
       applies <= writes;
-      for i in setting_written'range loop
-        setting_written(i) <= '0';
-        if writes = '1' and write_address = first_setting_word + i and write_bytes(1 downto 0) = "11" then
-          setting_written(i) <= '1';
+      for i in setting_addressed'range loop
+        setting_addressed(i) <= '0';
+        if write_address = first_setting_word + i and write_bytes(1 downto 0) = "11" then
+          setting_addressed(i) <= '1';
         end if;
         setting_fits(i) <= '0';
         if to_integer(unsigned(write_data(15 downto 0))) <= settings_largest(i) then
@@ -201,7 +201,6 @@ begin
         have_data <= '0';
         bvalid <= '0';
         applies <= '0';
-        setting_written <= (others => '0');
       end if;
     end if;
   end process;
@@ -229,10 +228,10 @@ begin
         end if;
         frame_done_cleared := write_bytes(1) and write_data(interrupt_frame_done);
       end if;
-      for i in setting_written'range loop
-        if setting_written(i) = '1' and setting_fits(i) = '0' then
+      for i in setting_addressed'range loop
+        if applies = '1' and setting_addressed(i) = '1' and setting_fits(i) = '0' then
           set(5) := '1';
-        elsif setting_written(i) = '1' and settings_largest(i) > 0 then
+        elsif applies = '1' and setting_addressed(i) = '1' and settings_largest(i) > 0 then
           setting(i) <= write_data(15 downto 0);
         end if;
       end loop;

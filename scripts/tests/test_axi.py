@@ -111,26 +111,8 @@ SETTING_FAULTS = {
         "register ",
     ),
     "no interrupt": ("stereo_registers", "(frame_done and frame_done_enabled)", "'0'", "irq is not 1"),
-    "the setting of the frame behind": (
-        "stereo_core_tiny_settings",
-        "refinement_percent <= settings_uniqueness_percent",
-        "refinement_percent <= in_uniqueness_percent",
-        "expected",
-    ),
 }
 PENALTY_FAULTS = {
-    "P2 of the frame behind, on the path from the right": (
-        "stereo_core_tiny_sgm_settings",
-        "sums_right_p2 <= settings_p2",
-        "sums_right_p2 <= in_p2 mod 32",
-        "expected",
-    ),
-    "P1 stays": (
-        "stereo_core_tiny_sgm_settings",
-        "forward_above_p1 <= settings_p1",
-        "forward_above_p1 <= forward_above_p1",
-        "expected",
-    ),
     "P2 in the register of another": (
         "stereo_ip_tiny_sgm_settings",
         "p2 => settings(3)",

@@ -53,6 +53,22 @@ BROKEN_STREAM_FAULTS = {
 }
 
 
+# Faults of settings that come from ports. Each frame of a stimulus has its own.
+SETTING_FAULTS = {
+    "the uniqueness of the frame behind": (
+        "tiny_settings",
+        "refinement_percent <= settings_uniqueness_percent",
+        "refinement_percent <= in_uniqueness_percent",
+    ),
+    "P2 of the frame behind, on the path from the right": (
+        "tiny_sgm_settings",
+        "sums_right_p2 <= settings_p2",
+        "sums_right_p2 <= in_p2 mod 32",
+    ),
+    "P1 stays": ("tiny_sgm_settings", "forward_above_p1 <= settings_p1", "forward_above_p1 <= forward_above_p1"),
+}
+
+
 @pytest.fixture(scope="module")
 def pair(tmp_path_factory):
     """Four grey levels: every disparity wins somewhere, and ties are everywhere. A textured scene would miss some
@@ -70,6 +86,16 @@ def test_fault_is_caught(ghdl, pair, tmp_path, fault):
         result = report(tmp_path / "out")
         assert result["passed"] is False and result["mismatches"] > 0
         assert "expected" in result["first_mismatch"] or "surplus" in result["first_mismatch"]
+
+
+@pytest.mark.parametrize("fault", SETTING_FAULTS)
+def test_fault_of_a_setting_is_caught(ghdl, tmp_path, fault):
+    config, *change = SETTING_FAULTS[fault]
+    rtl = altered_rtl(tmp_path / "rtl", config, *change)
+    pair = random_pair(tmp_path / "pair", config, levels=256)
+    process = cosim(config, pair, tmp_path / "out", "--frames", 6, "--rtl", rtl)
+    assert process.returncode == 1, f"{fault} was not caught: {process.stdout}{process.stderr}"
+    assert report(tmp_path / "out")["mismatches"] > 0
 
 
 @pytest.mark.parametrize("fault", BROKEN_STREAM_FAULTS)

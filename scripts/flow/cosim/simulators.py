@@ -247,7 +247,9 @@ def verilate(
     source = work / f"{top}.v"
     source.write_text(ghdl.to_verilog(vhdl_files, work, top))
     command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *options]
-    command += ["-CFLAGS", "-O2 -std=c++20"]
+    # What runs once is not worth optimising. Verilator's own part and the bench are the same in each simulation.
+    settings = "OPT_FAST=-O2 OPT_SLOW=-O0 OPT_GLOBAL=-O2" + (" OBJCACHE=ccache" if shutil.which("ccache") else "")
+    command += ["-CFLAGS", "-std=c++20", "-MAKEFLAGS", settings]
     command += [
         "--top-module",
         top,

@@ -8,7 +8,8 @@ refinement). Ports keep their names, so every output hangs on what it hung on be
 
 import hashlib
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from operator import itemgetter
 
 from ..base.errors import FlowError
 
@@ -36,17 +37,22 @@ class Structure:
 
     def digest(self) -> str:
         colours = {name: _hash([kind]) for name, kind in self.kinds.items()}
+        said = {word: word for words in self.definitions.values() for word in words}  # names: their colours
+        said |= {kind: kind for kind in self.kinds.values()} | {"": ""} | colours
+        described = {name: self._described(name) for name in [*self.kinds, *self.definitions]}
         classes = 0
         while classes < len(set(colours.values())):
             classes = len(set(colours.values()))
-            colours = {name: self._described(name, colours) for name in self.kinds}
-        outputs = {name: self._described(name, colours) for name in self.definitions if name not in self.kinds}
+            colours = {name: _hash(described[name](said)) for name in self.kinds}
+            said |= colours
+        outputs = {name: _hash(described[name](said)) for name in self.definitions if name not in self.kinds}
         ends = [f"{name} {colour}" for name, colour in sorted(outputs.items())]
         return _hash([*self.functions, *self.ports, *ends, *sorted(colours.values())])
 
-    def _described(self, name: str, colours: dict[str, str]) -> str:
-        words = [self.kinds.get(name, ""), *self.definitions.get(name, [])]
-        return _hash([colours.get(word, word) for word in words])
+    def _described(self, name: str) -> Callable[[dict[str, str]], Iterable[str]]:
+        """What gives the words that describe a name, out of a table of words."""
+        kind, words = self.kinds.get(name, ""), self.definitions.get(name, [])
+        return itemgetter(kind, *words) if words else lambda said: [said[kind]]
 
     def _declarations(self, words: Words) -> None:
         for statement in _statements(words):
@@ -126,5 +132,5 @@ def _sequence(words: Words) -> Iterator[Words]:
                 statement = []
 
 
-def _hash(words: Words) -> str:
+def _hash(words: Iterable[str]) -> str:
     return hashlib.sha256("\0".join(words).encode()).hexdigest()
