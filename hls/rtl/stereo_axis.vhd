@@ -24,7 +24,7 @@
 --   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
 --                    last disparity leaves it, both counted; a clock after frame_ends
 --   core_reset       a clock after aresetn or the end of a soft reset, from a register: it drives the whole core
--- Sizes: input buffer 2 * (2 * lane_bits * P + 2) bits; output queue (latency_clocks + 5) words of (disparity_bits + 1) * P + 3
+-- Sizes: input buffer 2 * (2 * lane_bits * P + 2) bits; output queue (latency_clocks + 6) words of (disparity_bits + 1) * P + 3
 -- bits.
 -- Generics: those of the core.
 library ieee;
@@ -80,7 +80,7 @@ architecture rtl of stereo_axis is
   constant pixel_bits : positive := lane_bits * pixels_per_clock;
   constant map_bits : positive := disparity_bits * pixels_per_clock;
   constant word_bits : positive := map_bits + pixels_per_clock + 3;
-  constant credits : positive := latency_clocks + 5;
+  constant credits : positive := latency_clocks + 6;
 
   signal reset, clear, restart : std_logic;
   signal halts : std_logic := '0';  -- soft_reset a clock later: its register is far from the framing
@@ -97,7 +97,8 @@ architecture rtl of stereo_axis is
   signal queued : std_logic_vector(word_bits - 1 downto 0);
   signal frame_error, ends, entering, leaving : std_logic;
   signal word : std_logic_vector(word_bits - 1 downto 0);
-  signal word_valid, taken : std_logic;
+  signal word_valid : std_logic;
+  signal taken : std_logic := '0';  -- a clock later: the queue's end and the credits are far from each other
 begin
   reset <= not aresetn;
   clear <= reset or restart;
@@ -160,7 +161,6 @@ begin
       clock => aclk, reset => reset, sends => sends, result => result, taken => taken,
       may_send => may_send, in_flight => in_flight, all_back => all_back, due => due);
 
-  taken <= word_valid and m_axis_tready;
   m_axis_tvalid <= word_valid;
   m_axis_tdata(map_bits - 1 downto 0) <= word(map_bits - 1 downto 0);
   m_axis_tdata(map_bits + 7 downto map_bits) <=
@@ -179,6 +179,7 @@ begin
       queues <= result and not reset;
       queued <=
         frame_error & core_disparity_start_of_frame & core_disparity_end_of_line & core_pixel_valid & core_disparity;
+      taken <= word_valid and m_axis_tready and not reset;
       core_in_reset <= clear;
       frame_ends <= ends and not clear;
       frame_ends_broken <= ends and frame_error and not clear;

@@ -74,7 +74,9 @@ architecture rtl of stereo_registers is
   signal write_bytes : std_logic_vector(3 downto 0);
   signal writes : std_logic;  -- a write is complete: it happens in the next clock, that of the answer
   signal applies : std_logic := '0';  -- it happens in this clock
-  -- It goes to this setting, and is not more than its largest value. From registers: the comparison takes most of a clock.
+  -- Where it goes, and that a setting is not more than its largest value. From registers: a comparison takes most of a
+  -- clock.
+  signal to_control, to_status, to_interrupt : std_logic := '0';
   signal setting_addressed, setting_fits : std_logic_vector(0 to setting_count - 1) := (others => '0');
   signal enabled, resetting : std_logic := '0';
   signal sticky : std_logic_vector(5 downto 0) := (others => '0');
@@ -171,6 +173,9 @@ begin
         write_bytes <= s_axil_wstrb;
       end if;
       applies <= writes;
+      to_control <= '1' when write_address = control_word else '0';
+      to_status <= '1' when write_address = status_word else '0';
+      to_interrupt <= '1' when write_address = interrupt_word else '0';
       for i in setting_addressed'range loop
         setting_addressed(i) <= '0';
         if write_address = first_setting_word + i and write_bytes(1 downto 0) = "11" then
@@ -216,12 +221,12 @@ begin
       cleared := (others => '0');
       set := '0' & errors;
       frame_done_cleared := '0';
-      if applies = '1' and write_address = control_word and write_bytes(0) = '1' then
+      if applies = '1' and to_control = '1' and write_bytes(0) = '1' then
         enabled <= write_data(control_enable);
         resetting <= resetting or write_data(control_soft_reset);
-      elsif applies = '1' and write_address = status_word and write_bytes(1) = '1' then
+      elsif applies = '1' and to_status = '1' and write_bytes(1) = '1' then
         cleared := write_data(status_setting_refused downto status_early_line_end);
-      elsif applies = '1' and write_address = interrupt_word then
+      elsif applies = '1' and to_interrupt = '1' then
         if write_bytes(0) = '1' then
           frame_done_enabled <= write_data(interrupt_frame_done_enable);
           errors_enabled <= write_data(interrupt_any_error_enable);

@@ -10,7 +10,7 @@
 --   all_back   no credit is out: nothing in the core that may give a disparity, nothing in the queue
 --   due        a group may give its disparity in this clock; from a register. A disparity in another clock is nobody's:
 --              `latency` is not that of the core, and neither a credit nor a place in the queue waits for it
--- In stereo_axis a credit is away latency + 5 clocks when nothing waits (one to enter the core, `latency` in it, one in a
+-- In stereo_axis a credit is away latency + 6 clocks when nothing waits (one to enter the core, `latency` in it, one in a
 -- register, two in the queue, one to count), so as many credits give a group a clock.
 -- Size: latency + 3 register bits and a counter of 0 ... words.
 library ieee;

@@ -51,7 +51,7 @@ FAULTS = {
         "change := 1 when sends = '1' else 0;",
         "not taken for ever",
     ),
-    "two credits less": ("stereo_axis", r"latency_clocks \+ 5;", "latency_clocks + 3;", "clocks a frame instead of"),
+    "two credits less": ("stereo_axis", r"latency_clocks \+ 6;", "latency_clocks + 4;", "clocks a frame instead of"),
     "a partial frame is not marked": (
         "stereo_frames",
         r"broken\(0\) <= breaks;",

@@ -13,7 +13,7 @@ from flow.base import rtl
 from flow.base.errors import FlowError
 from flow.base.ghdl import to_verilog
 from flow.base.tools import find_yosys, run
-from flow.implementation import ecp5_carry, ecp5_half, ecp5_memory
+from flow.implementation import ecp5_carry, ecp5_fanout, ecp5_half, ecp5_memory
 
 # What the cores do with numbers: magnitudes, sums with a carry, comparisons, among them of numbers of which one of two
 # is 0; all without registers, so that a proof needs no time.
@@ -221,3 +221,95 @@ def test_a_memory_of_which_something_else_is_read_stays() -> None:
     module = memory({})
     module["ports"]["other"] = {"bits": [10]}
     assert ecp5_memory.use_output_registers(module) == 0
+
+
+# Two rows of registers, all enabled by one register that is reset, or all reset by one.
+ROWS = """
+module top(input clock, reset, control, input [7:0] a, b, output reg [7:0] x, y, output reg controls);
+  reg [7:0] first, other;
+  always @(posedge clock) begin
+    controls <= reset ? 1'b0 : control;
+    ROWS
+  end
+endmodule
+"""
+SHIFTS = "begin first <= a; x <= first; other <= b; y <= other ^ first; end"
+CONTROLS = {
+    "CE": f"if (controls) {SHIFTS}",
+    "LSR": f"if (controls) begin first <= 0; x <= 0; other <= 0; y <= 0; end else {SHIFTS}",
+}
+REGISTER = """
+module TRELLIS_FF(input CLK, LSR, CE, DI, M, output reg Q = 0);
+  parameter GSR = "DISABLED", CEMUX = "1", CLKMUX = "CLK", LSRMUX = "LSR", SRMODE = "LSR_OVER_CE", REGSET = "RESET";
+  always @(posedge CLK)
+    if (LSR) Q <= 0;
+    else if (CE || CEMUX != "CE") Q <= DI;
+endmodule
+"""
+
+
+@pytest.fixture(scope="module", params=CONTROLS)
+def controlled(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, dict[str, Any]]:
+    """(pin, netlist)"""
+    work = tmp_path_factory.mktemp("controlled")
+    (work / "top.v").write_text(ROWS.replace("ROWS", CONTROLS[request.param]))
+    commands = "read_verilog top.v; synth_ecp5 -abc9 -top top; write_json top.json"
+    run([find_yosys(), "-p", commands], cwd=work, log=work / "synthesis.log")
+    module = json.loads((work / "top.json").read_text())["modules"]["top"]
+    module["cells"] = {n: c for n, c in module["cells"].items() if not c["type"].startswith("$")}
+    return request.param, {"modules": {"top": module}}
+
+
+def prove_equal_in_time(before: dict[str, Any], after: dict[str, Any], work: Path) -> None:
+    """Raises where outputs differ after any inputs."""
+    (work / "cells.v").write_text(CELLS + REGISTER)
+    for name, content in (("before", before), ("after", after)):
+        (work / f"{name}.json").write_text(
+            json.dumps({"modules": {name: content["modules"]["top"] | {"attributes": {}}}})
+        )
+    commands = [
+        "read_json before.json; read_json after.json; read_verilog cells.v",
+        "hierarchy -check; proc; flatten; opt_clean",
+        "miter -equiv -flatten before after miter; hierarchy -top miter; opt_clean",
+        "sat -verify -tempinduct -prove trigger 0 -seq 1 -maxsteps 10 miter",
+    ]
+    run([find_yosys(), "-p", "; ".join(commands)], cwd=work, log=work / "proof.log")
+
+
+Controlled = tuple[str, dict[str, Any]]
+
+
+def test_copies_are_proven_equal(controlled: Controlled, tmp_path: Path) -> None:
+    pin, before = controlled
+    after = copy.deepcopy(before)
+    assert ecp5_fanout.copy_wide_controls(after["modules"]["top"], largest=16, readers_of_a_copy=10) == 4
+    readers: dict[int, int] = {}
+    for cell in after["modules"]["top"]["cells"].values():
+        for bit in cell["connections"].get(pin, []):
+            readers[bit] = readers.get(bit, 0) + 1
+    assert sorted(readers.values())[-3:] == [10, 10, 10]
+    prove_equal_in_time(before, after, tmp_path)
+    assert ecp5_fanout.copy_wide_controls(after["modules"]["top"], largest=16) == 0, "no copy is wide"
+
+
+def test_registers_that_hang_together_have_one_copy(controlled: Controlled) -> None:
+    """A wide row behind each bit: the copy of a register is that of the one before it, for nearly all."""
+    pin, before = controlled
+    module = copy.deepcopy(before)["modules"]["top"]
+    ecp5_fanout.copy_wide_controls(module, largest=16, readers_of_a_copy=8)
+    cells = [c for c in module["cells"].values() if c["type"] == "TRELLIS_FF" and c["connections"].get(pin)]
+    copy_of = {cell["connections"]["Q"][0]: cell["connections"][pin][0] for cell in cells}
+    pairs = [(cell["connections"]["DI"][0], cell["connections"]["Q"][0]) for cell in cells]
+    together = [copy_of[first] == copy_of[second] for first, second in pairs if first in copy_of]
+    assert together and sum(together) >= 0.7 * len(together)
+
+
+def test_the_proof_notices_a_copy_of_something_else(controlled: Controlled, tmp_path: Path) -> None:
+    pin, before = controlled
+    after = copy.deepcopy(before)
+    module = after["modules"]["top"]
+    ecp5_fanout.copy_wide_controls(module, largest=16, readers_of_a_copy=10)
+    wrong = next(cell for name, cell in module["cells"].items() if name.endswith(f"_{pin}_copy_0"))
+    wrong["connections"] = wrong["connections"] | {"DI": ["1"]}
+    with pytest.raises(FlowError):
+        prove_equal_in_time(before, after, tmp_path)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from .ecp5_carry import CarryPacker
+from .ecp5_fanout import copy_wide_controls
 from .ecp5_memory import use_output_registers
 
 
@@ -17,6 +18,7 @@ def improve(path: Path, top: str) -> dict[str, int]:
     before = _types(module)
     CarryPacker(module).run()
     use_output_registers(module)
+    copy_wide_controls(module)
     path.write_text(json.dumps(netlist))
     after = _types(module)
     return {name: after[name] - before[name] for name in before}
