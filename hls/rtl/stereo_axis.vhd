@@ -23,7 +23,8 @@
 --   frame_ends       a frame's last disparity left the core in the last clock; frame_ends_broken: it is not whole
 --   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
 --                    last disparity leaves it, both counted; a clock after frame_ends
---   core_reset       a clock after aresetn or the end of a soft reset, from a register: it drives the whole core
+--   core_reset       two clocks after aresetn or the end of a soft reset, from a register that follows another one: it
+--                    drives the whole core, and a tool that copies it has a clock for the way to the copies
 -- Sizes: input buffer 2 * (2 * lane_bits * P + 2) bits; output queue (latency_clocks + 6) words of (disparity_bits + 1) * P + 3
 -- bits.
 -- Generics: those of the core.
@@ -92,7 +93,8 @@ architecture rtl of stereo_axis is
   signal stream_errors : std_logic_vector(3 downto 0);
   signal group_valid, group_start : std_logic;
   signal group_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
-  signal core_in_reset, result, stray : std_logic;
+  signal core_in_reset : std_logic_vector(1 to 2);  -- so many clocks after the shell
+  signal result, stray : std_logic;
   signal queues : std_logic := '0';  -- `queued` is a result: a clock later, for whether its frame is whole comes late
   signal queued : std_logic_vector(word_bits - 1 downto 0);
   signal frame_error, ends, entering, leaving : std_logic;
@@ -126,7 +128,7 @@ begin
       error => stream_errors,
       out_valid => group_valid, out_start => group_start, out_data => group_pixels);
 
-  core_reset <= core_in_reset;
+  core_reset <= core_in_reset(2);
   core_left_pixel <= group_pixels(pixel_bits - 1 downto 0);
   core_right_pixel <= group_pixels(2 * pixel_bits - 1 downto pixel_bits);
   core_start_of_frame <= group_start;
@@ -135,7 +137,7 @@ begin
   -- What has no credit has no place in the queue either. Nothing is due while the core is reset, so what it shows of the
   -- time before counts nowhere.
   result <= core_disparity_valid and due;
-  stray <= core_disparity_valid and not due and not core_in_reset;
+  stray <= core_disparity_valid and not due and not (or core_in_reset);
 
   frames : entity work.stereo_frames
     generic map (row_groups => height_px / pixels_per_clock)
@@ -180,7 +182,7 @@ begin
       queued <=
         frame_error & core_disparity_start_of_frame & core_disparity_end_of_line & core_pixel_valid & core_disparity;
       taken <= word_valid and m_axis_tready and not reset;
-      core_in_reset <= clear;
+      core_in_reset <= clear & core_in_reset(1);
       frame_ends <= ends and not clear;
       frame_ends_broken <= ends and frame_error and not clear;
     end if;
