@@ -277,26 +277,27 @@ def prove_equal_in_time(before: dict[str, Any], after: dict[str, Any], work: Pat
 
 
 Controlled = tuple[str, dict[str, Any]]
+WIDE = {"CE": 16, "LSR": 16}
 
 
 def test_copies_are_proven_equal(controlled: Controlled, tmp_path: Path) -> None:
     pin, before = controlled
     after = copy.deepcopy(before)
-    assert ecp5_fanout.copy_wide_controls(after["modules"]["top"], largest=16, readers_of_a_copy=10) == 4
+    assert ecp5_fanout.copy_wide_controls(after["modules"]["top"], largest=WIDE, readers_of_a_copy=10) == 4
     readers: dict[int, int] = {}
     for cell in after["modules"]["top"]["cells"].values():
         for bit in cell["connections"].get(pin, []):
             readers[bit] = readers.get(bit, 0) + 1
     assert sorted(readers.values())[-3:] == [10, 10, 10]
     prove_equal_in_time(before, after, tmp_path)
-    assert ecp5_fanout.copy_wide_controls(after["modules"]["top"], largest=16) == 0, "no copy is wide"
+    assert ecp5_fanout.copy_wide_controls(after["modules"]["top"], largest=WIDE) == 0, "no copy is wide"
 
 
 def test_registers_that_hang_together_have_one_copy(controlled: Controlled) -> None:
     """A wide row behind each bit: the copy of a register is that of the one before it, for nearly all."""
     pin, before = controlled
     module = copy.deepcopy(before)["modules"]["top"]
-    ecp5_fanout.copy_wide_controls(module, largest=16, readers_of_a_copy=8)
+    ecp5_fanout.copy_wide_controls(module, largest=WIDE, readers_of_a_copy=8)
     cells = [c for c in module["cells"].values() if c["type"] == "TRELLIS_FF" and c["connections"].get(pin)]
     copy_of = {cell["connections"]["Q"][0]: cell["connections"][pin][0] for cell in cells}
     pairs = [(cell["connections"]["DI"][0], cell["connections"]["Q"][0]) for cell in cells]
@@ -308,7 +309,7 @@ def test_the_proof_notices_a_copy_of_something_else(controlled: Controlled, tmp_
     pin, before = controlled
     after = copy.deepcopy(before)
     module = after["modules"]["top"]
-    ecp5_fanout.copy_wide_controls(module, largest=16, readers_of_a_copy=10)
+    ecp5_fanout.copy_wide_controls(module, largest=WIDE, readers_of_a_copy=10)
     wrong = next(cell for name, cell in module["cells"].items() if name.endswith(f"_{pin}_copy_0"))
     wrong["connections"] = wrong["connections"] | {"DI": ["1"]}
     with pytest.raises(FlowError):

@@ -7,34 +7,36 @@ which a placer puts side by side.
 """
 
 from collections import deque
+from collections.abc import Mapping
 from typing import Any
 
 from .ecp5_half import Bit, Cell
 
-PINS = ("CE", "LSR")
 # Below this the one register gets along: that of `sgm_450` enables 11,537 and routes above its aim. In `sgm_640` it is
-# 22,722; the reset of `vga_64` in its shell has 13,844 readers.
-LARGEST_CONTROL = 12_288
+# 22,722. The reset of `vga_64` in its shell has 13,844 readers.
+LARGEST_CONTROLS = {"CE": 16_384, "LSR": 12_288}
 READERS_OF_A_COPY = 1_024
 # A net of more readers says nothing about which of them belong together.
 LARGEST_NEIGHBOURHOOD = 8
 
 
 def copy_wide_controls(
-    module: dict[str, Any], largest: int = LARGEST_CONTROL, readers_of_a_copy: int = READERS_OF_A_COPY
+    module: dict[str, Any],
+    largest: Mapping[str, int] = LARGEST_CONTROLS,
+    readers_of_a_copy: int = READERS_OF_A_COPY,
 ) -> int:
     """Returns how many registers were added. Only clock enables and resets of registers change to a copy."""
     cells: dict[str, Cell] = module["cells"]
     registers = {name: cell for name, cell in cells.items() if cell["type"] == "TRELLIS_FF"}
     drivers = {cell["connections"]["Q"][0]: name for name, cell in registers.items()}
     added = 0
-    for pin in PINS:
+    for pin in largest:
         driven: dict[Bit, list[str]] = {}
         for name, cell in registers.items():
             for bit in cell["connections"].get(pin, []):
                 driven.setdefault(bit, []).append(name)
         for net, readers in driven.items():
-            if len(readers) > largest and net in drivers:
+            if len(readers) > largest[pin] and net in drivers:
                 for number, cluster in enumerate(_clusters(cells, readers, readers_of_a_copy)):
                     _copy(module, drivers[net], pin, cluster, number)
                     added += 1
