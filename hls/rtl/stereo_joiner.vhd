@@ -57,6 +57,9 @@ architecture rtl of stereo_joiner is
   signal left_pixel, right_pixel : std_logic_vector(pixel_bits - 1 downto 0);
   signal left_lines, right_lines : unsigned(14 downto 0);
   signal both, starts, alike, differs, left_drops, right_drops : std_logic;
+  -- As it was in the last clock, and whether a joined frame began to leave in it: who reads it may be far away.
+  signal distance : signed(15 downto 0);
+  signal began : std_logic := '0';
   signal skew : signed(15 downto 0) := (others => '0');
   -- the frame that is being joined
   signal column : natural range 0 to width_px - 1 := 0;  -- of the next pair, and its row
@@ -122,12 +125,14 @@ begin
     variable at_row : natural range 0 to height_px - 1;
   begin
     if rising_edge(aclk) then
+      distance <= signed(resize(left_lines, 16)) - signed(resize(right_lines, 16));
+      began <= joins and room and starts;
+      if began = '1' then
+        skew <= distance;
+      end if;
       faults <= ((differs or cuts) and joined) & right_drops & left_drops;
       if joins = '1' and room = '1' then
         joined <= '1';
-        if starts = '1' then
-          skew <= signed(resize(left_lines, 16)) - signed(resize(right_lines, 16));
-        end if;
         at_column := column;
         at_row := row;
         if starts = '1' then
@@ -156,6 +161,7 @@ begin
       if reset = '1' then
         joined <= '0';
         breaks <= '0';
+        began <= '0';
         skew <= (others => '0');
         faults <= "000";
       end if;
