@@ -70,28 +70,6 @@ def stream(folder, config, pair, *options):
     return folder
 
 
-def outputs_of(stream):
-    return len((stream / "expected.txt").read_text().splitlines()) - 1
-
-
-def cosim_of_streams(config, streams, out):
-    """All of them in one simulation of the VHDL, a clock of reset after each."""
-    stimulus, expected = [], []
-    for folder in streams:
-        for line in (folder / "expected.txt").read_text().splitlines()[1:]:
-            clock, _, rest = line.partition(" ")
-            expected.append(f"{int(clock) + len(stimulus)} {rest}")
-        stimulus += (folder / "stimulus.txt").read_text().splitlines()[1:]
-        stimulus.append("4" + stimulus[-1][1:])
-    out.mkdir(parents=True, exist_ok=True)
-    for name, lines, count in (("stimulus", stimulus, "clocks"), ("expected", expected, "outputs")):
-        header = (streams[0] / f"{name}.txt").read_text().splitlines()[0]
-        header = re.sub(rf" {count}=\d+", f" {count}={len(lines)}", header)
-        (out / f"own_{name}.txt").write_text("\n".join([header, *lines]) + "\n")
-    words = ["--config", config, "--stimulus", out / "own_stimulus.txt", "--expected", out / "own_expected.txt"]
-    return call("cosim.py", *words, "--out", out)
-
-
 def report(out):
     return json.loads((Path(out) / "report.json").read_text())
 

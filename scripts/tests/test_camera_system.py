@@ -88,9 +88,9 @@ def test_a_whole_frame_of_vga_is_exact():
 
 @pytest.fixture
 def routed_vga():
-    found = record.read(VGA)
-    if not found or "implementation" not in found:
-        pytest.skip("SKIP: no place and route of camera_system_vga is recorded")
+    found = record.read(VGA) or {}
+    how = "scripts/camera_system.py --system vga --implement --router router2 --record"
+    assert "implementation" in found, f"no place and route of the VHDL that is here is recorded: run {how}"
     return found["implementation"]["ecp5"]
 
 

@@ -2,6 +2,7 @@
 """Co-simulation of every option of the algorithm: model == core (hls_tb/cores/named_cores_test.cpp) == VHDL
 (here)."""
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -11,7 +12,7 @@ from flow.base.configurations import configurations
 from flow.base.ghdl import to_verilog
 from flow.cosim import checker, vectors
 from flow.synthesis import manifest
-from flow_commands import cosim_of_streams, outputs_of, random_pair, report, scene, stream
+from flow_commands import call, random_pair, report, scene, stream
 
 TABLE = configurations()
 OPTIONS = sorted(name for name, row in TABLE.items() if row["use"] in ("option", "example"))
@@ -25,11 +26,27 @@ def test_there_are_enough_parameter_sets():
     assert {p["pixels_per_clock"] for p in map(TABLE.get, OPTIONS)} == {1, 2, 4}
 
 
-def timed_in(stream, observed, after):
-    """The outputs of a stream that came after another one, with their clocks in the stream."""
-    first, start = outputs_of(after), len((after / "stimulus.txt").read_text().splitlines())
-    seen = vectors.read_observed(observed)[0][first : first + outputs_of(stream)]
-    return [replace(output, clock=output.clock - start) for output in seen]
+def joined(streams, folder):
+    """(stimulus, expected, first clock of each) of streams that follow one another, a clock of reset after each."""
+    stimulus, expected, starts = [], [], []
+    for one in streams:
+        starts.append(len(stimulus))
+        for line in lines_of(one, "expected"):
+            clock, _, rest = line.partition(" ")
+            expected.append(f"{int(clock) + starts[-1]} {rest}")
+        stimulus += lines_of(one, "stimulus")
+        stimulus.append("4" + stimulus[-1][1:])
+    files = []
+    for name, lines, count in (("stimulus", stimulus, "clocks"), ("expected", expected, "outputs")):
+        header = (streams[0] / f"{name}.txt").read_text().splitlines()[0]
+        header = re.sub(rf" {count}=\d+", f" {count}={len(lines)}", header)
+        files.append(folder / f"{name}.txt")
+        files[-1].write_text("\n".join([header, *lines]) + "\n")
+    return *files, starts
+
+
+def lines_of(stream, name):
+    return (stream / f"{name}.txt").read_text().splitlines()[1:]
 
 
 @pytest.mark.parametrize("config", [*OPTIONS, "tiny", "tiny_p2", "tiny_p4", "tiny_sgm"])
@@ -45,18 +62,21 @@ def test_three_streams(ghdl, tmp_path, config):
         stream(tmp_path / "ties", config, noise, "--frames", 2),
         stream(tmp_path / "bubbles", config, scene(tmp_path / "scene", config), "--frames", 2, "--stall-percent", 30),
     ]
-    broken, ties, _ = streams
     outputs = parameters["output_width_px"] * parameters["output_height_px"] // parameters["pixels_per_clock"]
-    assert [outputs_of(one) for one in streams[1:]] == [2 * outputs, 2 * outputs] and outputs_of(broken) > 0
+    counts = [len(lines_of(one, "expected")) for one in streams]
+    assert counts[0] > 0 and counts[1:] == [2 * outputs, 2 * outputs]
 
-    process = cosim_of_streams(config, streams, tmp_path / "out")
+    stimulus, expected, starts = joined(streams, tmp_path)
+    words = ["--config", config, "--stimulus", stimulus, "--expected", expected, "--out", tmp_path / "out"]
+    process = call("cosim.py", *words)
     assert process.returncode == 0, process.stdout + process.stderr
     result = report(tmp_path / "out")
-    assert (result["compared"], result["mismatches"]) == (sum(map(outputs_of, streams)), 0)
-    # The clocks are those of the VHDL: each output came in its own.
+    assert (result["compared"], result["mismatches"]) == (sum(counts), 0)
+
+    seen = vectors.read_observed(tmp_path / "out" / "observed.txt")[0][counts[0] : counts[0] + counts[1]]
     timing = checker.measure(
-        vectors.read_stimulus(ties / "stimulus.txt", rtl.kind_of(parameters)),
-        timed_in(ties, tmp_path / "out" / "observed.txt", after=broken),
+        vectors.read_stimulus(streams[1] / "stimulus.txt", rtl.kind_of(parameters)),
+        [replace(output, clock=output.clock - starts[1]) for output in seen],
         parameters,
     )
     frame = parameters["width_px"] * parameters["height_px"] // parameters["pixels_per_clock"]

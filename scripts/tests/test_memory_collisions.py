@@ -8,13 +8,12 @@ import pytest
 
 from flow.base import rtl
 from flow.base.configurations import configuration, configurations
-from flow.base.tools import find_stereo_hls, run
 from flow.cosim import checker, vectors
 from flow.cosim.simulators import Ghdl
 from flow.implementation import yosys
 from flow.implementation.targets import FAMILIES
 from flow.synthesis import manifest
-from flow_commands import scene
+from flow_commands import scene, stream
 
 READ = "          word <= memory(read_address);\n"
 OTHER = "          word <= not memory(read_address) when {} else memory(read_address);\n"
@@ -29,11 +28,8 @@ BLOCK_MATCHING = sorted(
 def agrees(config, folder, wrong):
     """Whether the core answers to two frames with bubbles as the C++ core does although its memories read other words
     where `wrong` is true."""
-    pair, cell = folder / "pair", folder / "line_memory.vhd"
-    left, right = scene(pair, config)
-    images = ["--left", left, "--right", right]
-    options = ["--frames", 2, "--stall-percent", 25, "--seed", 1, "--fit", "none", "--out", folder]
-    run([find_stereo_hls(), "vectors", "--config", config, *images, *options])
+    stream(folder, config, scene(folder / "pair", config), "--frames", 2, "--stall-percent", 25)
+    cell = folder / "line_memory.vhd"
     text = rtl.MEMORY_CELL.read_text()
     assert READ in text
     cell.write_text(text.replace(READ, OTHER.format(wrong)))

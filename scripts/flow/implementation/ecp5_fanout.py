@@ -29,6 +29,8 @@ def copy_wide_controls(
     cells: dict[str, Cell] = module["cells"]
     registers = {name: cell for name, cell in cells.items() if cell["type"] == "TRELLIS_FF"}
     drivers = {cell["connections"]["Q"][0]: name for name, cell in registers.items()}
+    used = (b for cell in cells.values() for bits in cell["connections"].values() for b in bits if isinstance(b, int))
+    first_free = 1 + max(used)
     added = 0
     for pin in largest:
         driven: dict[Bit, list[str]] = {}
@@ -38,18 +40,15 @@ def copy_wide_controls(
         for net, readers in driven.items():
             if len(readers) > largest[pin] and net in drivers:
                 for number, cluster in enumerate(_clusters(cells, readers, readers_of_a_copy)):
-                    _copy(module, drivers[net], pin, cluster, number)
+                    _copy(module, f"{drivers[net]}_{pin}_copy_{number}", drivers[net], pin, cluster, first_free + added)
                     added += 1
     return added
 
 
-def _copy(module: dict[str, Any], driver: str, pin: str, readers: list[str], number: int) -> None:
+def _copy(module: dict[str, Any], name: str, driver: str, pin: str, readers: list[str], bit: Bit) -> None:
+    """Adds the register `name`, a copy of `driver` that shows `bit` to the readers."""
     cells: dict[str, Cell] = module["cells"]
-    bit = 1 + max(
-        b for cell in cells.values() for bits in cell["connections"].values() for b in bits if isinstance(b, int)
-    )
     original = cells[driver]
-    name = f"{driver}_{pin}_copy_{number}"
     cells[name] = original | {"connections": original["connections"] | {"Q": [bit]}}
     module["netnames"][f"{name}_Q"] = {"hide_name": 0, "bits": [bit], "attributes": {}}
     for reader in readers:
