@@ -30,16 +30,19 @@ FAULTS = {
         r"leftoffsets_nodes_even_odd_ready_word\(15 downto 0\)",
         "leftoffsets_nodes_even_even_ready_word(15 downto 0)",
     ),
-    "offsets: those of the other camera": (r"(righttaps_offset_y <= )rightoffsets_y_value;", r"\1leftoffsets_y_value;"),
+    "offsets: those of the other camera": (
+        r"(righttaps_offset_y <= )rightoffsets_y_row_value;",
+        r"\1leftoffsets_y_row_value;",
+    ),
     "taps: a fraction's bit": (r"(lefttaps_weight_x <= lefttaps_source_x mod) 32;", r"\1 16;"),
     "taps: to the left": (r"\+ 65025(\) mod 256 when lefttaps)", r"+ 65024\1"),
     "taps: a column too many": (r"(lefttaps_column_shown_1 <= sample_leaves) and .*;", r"\1;"),
     "taps: a row too many": (r"(lefttaps_row_shown_1 <= \(lefttaps_taps_row_sum <) 7\)", r"\1 8)"),
     "sampler: weights swapped": (
-        r"(leftsampler_pixel_weight_y <= )leftsampler_weight_y_held_3;",
+        r"(leftsampler_pixel_left_part <= )leftsampler_weight_y_held_3;",
         r"\1leftsampler_weight_x_held_3;",
     ),
-    "sampler: no rounding": (r"(leftsampler_pixel_column_0 \* 32\) / 512\)) \+ 1\)", r"\1 + 0)"),
+    "sampler: no rounding": (r"(leftsampler_pixel_row_base <= .*/ 512\)) \+ 1\)", r"\1 + 0)"),
     "valid a clock early": (r"(valid_held_3 <= )valid_held_2;", r"\1valid_held_1;"),
     "the first pixel of a frame": (r"(starts_held_2 <= )starts_held_1;", r"\1false;"),
 }

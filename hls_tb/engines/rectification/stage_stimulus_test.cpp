@@ -5,6 +5,7 @@
 
 #include <set>
 #include <sstream>
+#include <string>
 #include <tuple>
 
 #include "cosim/stage_files.hpp"
@@ -95,8 +96,10 @@ TEST(StageFiles, HaveAFieldForEachPort) {
              "stereo-hls stimulus 2 config=rectify_tiny pixels=1 clocks=3\n03 0a ff 0000 0000 0000 0000\n"
              "18 00 00 0003 0002 ffff 0100\n04 00 00 0000 0000 0000 0000\n");
    EXPECT_EQ(expected.str(),
-             "stereo-hls expected 2 config=rectify_tiny pixels=1 disparity_bits=16 outputs=2 latency=20\n"
-             "50 0 0 0 ab12 1\n51 1 0 0 0007 0\n");
+             "stereo-hls expected 2 config=rectify_tiny pixels=1 disparity_bits=16 outputs=2 latency=" +
+                 std::to_string(tiny().shape.schedule.latency_clocks) +
+                 "\n"
+                 "50 0 0 0 ab12 1\n51 1 0 0 0007 0\n");
 }
 
 }  // namespace
