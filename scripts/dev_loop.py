@@ -10,7 +10,7 @@ from rich.table import Table
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
-from flow.dev_loop import DevLoop
+from flow.dev_loop import DevLoop, Timing
 
 
 def main() -> int:
@@ -25,24 +25,29 @@ def main() -> int:
         raise FlowError("--rows must be 2 or more")
     loop = DevLoop(options.config, options.header, options.rows)
     console = Console(highlight=False, soft_wrap=True)
-    timings = []
-    table = Table("step", "seconds", "of processors", "", title=f"Developer's loop, {options.config}")
-    with console.status("") as status:
-        status.update("bringing the build up to date")
+    timings: list[Timing] = []
+    with console.status("bringing the build up to date") as status:
         loop.prepare()
-        for name, step in loop.steps():
-            status.update(name)
-            timing = loop.measure(name, step)
+        status.update("the steps of the loop")
+
+        def done(timing: Timing) -> None:
             timings.append(timing)
-            seconds = "SKIP" if timing.skipped else f"{timing.seconds:.1f}"
-            used = "" if timing.skipped else f"{timing.processor_seconds:.1f}"
-            note = timing.skipped or (f"FAILED: {timing.failed}" if timing.failed else timing.note)
-            console.print(f"{name}: {seconds}{f': {note}' if timing.skipped or timing.failed else ' s'}")
-            table.add_row(name, seconds, used, note)
+            seconds = "SKIP" if timing.skipped else f"{timing.seconds:.1f} s"
+            why = timing.skipped or timing.failed
+            console.print(f"{timing.step}: {seconds}{f': {why}' if why else ''}")
+
+        proven = loop.run(done)
+    table = Table("step", "starts at", "seconds", "", title=f"Developer's loop, {options.config}")
+    for timing in timings:
+        note = timing.skipped or (f"FAILED: {timing.failed}" if timing.failed else timing.note)
+        seconds = "SKIP" if timing.skipped else f"{timing.seconds:.1f}"
+        table.add_row(timing.step, f"{timing.started:.1f}", seconds, note)
     console.print(table)
     failures = [timing.step for timing in timings if timing.failed]
     if failures:
         raise FlowError(f"failed: {', '.join(failures)}", EXIT_MISMATCH)
+    if not any(timing.skipped for timing in timings):
+        console.print(f"From the edit to a whole frame in GHDL and in Verilator: {proven:.0f} s.")
     return EXIT_OK
 
 

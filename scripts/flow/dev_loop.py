@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Times the steps that a developer repeats after a change of the C++."""
+"""Times the steps that a developer repeats after a change of the C++, those that can run side by side at once."""
 
 import json
 import os
-import resource
 import shutil
 import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 from .base import rtl
+from .base.configurations import Configuration, configuration, designs
 from .base.errors import FlowError
 from .base.tools import ROOT, Word, find_bambu, find_ghdl, find_verilator, run
 from .synthesis import bambu
@@ -26,8 +27,8 @@ Step = Callable[[], str]  # gives a note
 @dataclass
 class Timing:
     step: str
+    started: float = 0.0  # seconds after the edit
     seconds: float = 0.0
-    processor_seconds: float = 0.0
     note: str = ""
     skipped: str = ""  # why, when it did not run
     failed: str = ""  # how, when it did not succeed
@@ -44,28 +45,44 @@ class DevLoop:
         rtl.folder(config)
         os.environ["STEREO_HLS"] = str(self.build / "stereo_hls")  # for the commands called below
 
-    def steps(self) -> list[tuple[str, Step]]:
-        """With their names, in the order of a developer's day."""
-        return [
-            (f"hls/{self.header.relative_to(ROOT / 'hls')} changed: its unit test", self.unit_test),
-            ("the clocked core of a pair", self.clocked_core),
-            ("Bambu, lowering, VHDL", self.synthesis),
-            (f"VHDL in GHDL, {self.crop_rows} rows", lambda: self.cosim("ghdl", self.crop_rows)),
-            ("VHDL in GHDL, whole frame", lambda: self.cosim("ghdl")),
-            ("VHDL in Verilator, whole frame", lambda: self.cosim("verilator")),
-            (f"Bambu's own VHDL in GHDL, {ORIGINAL_ROWS} rows", lambda: self.cosim("original", ORIGINAL_ROWS)),
-        ]
+    def run(self, done: Callable[[Timing], object]) -> float:
+        """All steps; `done` is called after each. Returns the seconds from the edit to a whole frame that both
+        simulators have played."""
+        edited = time.monotonic()
 
-    def measure(self, name: str, step: Step) -> Timing:
-        started, before = time.monotonic(), processor_seconds()
-        timing = Timing(name)
+        def lane(*steps: tuple[str, Step]) -> None:
+            for name, step in steps:
+                done(self._measure(edited, name, step))
+
+        row = configuration(self.config, designs())  # of the program that is built again below
+        # Bambu needs one processor and most of the time. The lowering takes the names of the registers from the C++
+        # core, so it waits for the one that is new.
+        with ThreadPoolExecutor() as pool:
+            native = pool.submit(
+                lane,
+                (f"hls/{self.header.relative_to(ROOT / 'hls')} changed: its unit test", self.unit_test),
+                ("the clocked core of a pair", self.clocked_core),
+            )
+            lane(("Bambu", lambda: self.bambu(row)))
+            native.result()
+            lane(("lowering, VHDL", self.lowering))
+            crop, whole = f"VHDL in GHDL, {self.crop_rows} rows", "VHDL in GHDL, whole frame"
+            verilator = pool.submit(lane, ("VHDL in Verilator, whole frame", lambda: self.cosim("verilator")))
+            lane((crop, lambda: self.cosim("ghdl", self.crop_rows)), (whole, lambda: self.cosim("ghdl")))
+            verilator.result()
+        proven = time.monotonic() - edited
+        lane((f"Bambu's own VHDL in GHDL, {ORIGINAL_ROWS} rows", lambda: self.cosim("original", ORIGINAL_ROWS)))
+        return proven
+
+    def _measure(self, edited: float, name: str, step: Step) -> Timing:
+        timing = Timing(name, time.monotonic() - edited)
         try:
             timing.note = step()
         except Skipped as reason:
-            return Timing(name, skipped=str(reason))
+            timing.skipped = str(reason)
         except FlowError as error:
             timing.failed = str(error)
-        timing.seconds, timing.processor_seconds = time.monotonic() - started, processor_seconds() - before
+        timing.seconds = time.monotonic() - edited - timing.started
         return timing
 
     def prepare(self) -> None:
@@ -85,7 +102,9 @@ class DevLoop:
         os.utime(self.header)
 
     def _make(self, *targets: str) -> None:
-        run(["cmake", "--build", self.build, "--target", *targets], log=WORK / "build.log")
+        # One processor is left to Bambu.
+        jobs = max((os.cpu_count() or 1) - 1, 1)
+        run(["cmake", "--build", self.build, "--parallel", jobs, "--target", *targets], log=WORK / "build.log")
 
     def _test(self) -> str:
         return f"blocks_{self.block}_test"
@@ -107,10 +126,16 @@ class DevLoop:
         run([os.environ["STEREO_HLS"], "match", *pair, *options], passes_errors=True)
         return ""
 
-    def synthesis(self) -> str:
+    def bambu(self, row: Configuration) -> str:
         need(find_bambu)
         # Else the tool's last run would be taken, as a touched header has the same content.
         (bambu.WORK / self.config / "inputs.json").unlink(missing_ok=True)
+        bambu.synthesize(self.config, row)
+        return ""
+
+    def lowering(self) -> str:
+        """Finds what Bambu has made, unless the new program says that the configuration is another one."""
+        need(find_bambu)
         command: list[Word] = [SCRIPTS / "synthesize.py", "--config", self.config, "--out", WORK / "rtl"]
         run(command, log=WORK / "synthesis.log", passes_errors=True)
         return "into build/"
@@ -140,12 +165,6 @@ class DevLoop:
         report = json.loads((WORK / name / "report.json").read_text())
         times = f"build {report['build_seconds']:.1f} s, run {report['simulation_seconds']:.2f} s"
         return f"{times}, {report['clocks_per_second']:,.0f} clocks/s"
-
-
-def processor_seconds() -> float:
-    """Of all programs that were called and have ended."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 class Skipped(Exception):
