@@ -88,10 +88,10 @@ struct Matching {
    }
 
    constexpr int largest_pixel() const { return (1 << pixel_bits) - 1; }
+   /// Of the prefilter: the same share of the range of grey values for each width.
+   constexpr int largest_cap() const { return pixel_bits < 8 || pixel_bits > 12 ? kUnlimited : 63 << (pixel_bits - 8); }
 
   private:
-   /// The same share of the range of grey values for each width.
-   constexpr int largest_cap() const { return pixel_bits < 8 || pixel_bits > 12 ? kUnlimited : 63 << (pixel_bits - 8); }
    /// Of a window; without the prefilter there is no check whose threshold could be too high.
    constexpr int largest_texture() const {
       if (prefilter == Prefilter::none || prefilter_cap < 1 || window_px < 1 ||

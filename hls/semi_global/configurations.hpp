@@ -55,6 +55,9 @@ STEREO_ROW(tiny_sgm_all_left, option, tiny_sgm_all, reference = Reference::left,
 STEREO_ROW(tiny_sgm_full, option, tiny_sgm, full_width = true);
 STEREO_ROW(tiny_sgm_full_all, option, tiny_sgm_all, reference = Reference::left, min_disparity = 2, ties = Ties::largest,
            full_width = true);
+STEREO_ROW(tiny_sgm_10bit, option, tiny_sgm, pixel_bits = 10);
+STEREO_ROW(tiny_sgm_12bit_all, option, tiny_sgm_all, pixel_bits = 12, reference = Reference::left, cost = Cost::sad,
+           prefilter = Prefilter::xsobel, prefilter_cap = 500, cost_shift = 7, cost_cap = 63, full_width = true);
 STEREO_ROW(tiny_sgm_settings, option, tiny_sgm_all, run_time_settings = true);
 STEREO_ROW(tiny_sgm_settings_full, option, tiny_sgm_full_all, run_time_settings = true);
 // clang-format on

@@ -24,6 +24,15 @@ ImagePair random_pair(int width, int height, uint64_t seed, int levels) {
    return {std::move(left), image_of(width, height, value)};
 }
 
+DeepPair random_deep_pair(int width, int height, uint64_t seed, int bits, int levels) {
+   Random random(seed);
+   DeepPair pair{DeepImage(width, height), DeepImage(width, height)};
+   for (DeepImage* image : {&pair.left, &pair.right})
+      for (uint16_t& pixel : image->pixels)
+         pixel = uint16_t(int64_t(random.below(levels)) * ((1 << bits) - 1) / (levels - 1));
+   return pair;
+}
+
 ImagePair shifted_pair(int width, int height, int disparity, uint64_t seed) {
    ImagePair pair = random_pair(width, height, seed);
    for (int y = 0; y < height; ++y)

@@ -16,6 +16,9 @@ struct NamedPair {
 /// Both images random, of `levels` grey values: few levels give many ties.
 ImagePair random_pair(int width, int height, uint64_t seed, int levels = 256);
 
+/// Both images random, of `levels` grey values of 0 ... 2^bits - 1.
+DeepPair random_deep_pair(int width, int height, uint64_t seed, int bits, int levels);
+
 /// left(x + disparity, y) = right(x, y), random elsewhere.
 ImagePair shifted_pair(int width, int height, int disparity, uint64_t seed);
 

@@ -8,10 +8,21 @@
 #include "definition/block_matching/matching_input.hpp"
 
 namespace stereo::semi_global {
+namespace {
 
-void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+template <class Image>
+void check_input(const Image& left, const Image& right, const Matching& matching) {
    if (const Sentence problem = matching.problem(); !problem.empty()) throw std::invalid_argument(problem.text);
    block_matching::check_matching_input(left, right, matching.window_costs());
+}
+
+}  // namespace
+
+void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_input(left, right, matching);
+}
+void check_matching_input(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   check_input(left, right, matching);
 }
 
 Matching mirrored(Matching matching) {

@@ -12,6 +12,7 @@ namespace stereo::semi_global {
 
 /// Throws std::invalid_argument with one sentence when the pair cannot be matched with these options.
 void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching);
+void check_matching_input(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
 /// The options that give the mirror image of the same map for the mirrored pair.
 Matching mirrored(Matching matching);

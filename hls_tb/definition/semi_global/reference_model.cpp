@@ -75,9 +75,9 @@ DisparityRange range_of(const Matching& matching) {
    return {matching.min_disparity, matching.first_disparity, matching.window_costs().last_searched()};
 }
 
-}  // namespace
-
-CostVolume path_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+/// Either kind of image.
+template <class Image>
+CostVolume costs_of(const Image& left, const Image& right, const Matching& matching) {
    const CostVolume pixels = block_matching::pixel_costs(left, right, matching.window_costs());
    CostVolume costs = all_window_sums(pixels, matching.window_px);
    if (matching.full_width) costs = full_width_sums(costs, matching.window_px, range_of(matching));
@@ -85,6 +85,32 @@ CostVolume path_costs(const GrayImage& left, const GrayImage& right, const Match
       value = value == kNoCandidate ? largest_path_cost(matching)
                                     : std::min(value >> matching.cost_shift, matching.cost_cap);
    return costs;
+}
+
+template <class Image>
+DisparityMap matched(const Image& left, const Image& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
+   if (matching.reference == Reference::left)
+      return mirrored(matched(mirrored(right), mirrored(left), mirrored(matching)));
+   CostVolume sums = path_sums(costs_of(left, right, matching), matching);
+   if (matching.full_width) keep_candidates(sums, range_of(matching));
+   const DisparityMap best = winners(sums, matching.ties);
+   DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
+   if (matching.median) map = median_filtered(map);
+   if (matching.has_left_right_check())
+      keep_passing(map, left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
+   if (matching.has_uniqueness_check()) keep_passing(map, distance_check(sums, best, matching.uniqueness_distance));
+   return map;
+}
+
+}  // namespace
+
+CostVolume path_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   if (matching.pixel_bits > 8) return costs_of(widened(left), widened(right), matching);
+   return costs_of(left, right, matching);
+}
+CostVolume path_costs(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   return costs_of(left, right, matching);
 }
 
 CostVolume row_path(const CostVolume& costs, RowDirection direction, const Matching& matching) {
@@ -144,18 +170,12 @@ GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, in
 }
 
 DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
-   check_matching_input(left, right, matching);
-   if (matching.reference == Reference::left)
-      return mirrored(match_reference(mirrored(right), mirrored(left), mirrored(matching)));
-   CostVolume sums = path_sums(path_costs(left, right, matching), matching);
-   if (matching.full_width) keep_candidates(sums, range_of(matching));
-   const DisparityMap best = winners(sums, matching.ties);
-   DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
-   if (matching.median) map = median_filtered(map);
-   if (matching.has_left_right_check())
-      keep_passing(map, left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
-   if (matching.has_uniqueness_check()) keep_passing(map, distance_check(sums, best, matching.uniqueness_distance));
-   return map;
+   // What the prefilter gives may need the bits that the pixels do not.
+   if (matching.pixel_bits > 8) return matched(widened(left), widened(right), matching);
+   return matched(left, right, matching);
+}
+DisparityMap match_reference(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   return matched(left, right, matching);
 }
 
 }  // namespace stereo::semi_global

@@ -11,6 +11,7 @@ namespace stereo::semi_global {
 
 /// c(x,y,d), for the columns of the map: all cost columns.
 CostVolume path_costs(const GrayImage& left, const GrayImage& right, const Matching& matching);
+CostVolume path_costs(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
 enum class RowDirection { from_left, from_right };
 
@@ -28,5 +29,6 @@ GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, in
 
 /// All of it, for either reference. Throws std::invalid_argument as check_matching_input does.
 DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching);
+DisparityMap match_reference(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
 }  // namespace stereo::semi_global

@@ -7,10 +7,21 @@
 #include "definition/semi_global/matching_input.hpp"
 
 namespace stereo::trellis {
+namespace {
 
-void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+template <class Image>
+void check_input(const Image& left, const Image& right, const Matching& matching) {
    if (const Sentence problem = matching.problem(); !problem.empty()) throw std::invalid_argument(problem.text);
    semi_global::check_matching_input(left, right, matching.path_costs());
+}
+
+}  // namespace
+
+void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_input(left, right, matching);
+}
+void check_matching_input(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   check_input(left, right, matching);
 }
 
 MapGeometry map_geometry(const Matching& matching, int image_width) {

@@ -10,7 +10,11 @@
 
 namespace stereo::trellis {
 
-CostVolume left_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+namespace {
+
+/// Either kind of image.
+template <class Image>
+CostVolume costs_of(const Image& left, const Image& right, const Matching& matching) {
    const CostVolume mirror = semi_global::path_costs(stereo::mirrored(right), stereo::mirrored(left),
                                                      semi_global::mirrored(matching.path_costs()));
    CostVolume costs(mirror.width, mirror.height, mirror.disparities);
@@ -18,6 +22,16 @@ CostVolume left_costs(const GrayImage& left, const GrayImage& right, const Match
       for (int x = 0; x < costs.width; ++x)
          for (int d = 0; d < costs.disparities; ++d) costs.at(x, y, d) = mirror.at(costs.width - 1 - x, y, d);
    return costs;
+}
+
+}  // namespace
+
+CostVolume left_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   if (matching.pixel_bits > 8) return costs_of(widened(left), widened(right), matching);
+   return costs_of(left, right, matching);
+}
+CostVolume left_costs(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   return costs_of(left, right, matching);
 }
 
 Row forward(const CostVolume& costs, int y, const Matching& matching) {
@@ -85,7 +99,10 @@ std::vector<int> filled(std::vector<int> disparities) {
    return disparities;
 }
 
-DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+namespace {
+
+template <class Image>
+DisparityMap matched(const Image& left, const Image& right, const Matching& matching) {
    check_matching_input(left, right, matching);
    const CostVolume costs = left_costs(left, right, matching);
    DisparityMap map(costs.width, costs.height);
@@ -97,6 +114,17 @@ DisparityMap match_reference(const GrayImage& left, const GrayImage& right, cons
       }
    }
    return matching.median ? median_filtered(map) : map;
+}
+
+}  // namespace
+
+DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   // What the prefilter gives may need the bits that the pixels do not.
+   if (matching.pixel_bits > 8) return matched(widened(left), widened(right), matching);
+   return matched(left, right, matching);
+}
+DisparityMap match_reference(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   return matched(left, right, matching);
 }
 
 }  // namespace stereo::trellis

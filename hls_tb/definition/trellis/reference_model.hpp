@@ -9,6 +9,7 @@ namespace stereo::trellis {
 
 /// c(x,y,d) with the left image as reference, for the columns of the map.
 CostVolume left_costs(const GrayImage& left, const GrayImage& right, const Matching& matching);
+CostVolume left_costs(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
 /// The forward pass over one row: [x][d].
 struct Row {
@@ -26,5 +27,6 @@ std::vector<int> filled(std::vector<int> disparities);
 
 /// All of it. Throws std::invalid_argument as check_matching_input does.
 DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching);
+DisparityMap match_reference(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
 }  // namespace stereo::trellis

@@ -30,6 +30,10 @@ STEREO_VECTOR_CLONES void append_bits(uint8_t* __restrict bits, const uint8_t* _
                                       const uint8_t* __restrict other, int count) {
    append(bits, centre, other, count);
 }
+STEREO_VECTOR_CLONES void append_bits(uint8_t* __restrict bits, const uint16_t* __restrict centre,
+                                      const uint16_t* __restrict other, int count) {
+   append(bits, centre, other, count);
+}
 
 /// Calls visit(y, row, dx, number) for each other pixel of the window around the pixels of row y, whose rows lie in the
 /// image; `number` counts the pixels of the window.
@@ -67,6 +71,18 @@ std::vector<uint64_t> transforms_of(const RasterImage<Pixel>& image, int census_
    return transforms;
 }
 
+template <class Pixel>
+std::vector<uint8_t> planes_of(const RasterImage<Pixel>& image, int census_width_px, int census_height_px,
+                               int threads) {
+   const int planes = (census_width_px * census_height_px - 1 + 7) / 8;
+   std::vector<uint8_t> transforms(image.pixels.size() * std::size_t(planes));
+   for_each_other(image.height, census_width_px, census_height_px, threads, [&](int y, int row, int dx, int number) {
+      append_to_row(transforms.data() + (std::ptrdiff_t(number / 8) * image.height + y) * image.width, image, y, row,
+                    dx);
+   });
+   return transforms;
+}
+
 }  // namespace
 
 std::vector<uint64_t> census(const GrayImage& image, int census_width_px, int census_height_px, int threads) {
@@ -77,13 +93,10 @@ std::vector<uint64_t> census(const DeepImage& image, int census_width_px, int ce
 }
 
 std::vector<uint8_t> census_planes(const GrayImage& image, int census_width_px, int census_height_px, int threads) {
-   const int planes = (census_width_px * census_height_px - 1 + 7) / 8;
-   std::vector<uint8_t> transforms(image.pixels.size() * std::size_t(planes));
-   for_each_other(image.height, census_width_px, census_height_px, threads, [&](int y, int row, int dx, int number) {
-      append_to_row(transforms.data() + (std::ptrdiff_t(number / 8) * image.height + y) * image.width, image, y, row,
-                    dx);
-   });
-   return transforms;
+   return planes_of(image, census_width_px, census_height_px, threads);
+}
+std::vector<uint8_t> census_planes(const DeepImage& image, int census_width_px, int census_height_px, int threads) {
+   return planes_of(image, census_width_px, census_height_px, threads);
 }
 
 }  // namespace stereo::fast

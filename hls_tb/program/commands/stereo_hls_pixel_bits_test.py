@@ -11,19 +11,28 @@ from stereo_hls_program import HEIGHT, PROGRAM, WIDTH, changed, deep_image, fail
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="the program stereo_hls is missing: set STEREO_HLS to it")
 
 
-def deep_pair(tmp_path, bits):
+def deep_pair(tmp_path, bits, width=WIDTH):
     """Noise over the whole range, the left image moved by 3 pixels."""
     noise = random.Random(bits)
-    values = [[noise.randrange(1 << bits) for _ in range(WIDTH + 3)] for _ in range(HEIGHT)]
+    values = [[noise.randrange(1 << bits) for _ in range(width + 3)] for _ in range(HEIGHT)]
     values[0][3], values[0][4] = 0, (1 << bits) - 1
-    left = deep_image(tmp_path / "deep_l.pgm", lambda x, y: values[y][x])
-    right = deep_image(tmp_path / "deep_r.pgm", lambda x, y: values[y][x + 3])
+    left = deep_image(tmp_path / "deep_l.pgm", lambda x, y: values[y][x], width)
+    right = deep_image(tmp_path / "deep_r.pgm", lambda x, y: values[y][x + 3], width)
     return ["--left", left, "--right", right]
 
 
-@pytest.mark.parametrize("config,bits", [("tiny_10bit", 10), ("tiny_12bit_all", 12)])
-def test_match_of_pixels_of_more_bits(tmp_path, config, bits):
-    pair = deep_pair(tmp_path, bits)
+@pytest.mark.parametrize(
+    "config,bits,width",
+    [
+        ("tiny_10bit", 10, WIDTH),
+        ("tiny_12bit_all", 12, WIDTH),
+        ("tiny_sgm_10bit", 10, 40),
+        ("tiny_sgm_12bit_all", 12, 40),
+        ("tiny_trellis_12bit", 12, 40),
+    ],
+)
+def test_match_of_pixels_of_more_bits(tmp_path, config, bits, width):
+    pair = deep_pair(tmp_path, bits, width)
     for engine in ("fast", "clocked"):
         succeed("match", "--config", config, "--engine", engine, *pair, "--out", tmp_path / engine)
     maps = [(tmp_path / engine / "disparity.png").read_bytes() for engine in ("fast", "clocked")]
@@ -62,7 +71,7 @@ def test_refuses_pixels_beyond_the_range(tmp_path):
         *out,
         says=["11 but must be 8, 10 or 12"],
     )
-    fail(tmp_path, "match", "--config", "tiny_sgm", "--set", "pixel_bits=10", *pair, *out, says=["no such option"])
+    fail(tmp_path, "match", "--config", "tiny_phase", "--set", "pixel_bits=10", *pair, *out, says=["no such option"])
 
 
 def test_scene_fills_the_range_of_its_configuration(tmp_path):

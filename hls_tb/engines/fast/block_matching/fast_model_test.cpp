@@ -196,15 +196,6 @@ TEST(FastModel, EqualsTheReferenceWhereSumsAreTheLargestOf16Bits) {
    }
 }
 
-/// Grey values of `bits` bits, `levels` of them.
-DeepPair random_deep_pair(int width, int height, int bits, int levels, Random& random) {
-   DeepPair pair{DeepImage(width, height), DeepImage(width, height)};
-   for (DeepImage* image : {&pair.left, &pair.right})
-      for (uint16_t& pixel : image->pixels)
-         pixel = uint16_t(int64_t(random.below(levels)) * ((1 << bits) - 1) / (levels - 1));
-   return pair;
-}
-
 /// Any options with which window costs of 12 bits stay below 2^31.
 block_matching::Matching random_deep_parameters(Random& random, int width) {
    block_matching::Matching parameters = random_parameters(random, width);
@@ -231,7 +222,7 @@ TEST(FastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
       if (random.percent(50)) parameters.prefilter_cap = 1 + random.below(63 << (bits - 8));
       if (parameters.has_texture_check()) parameters.texture_threshold = std::max(1, parameters.prefilter_cap);
       const DeepPair pair =
-          random_deep_pair(width, height, bits, random.percent(50) ? 1 << bits : 2 + random.below(4), random);
+          random_deep_pair(width, height, random.bits(), bits, random.percent(50) ? 1 << bits : 2 + random.below(4));
       ASSERT_TRUE(
           same_map(match_reference(pair.left, pair.right, parameters), match_fast(pair.left, pair.right, parameters)))
           << width << 'x' << height << " bits=" << bits << ' ' << text_of(parameters);

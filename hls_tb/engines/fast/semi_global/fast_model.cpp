@@ -8,7 +8,10 @@
 
 namespace stereo::semi_global {
 
-DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+namespace {
+
+template <class Image>
+DisparityMap match(const Image& left, const Image& right, const Matching& matching, int threads) {
    check_matching_input(left, right, matching);
    DisparityMap map = matching.reference == Reference::right
                           ? match_paths(left, right, matching, threads)
@@ -16,6 +19,17 @@ DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Mat
                                                          mirrored(matching), threads));
    if (matching.median) map = fast::median_3x3(map, threads);
    return map;
+}
+
+}  // namespace
+
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+   // What the prefilter gives may need the bits that the pixels do not.
+   if (matching.pixel_bits > 8) return match(widened(left), widened(right), matching, threads);
+   return match(left, right, matching, threads);
+}
+DisparityMap match_fast(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads) {
+   return match(left, right, matching, threads);
 }
 
 }  // namespace stereo::semi_global

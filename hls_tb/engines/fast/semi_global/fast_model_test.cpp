@@ -84,6 +84,81 @@ TEST(SemiGlobalFastModel, EqualsTheReferenceWithAnyOptions) {
    EXPECT_GT(partly_valid, 80) << "or the checks have hardly been compared";
 }
 
+/// Options for grey values that are 2^(bits - 8) times as large, with which window costs stay below 2^31.
+Matching random_deep_options(Random& random, int width, int bits) {
+   Matching m = random_options(random, width);
+   m.pixel_bits = bits;
+   m.prefilter_cap = random.percent(50) ? m.prefilter_cap << (bits - 8) : 1 + random.below(63 << (bits - 8));
+   if (m.cost == Cost::ssd) m.window_px = std::min(m.window_px, 11);
+   return m;
+}
+
+TEST(SemiGlobalFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
+   Random random(test_seed());
+   for (int i = 0; i < 300; ++i) {
+      const int width = 3 + random.below(90), height = 1 + random.below(24), bits = random.percent(50) ? 10 : 12;
+      const Matching matching = random_deep_options(random, width, bits);
+      const DeepPair pair =
+          random_deep_pair(width, height, random.bits(), bits, random.percent(50) ? 1 << bits : 2 + random.below(4));
+      ASSERT_TRUE(same_map(match_reference(pair.left, pair.right, matching),
+                           match_fast(pair.left, pair.right, matching, 1 + random.below(3))))
+          << width << 'x' << height << ' ' << text_of(matching);
+   }
+}
+
+/// Costs are larger by the same factor, which the shift takes back, but for the cost of a census. Left out: the largest
+/// difference of two grey values, which is the cost of what is no candidate, is larger by a little more.
+TEST(SemiGlobalFastModel, LargerGreyValuesOfMoreBitsChangeNothing) {
+   Random random(test_seed());
+   for (int i = 0; i < 60; ++i) {
+      const int width = 3 + random.below(60), height = 1 + random.below(16), more = random.percent(50) ? 2 : 4;
+      Matching of_8_bits = random_deep_options(random, width, 8);
+      Matching matching = of_8_bits;
+      matching.pixel_bits = 8 + more;
+      matching.prefilter_cap <<= more;
+      const int factor = of_8_bits.cost == Cost::sad ? more : of_8_bits.cost == Cost::ssd ? 2 * more : 0;
+      const bool has_other_largest = factor > 0 && matching.prefilter == Prefilter::none;
+      if (matching.cost_shift + factor > 16 || (matching.full_width && has_other_largest)) continue;
+      matching.cost_shift += factor;
+      const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
+      DeepPair larger{widened(pair.left), widened(pair.right)};
+      for (DeepImage* image : {&larger.left, &larger.right})
+         for (uint16_t& pixel : image->pixels) pixel = uint16_t(pixel << more);
+      const DisparityMap expected = match_reference(pair.left, pair.right, of_8_bits);
+      for (const DisparityMap& map :
+           {match_fast(larger.left, larger.right, matching), match_reference(larger.left, larger.right, matching)})
+         ASSERT_TRUE(same_map(expected, map)) << width << 'x' << height << ' ' << text_of(matching);
+   }
+}
+
+TEST(SemiGlobalFastModel, PixelsOf8BitsAreTakenAsTheyAre) {
+   Random random(test_seed());
+   for (int i = 0; i < 60; ++i) {
+      const int width = 3 + random.below(60), height = 1 + random.below(16);
+      Matching matching = random_deep_options(random, width, 8);
+      const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
+      const DisparityMap expected = match_reference(pair.left, pair.right, matching);
+      // With full_width, the cost of what is no candidate follows the range of the pixels.
+      if (matching.full_width) continue;
+      matching.pixel_bits = 12;
+      for (const DisparityMap& map :
+           {match_fast(pair.left, pair.right, matching), match_reference(pair.left, pair.right, matching)})
+         ASSERT_TRUE(same_map(expected, map)) << width << 'x' << height << ' ' << text_of(matching);
+   }
+}
+
+TEST(SemiGlobalFastModel, RejectsPixelsBeyondTheRange) {
+   for (const int bits : {8, 10, 12}) {
+      const Matching matching{.disparities = 4, .pixel_bits = bits};
+      DeepPair pair{DeepImage(9, 9, uint16_t((1 << bits) - 1)), DeepImage(9, 9)};
+      EXPECT_NO_THROW(match_fast(pair.left, pair.right, matching));
+      EXPECT_NO_THROW(match_reference(pair.left, pair.right, matching));
+      pair.right.at(3, 8) = uint16_t(1 << bits);
+      EXPECT_THROW(match_fast(pair.left, pair.right, matching), std::invalid_argument);
+      EXPECT_THROW(match_reference(pair.left, pair.right, matching), std::invalid_argument);
+   }
+}
+
 TEST(SemiGlobalFastModel, EqualsTheReferenceOnEveryKindOfPair) {
    Random random(test_seed());
    for (const NamedPair& pair : test_pairs(60, 14, 16, test_seed()))

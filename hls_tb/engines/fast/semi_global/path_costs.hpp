@@ -42,7 +42,7 @@ STEREO_INTO_CLONES void add_hamming_distances(uint8_t* __restrict costs, const u
 }
 
 /// Costs of the single pixels of one row. costs: [x][d].
-STEREO_INTO_CLONES void census_row(const PixelRows& pixels, int y, int lanes, uint8_t* costs) {
+STEREO_INTO_CLONES void census_row(const PixelRows<uint8_t>& pixels, int y, int lanes, uint8_t* costs) {
    constexpr int kAtOnce = 3;
    for (int first = 0; first < pixels.planes; first += kAtOnce) {
       const int count = std::min(kAtOnce, pixels.planes - first);
@@ -66,25 +66,26 @@ STEREO_INTO_CLONES void census_row(const PixelRows& pixels, int y, int lanes, ui
    }
 }
 
-template <class PixelCost>
-STEREO_INTO_CLONES void difference_row(const PixelRows& pixels, int y, int lanes, bool squared, PixelCost* costs) {
+/// A PixelCost that is wider than a pixel holds squares.
+template <class Pixel, class PixelCost>
+STEREO_INTO_CLONES void difference_row(const PixelRows<Pixel>& pixels, int y, int lanes, PixelCost* costs) {
    for (int x = 0; x < pixels.columns; ++x) {
-      const uint8_t* const __restrict left = pixels.left_row(0, y) + x;
-      const uint8_t right = pixels.right_row(0, y)[x];
+      const Pixel* const __restrict left = pixels.left_row(0, y) + x;
+      const Pixel right = pixels.right_row(0, y)[x];
       PixelCost* const __restrict to = costs + std::ptrdiff_t(x) * lanes;
-      if (squared)
+      if constexpr (sizeof(PixelCost) > sizeof(Pixel))
          for (int d = 0; d < lanes; ++d) to[d] = PixelCost((left[d] - right) * (left[d] - right));
       else
          for (int d = 0; d < lanes; ++d) to[d] = PixelCost(std::max(left[d], right) - std::min(left[d], right));
    }
 }
 
-/// Window costs of row after row. PixelCost, Sum: types that hold the cost of a pixel and of a window. Fixed: the
-/// number of lanes, or 0 where it is known only at run time.
-template <class PixelCost, class Sum, int Fixed>
+/// Window costs of row after row. Pixel: as in PixelRows. PixelCost, Sum: types that hold the cost of a pixel and of a
+/// window. Fixed: the number of lanes, or 0 where it is known only at run time.
+template <class Pixel, class PixelCost, class Sum, int Fixed>
 class WindowCosts {
   public:
-   STEREO_INTO_CLONES WindowCosts(const PixelRows& pixels, const Matching& matching, int lanes)
+   STEREO_INTO_CLONES WindowCosts(const PixelRows<Pixel>& pixels, const Matching& matching, int lanes)
        : pixels_(pixels),
          matching_(matching),
          lanes_(lanes),
@@ -150,9 +151,9 @@ class WindowCosts {
       PixelCost* const __restrict from = row(y);
       if constexpr (sizeof(PixelCost) == 1) {
          if (matching_.cost == Cost::census) census_row(pixels_, y, Fixed > 0 ? Fixed : lanes_, from);
-         else difference_row(pixels_, y, lanes_, false, from);
+         else difference_row(pixels_, y, lanes_, from);
       } else {
-         difference_row(pixels_, y, lanes_, true, from);
+         difference_row(pixels_, y, lanes_, from);
       }
       Sum* const __restrict to = columns_.data();
       const std::size_t size = row_size_;
@@ -189,7 +190,7 @@ class WindowCosts {
       return smallest;
    }
 
-   const PixelRows& pixels_;
+   const PixelRows<Pixel>& pixels_;
    const Matching& matching_;
    int lanes_, above_, below_, before_, after_;
    int kept_;  ///< rows of pixel costs

@@ -17,9 +17,9 @@ namespace {
 constexpr int kVector = 32;
 
 /// What the threads share.
-template <class Lane, int Fixed>
+template <class Pixel, class Lane, int Fixed>
 struct Shared {
-   const PixelRows& pixels;
+   const PixelRows<Pixel>& pixels;
    const Matching& matching;
    int lanes;
    DisparityMap& map;
@@ -29,10 +29,10 @@ struct Shared {
 
 /// The work of one thread: the costs and the paths along the rows of its bands, whatever stands above them, then the
 /// path from above and the winners behind the thread of the band above.
-template <class PixelCost, class Sum, class Lane, int Fixed>
+template <class Pixel, class PixelCost, class Sum, class Lane, int Fixed>
 class Matcher {
   public:
-   STEREO_INTO_CLONES explicit Matcher(Shared<Lane, Fixed>& shared)
+   STEREO_INTO_CLONES explicit Matcher(Shared<Pixel, Lane, Fixed>& shared)
        : shared_(shared),
          matching_(shared.matching),
          lanes_(shared.lanes),
@@ -161,11 +161,11 @@ class Matcher {
       }
    }
 
-   Shared<Lane, Fixed>& shared_;
+   Shared<Pixel, Lane, Fixed>& shared_;
    const Matching& matching_;
    int lanes_;
    DisparityMap& map_;
-   WindowCosts<PixelCost, Sum, Fixed> window_costs_;
+   WindowCosts<Pixel, PixelCost, Sum, Fixed> window_costs_;
    std::vector<Lane> beyond_;  ///< [d]: all bits set behind the last disparity
    std::vector<Lane> total_;   ///< [d]: S
    RowPathState<Lane, Fixed> from_left_, from_right_;
@@ -173,27 +173,35 @@ class Matcher {
 };
 
 /// Sizes that many cores have: the compiler unrolls loops over a fixed number of lanes.
-STEREO_VECTOR_CLONES void match_8_8_64(Shared<uint8_t, 64>& shared) {
-   Matcher<uint8_t, uint8_t, uint8_t, 64>(shared).match();
+STEREO_VECTOR_CLONES void match_8_8_64(Shared<uint8_t, uint8_t, 64>& shared) {
+   Matcher<uint8_t, uint8_t, uint8_t, uint8_t, 64>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_8_8_128(Shared<uint8_t, 128>& shared) {
-   Matcher<uint8_t, uint8_t, uint8_t, 128>(shared).match();
+STEREO_VECTOR_CLONES void match_8_8_128(Shared<uint8_t, uint8_t, 128>& shared) {
+   Matcher<uint8_t, uint8_t, uint8_t, uint8_t, 128>(shared).match();
 }
 // Window costs of 8, 16 and 32 bits, and paths of 8 and 16.
-STEREO_VECTOR_CLONES void match_8_8(Shared<uint8_t, 0>& shared) {
-   Matcher<uint8_t, uint8_t, uint8_t, 0>(shared).match();
+STEREO_VECTOR_CLONES void match_8_8(Shared<uint8_t, uint8_t, 0>& shared) {
+   Matcher<uint8_t, uint8_t, uint8_t, uint8_t, 0>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_16_8(Shared<uint8_t, 0>& shared) {
-   Matcher<uint8_t, uint16_t, uint8_t, 0>(shared).match();
+STEREO_VECTOR_CLONES void match_16_8(Shared<uint8_t, uint8_t, 0>& shared) {
+   Matcher<uint8_t, uint8_t, uint16_t, uint8_t, 0>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_16_16(Shared<uint16_t, 0>& shared) {
-   Matcher<uint8_t, uint16_t, uint16_t, 0>(shared).match();
+STEREO_VECTOR_CLONES void match_16_16(Shared<uint8_t, uint16_t, 0>& shared) {
+   Matcher<uint8_t, uint8_t, uint16_t, uint16_t, 0>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_32_16(Shared<uint16_t, 0>& shared) {
-   Matcher<uint8_t, uint32_t, uint16_t, 0>(shared).match();
+STEREO_VECTOR_CLONES void match_32_16(Shared<uint8_t, uint16_t, 0>& shared) {
+   Matcher<uint8_t, uint8_t, uint32_t, uint16_t, 0>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_ssd(Shared<uint16_t, 0>& shared) {
-   Matcher<uint16_t, uint32_t, uint16_t, 0>(shared).match();
+STEREO_VECTOR_CLONES void match_ssd(Shared<uint8_t, uint16_t, 0>& shared) {
+   Matcher<uint8_t, uint16_t, uint32_t, uint16_t, 0>(shared).match();
+}
+
+// Pixels of more than 8 bits, but for census transforms.
+STEREO_VECTOR_CLONES void match_deep(Shared<uint16_t, uint16_t, 0>& shared) {
+   Matcher<uint16_t, uint16_t, uint32_t, uint16_t, 0>(shared).match();
+}
+STEREO_VECTOR_CLONES void match_deep_ssd(Shared<uint16_t, uint16_t, 0>& shared) {
+   Matcher<uint16_t, uint32_t, uint32_t, uint16_t, 0>(shared).match();
 }
 
 /// One thread goes through the image row by row, and no row's costs leave the fast memory. Several take bands that are
@@ -204,33 +212,47 @@ RowBands bands_of(const DisparityMap& map, const Matching& matching, int threads
    return {map.height, map.width, std::min(std::max(kRows, matching.window_px), map.height), kColumns};
 }
 
+template <class Pixel, class Image>
+DisparityMap match(const Image& left, const Image& right, const Matching& matching, int threads) {
+   const int lanes = (matching.disparities + kVector - 1) / kVector * kVector;
+   const PixelRows<Pixel> pixels(left, right, matching, kVector, threads);
+   DisparityMap map(map_width(left.width, matching), left.height, 0, matching.subpixel);
+   const auto run = [&]<class Lane, int Fixed>(void (*match)(Shared<Pixel, Lane, Fixed>&)) {
+      Shared<Pixel, Lane, Fixed> shared{
+          pixels,
+          matching,
+          lanes,
+          map,
+          bands_of(map, matching, threads),
+          PathFromAbove<Lane, Fixed>(matching, matching.path_above ? map.width : 0, lanes)};
+      fast::in_threads(std::min(threads, shared.bands.count()), [&](int) { match(shared); });
+   };
+   if constexpr (sizeof(Pixel) > 1) {
+      run(matching.cost == Cost::ssd ? match_deep_ssd : match_deep);
+   } else {
+      const int64_t side_x = std::min(matching.window_px, pixels.columns),
+                    side_y = std::min(matching.window_px, map.height);
+      const int64_t window_cost = side_x * side_y * block_matching::largest_pixel_cost(matching.window_costs());
+      const bool narrow_paths = PathBounds(matching).fit(8);
+      if (matching.cost == Cost::ssd) run(match_ssd);
+      else if (window_cost < 1 << 8 && narrow_paths && lanes == 64) run(match_8_8_64);
+      else if (window_cost < 1 << 8 && narrow_paths && lanes == 128) run(match_8_8_128);
+      else if (window_cost < 1 << 8 && narrow_paths) run(match_8_8);
+      else if (window_cost < 1 << 16 && narrow_paths) run(match_16_8);
+      else if (window_cost < 1 << 16) run(match_16_16);
+      else run(match_32_16);
+   }
+   return map;
+}
+
 }  // namespace
 
 DisparityMap match_paths(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
-   const int lanes = (matching.disparities + kVector - 1) / kVector * kVector;
-   const PixelRows pixels(left, right, matching, kVector, threads);
-   DisparityMap map(map_width(left.width, matching), left.height, 0, matching.subpixel);
-   const int64_t side_x = std::min(matching.window_px, pixels.columns),
-                 side_y = std::min(matching.window_px, map.height);
-   const int64_t window_cost = side_x * side_y * block_matching::largest_pixel_cost(matching.window_costs());
-   const bool narrow_paths = PathBounds(matching).fit(8);
-   const auto run = [&]<class Lane, int Fixed>(void (*match)(Shared<Lane, Fixed>&)) {
-      Shared<Lane, Fixed> shared{pixels,
-                                 matching,
-                                 lanes,
-                                 map,
-                                 bands_of(map, matching, threads),
-                                 PathFromAbove<Lane, Fixed>(matching, matching.path_above ? map.width : 0, lanes)};
-      fast::in_threads(std::min(threads, shared.bands.count()), [&](int) { match(shared); });
-   };
-   if (matching.cost == Cost::ssd) run(match_ssd);
-   else if (window_cost < 1 << 8 && narrow_paths && lanes == 64) run(match_8_8_64);
-   else if (window_cost < 1 << 8 && narrow_paths && lanes == 128) run(match_8_8_128);
-   else if (window_cost < 1 << 8 && narrow_paths) run(match_8_8);
-   else if (window_cost < 1 << 16 && narrow_paths) run(match_16_8);
-   else if (window_cost < 1 << 16) run(match_16_16);
-   else run(match_32_16);
-   return map;
+   return match<uint8_t>(left, right, matching, threads);
+}
+DisparityMap match_paths(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads) {
+   return matching.cost == Cost::census ? match<uint8_t>(left, right, matching, threads)
+                                        : match<uint16_t>(left, right, matching, threads);
 }
 
 }  // namespace stereo::semi_global

@@ -15,10 +15,10 @@ constexpr int kVector = 32;
 
 /// Rows of a map, one after the other. The costs come from the mirrored pair, whose reference is the right image: its
 /// last column is our first.
-template <class PixelCost>
+template <class Pixel, class PixelCost>
 class Matcher {
   public:
-   STEREO_INTO_CLONES Matcher(const semi_global::PixelRows& pixels, const semi_global::Matching& costs,
+   STEREO_INTO_CLONES Matcher(const semi_global::PixelRows<Pixel>& pixels, const semi_global::Matching& costs,
                               const Matching& matching, DisparityMap& map)
        : matching_(matching),
          lanes_((matching.disparities + kVector - 1) / kVector * kVector),
@@ -108,33 +108,59 @@ class Matcher {
    const Matching& matching_;
    int lanes_;
    DisparityMap& map_;
-   semi_global::WindowCosts<PixelCost, uint32_t, 0> window_costs_;
+   semi_global::WindowCosts<Pixel, PixelCost, uint32_t, 0> window_costs_;
    std::vector<uint16_t> costs_, smallest_;
    std::vector<int> path_;           ///< E of two columns
    std::vector<int> dropped_, far_;  ///< P, and whether its drop was a far one
    std::vector<uint8_t> decisions_;  ///< [x][d]
 };
 
-STEREO_VECTOR_CLONES void match_bytes(const semi_global::PixelRows& pixels, const semi_global::Matching& costs,
+using ByteRows = semi_global::PixelRows<uint8_t>;
+using DeepRows = semi_global::PixelRows<uint16_t>;
+STEREO_VECTOR_CLONES void match_bytes(const ByteRows& pixels, const semi_global::Matching& costs,
                                       const Matching& matching, DisparityMap& map, int first, int end) {
-   Matcher<uint8_t>(pixels, costs, matching, map).match(first, end);
+   Matcher<uint8_t, uint8_t>(pixels, costs, matching, map).match(first, end);
 }
-STEREO_VECTOR_CLONES void match_squares(const semi_global::PixelRows& pixels, const semi_global::Matching& costs,
+STEREO_VECTOR_CLONES void match_squares(const ByteRows& pixels, const semi_global::Matching& costs,
                                         const Matching& matching, DisparityMap& map, int first, int end) {
-   Matcher<uint16_t>(pixels, costs, matching, map).match(first, end);
+   Matcher<uint8_t, uint16_t>(pixels, costs, matching, map).match(first, end);
+}
+STEREO_VECTOR_CLONES void match_deep(const DeepRows& pixels, const semi_global::Matching& costs,
+                                     const Matching& matching, DisparityMap& map, int first, int end) {
+   Matcher<uint16_t, uint16_t>(pixels, costs, matching, map).match(first, end);
+}
+STEREO_VECTOR_CLONES void match_deep_squares(const DeepRows& pixels, const semi_global::Matching& costs,
+                                             const Matching& matching, DisparityMap& map, int first, int end) {
+   Matcher<uint16_t, uint32_t>(pixels, costs, matching, map).match(first, end);
+}
+
+template <class Rows>
+using MatchRows = void (*)(const Rows&, const semi_global::Matching&, const Matching&, DisparityMap&, int, int);
+
+template <class Rows, class Image>
+DisparityMap matched(const Image& left, const Image& right, const Matching& matching, int threads,
+                     MatchRows<Rows> match) {
+   const semi_global::Matching costs = semi_global::mirrored(matching.path_costs());
+   const Rows pixels(stereo::mirrored(right), stereo::mirrored(left), costs, kVector, threads);
+   DisparityMap map(pixels.columns, pixels.height);
+   fast::for_each_band(map.height, threads,
+                       [&](int first, int end) { match(pixels, costs, matching, map, first, end); });
+   return matching.median ? fast::median_3x3(map, threads) : map;
 }
 
 }  // namespace
 
 DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+   // What the prefilter gives may need the bits that the pixels do not.
+   if (matching.pixel_bits > 8) return match_fast(widened(left), widened(right), matching, threads);
    check_matching_input(left, right, matching);
-   const semi_global::Matching costs = semi_global::mirrored(matching.path_costs());
-   const semi_global::PixelRows pixels(stereo::mirrored(right), stereo::mirrored(left), costs, kVector, threads);
-   DisparityMap map(pixels.columns, pixels.height);
-   const auto match = matching.cost == Cost::ssd ? match_squares : match_bytes;
-   fast::for_each_band(map.height, threads,
-                       [&](int first, int end) { match(pixels, costs, matching, map, first, end); });
-   return matching.median ? fast::median_3x3(map, threads) : map;
+   return matched<ByteRows>(left, right, matching, threads, matching.cost == Cost::ssd ? match_squares : match_bytes);
+}
+DisparityMap match_fast(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads) {
+   check_matching_input(left, right, matching);
+   if (matching.cost == Cost::census) return matched<ByteRows>(left, right, matching, threads, match_bytes);
+   return matched<DeepRows>(left, right, matching, threads,
+                            matching.cost == Cost::ssd ? match_deep_squares : match_deep);
 }
 
 }  // namespace stereo::trellis

@@ -56,6 +56,34 @@ TEST(TrellisFastModel, EqualsTheReferenceWithAnyOptions) {
    EXPECT_GT(with_occlusions, 60) << "or occlusions have hardly been compared";
 }
 
+TEST(TrellisFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
+   Random random(test_seed());
+   for (int i = 0; i < 250; ++i) {
+      const int width = 4 + random.below(90), height = 1 + random.below(20), bits = random.percent(50) ? 10 : 12;
+      Matching matching = random_options(random, width);
+      matching.pixel_bits = bits;
+      matching.prefilter_cap = 1 + random.below(63 << (bits - 8));
+      if (matching.cost == Cost::ssd) matching.window_px = std::min(matching.window_px, 11);
+      const DeepPair pair =
+          random_deep_pair(width, height, random.bits(), bits, random.percent(50) ? 1 << bits : 2 + random.below(4));
+      ASSERT_TRUE(same_map(match_reference(pair.left, pair.right, matching),
+                           match_fast(pair.left, pair.right, matching, 1 + random.below(3))))
+          << i << ": " << width << 'x' << height << ' ' << describe(matching);
+      const ImagePair of_8_bits = random_pair(width, height, random.bits());
+      ASSERT_TRUE(same_map(match_reference(of_8_bits.left, of_8_bits.right, matching),
+                           match_fast(of_8_bits.left, of_8_bits.right, matching)));
+   }
+}
+
+TEST(TrellisFastModel, RejectsPixelsBeyondTheRange) {
+   const Matching matching{.disparities = 4, .pixel_bits = 10};
+   DeepPair pair{DeepImage(9, 9, 1023), DeepImage(9, 9)};
+   EXPECT_NO_THROW(match_fast(pair.left, pair.right, matching));
+   pair.right.at(3, 8) = 1024;
+   EXPECT_THROW(match_fast(pair.left, pair.right, matching), std::invalid_argument);
+   EXPECT_THROW(match_reference(pair.left, pair.right, matching), std::invalid_argument);
+}
+
 TEST(TrellisFastModel, EqualsTheReferenceOnLargerImages) {
    for (const NamedPair& pair : test_pairs(300, 20, 64, test_seed()))
       for (const int disparities : {31, 32, 33, 64, 128, 256}) {

@@ -1,0 +1,1576 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, trellis, configuration tiny_trellis_12bit: 40x12, 12 disparities, window 3x3, drop 4 or by 6, occlusion 7, 1 pixel pair a clock.
+-- Options: disparities 12, pixel_bits 12, cost sad, cost_shift 8, cost_cap 15, slice_disparities 5.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_trellis_12bit
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_trellis_12bit is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 40;
+    height_px : positive := 12;
+    disparities : positive := 12;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 29;
+    latency_clocks : positive := 21;
+    flush_groups : positive := 122;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(11 downto 0);  -- 12 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(11 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(7 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 40 report "stereo_core_tiny_trellis_12bit: width_px is " & integer'image(width_px) & " but this core has 40" severity failure;
+  assert height_px = 12 report "stereo_core_tiny_trellis_12bit: height_px is " & integer'image(height_px) & " but this core has 12" severity failure;
+  assert disparities = 12 report "stereo_core_tiny_trellis_12bit: disparities is " & integer'image(disparities) & " but this core has 12" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_trellis_12bit: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 8 report "stereo_core_tiny_trellis_12bit: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 29 report "stereo_core_tiny_trellis_12bit: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
+  assert latency_clocks = 21 report "stereo_core_tiny_trellis_12bit: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
+  assert flush_groups = 122 report "stereo_core_tiny_trellis_12bit: flush_groups is " & integer'image(flush_groups) & " but this core has 122" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_trellis_12bit: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_trellis_12bit is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
+  signal in_right_pixel : natural range 0 to 4095;
+  signal in_left_pixel : natural range 0 to 4095;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 63;
+  signal raster_place_group : natural range 0 to 15;
+  -- delay
+  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
+  signal delay_column : natural range 0 to 63;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(19 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_1 : natural range 0 to 255;
+  signal rows_search_2, rows_reference_1, rows_reference_2 : natural range 0 to 255;
+  signal rows_search_rows_ready_words_0, rows_reference_rows_ready_words_0 : natural range 0 to 1048575;
+  signal rows_search_rows_write_words_0, rows_reference_rows_write_words_0 : natural range 0 to 1044735;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_map_column : boolean;
+  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2, rows_ready_tag_valid : boolean;
+  signal rows_ready_tag_border_column, rows_ready_tag_first_cost, rows_ready_tag_map_column : boolean;
+  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
+  signal rows_tag_valid, rows_tag_border_column, rows_tag_first_cost, rows_tag_map_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_search_0, rows_reference_0 : natural range 0 to 4095;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 4095;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_reference_0 : natural range 0 to 4095;
+  signal slice0shift_search_out_0 : natural range 0 to 4095;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
+  signal slice0shift_search_1_3, slice0shift_search_1_4, slice0shift_search_2_0 : natural range 0 to 255;
+  signal slice0shift_search_2_1, slice0shift_search_2_2, slice0shift_search_2_3 : natural range 0 to 255;
+  signal slice0shift_search_2_4, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
+  signal slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
+  signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
+  signal slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -4095 to 4095;
+  signal slice0cost_difference_0_3, slice0cost_difference_0_4 : integer range -4095 to 4095;
+  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
+  signal slice0cost_difference_1_3, slice0cost_difference_1_4, slice0cost_difference_2_0 : integer range -255 to 255;
+  signal slice0cost_difference_2_1, slice0cost_difference_2_2, slice0cost_difference_2_3 : integer range -255 to 255;
+  signal slice0cost_difference_2_4 : integer range -255 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
+  signal slice0cost_pair_0_4 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 4096;
+  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 4096;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 4608;
+  signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 4608;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 4608;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4 : natural range 0 to 4608;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 9216;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4 : natural range 0 to 9216;
+  signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
+  signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
+  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 13824;
+  signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 13824;
+  -- slice0
+  signal slice0_held_0_0, slice0_held_0_1, slice0_held_0_2, slice0_held_0_3, slice0_held_0_4 : natural range 0 to 54;
+  signal slice0_held_1_0, slice0_held_1_1, slice0_held_1_2, slice0_held_1_3, slice0_held_1_4 : natural range 0 to 54;
+  signal slice0_held_2_0, slice0_held_2_1, slice0_held_2_2, slice0_held_2_3, slice0_held_2_4 : natural range 0 to 54;
+  signal slice0_tag_0_valid, slice0_tag_0_map_column, slice0_tag_0_output_column, slice0_tag_0_first_column : boolean;
+  signal slice0_tag_0_start_of_frame, slice0_tag_0_end_of_line, slice0_tag_1_valid, slice0_tag_1_map_column : boolean;
+  signal slice0_tag_1_output_column, slice0_tag_1_first_column, slice0_tag_1_start_of_frame : boolean;
+  signal slice0_tag_1_end_of_line, slice0_tag_2_valid, slice0_tag_2_map_column, slice0_tag_2_output_column : boolean;
+  signal slice0_tag_2_first_column, slice0_tag_2_start_of_frame, slice0_tag_2_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 4095;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_reference_0 : natural range 0 to 4095;
+  signal slice1shift_search_out_0 : natural range 0 to 4095;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 255;
+  signal slice1shift_search_1_3, slice1shift_search_1_4, slice1shift_search_2_0 : natural range 0 to 255;
+  signal slice1shift_search_2_1, slice1shift_search_2_2, slice1shift_search_2_3 : natural range 0 to 255;
+  signal slice1shift_search_2_4, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 255;
+  signal slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 255;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -4095 to 4095;
+  signal slice1cost_difference_0_3, slice1cost_difference_0_4 : integer range -4095 to 4095;
+  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
+  signal slice1cost_difference_1_3, slice1cost_difference_1_4, slice1cost_difference_2_0 : integer range -255 to 255;
+  signal slice1cost_difference_2_1, slice1cost_difference_2_2, slice1cost_difference_2_3 : integer range -255 to 255;
+  signal slice1cost_difference_2_4 : integer range -255 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
+  signal slice1cost_pair_0_4 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
+  signal slice1cost_negative_0_4, slice1cost_tag_border_column : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 4096;
+  signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 4096;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 4608;
+  signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 4608;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 4608;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4 : natural range 0 to 4608;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 9216;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4 : natural range 0 to 9216;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 13824;
+  signal slice1window_sum_0_3, slice1window_sum_0_4 : natural range 0 to 13824;
+  -- slice1
+  signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 54;
+  signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 54;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_reference_0 : natural range 0 to 4095;
+  signal slice2shift_search_1_0, slice2shift_search_1_1, slice2shift_search_2_0 : natural range 0 to 255;
+  signal slice2shift_search_2_1, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 255;
+  -- slice2cost
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1 : integer range -4095 to 4095;
+  signal slice2cost_difference_1_0, slice2cost_difference_1_1, slice2cost_difference_2_0 : integer range -255 to 255;
+  signal slice2cost_difference_2_1 : integer range -255 to 255;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 4096;
+  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 4608;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 4608;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 9216;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 13824;
+  -- slice2
+  signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 54;
+  -- entry
+  signal entry_next_cost_0, entry_next_cost_1, entry_next_cost_2, entry_next_cost_3 : natural range 0 to 54;
+  signal entry_next_cost_4, entry_next_cost_5, entry_next_cost_6, entry_next_cost_7 : natural range 0 to 54;
+  signal entry_next_cost_8, entry_next_cost_9, entry_next_cost_10, entry_next_cost_11 : natural range 0 to 54;
+  signal entry_cost_0, entry_cost_1, entry_cost_2, entry_cost_3, entry_cost_4, entry_cost_5 : natural range 0 to 54;
+  signal entry_cost_6, entry_cost_7, entry_cost_8, entry_cost_9, entry_cost_10, entry_cost_11 : natural range 0 to 54;
+  signal entry_next_tag_valid, entry_next_tag_map_column, entry_next_tag_first_column : boolean;
+  signal entry_next_tag_end_of_line, entry_next_top, entry_order_falls, entry_order_inside : boolean;
+  signal entry_order_complete, entry_order_output, entry_order_held_output, entry_order_turned_output_column : boolean;
+  signal entry_order_turned_start_of_frame, entry_tag_valid, entry_tag_map_column, entry_tag_first_column : boolean;
+  signal entry_tag_end_of_line, entry_turned_output_column, entry_turned_start_of_frame : boolean;
+  signal entry_order_address, entry_place : natural range 0 to 31;
+  -- forward
+  signal forward_next_cost_0, forward_next_cost_1, forward_next_cost_2, forward_next_cost_3 : natural range 0 to 54;
+  signal forward_next_cost_4, forward_next_cost_5, forward_next_cost_6, forward_next_cost_7 : natural range 0 to 54;
+  signal forward_next_cost_8, forward_next_cost_9, forward_next_cost_10, forward_next_cost_11 : natural range 0 to 54;
+  signal forward_next_first, forward_far_0, forward_far_1, forward_far_2, forward_far_3, forward_far_4 : boolean;
+  signal forward_far_5 : boolean;
+  signal forward_pair_cost_0, forward_pair_cost_1, forward_pair_cost_2, forward_pair_cost_3 : natural range 0 to 115;
+  signal forward_pair_cost_4, forward_pair_cost_5, forward_pair_cost_6, forward_pair_cost_7 : natural range 0 to 115;
+  signal forward_pair_cost_8, forward_pair_cost_9, forward_pair_cost_10, forward_pair_cost_11 : natural range 0 to 115;
+  signal forward_path_0, forward_path_1, forward_path_2, forward_path_3, forward_path_4 : natural range 0 to 511;
+  signal forward_path_5, forward_path_6, forward_path_7, forward_path_8, forward_path_9 : natural range 0 to 511;
+  signal forward_path_10, forward_path_11, forward_stayed_0, forward_stayed_1 : natural range 0 to 511;
+  signal forward_stayed_2, forward_stayed_3, forward_stayed_4, forward_stayed_5 : natural range 0 to 511;
+  signal forward_stayed_6, forward_stayed_7, forward_stayed_8, forward_stayed_9 : natural range 0 to 511;
+  signal forward_stayed_10, forward_stayed_11, forward_occluding_0, forward_occluding_1 : natural range 0 to 511;
+  signal forward_occluding_2, forward_occluding_3, forward_occluding_4, forward_occluding_5 : natural range 0 to 511;
+  signal forward_occluding_6, forward_occluding_7, forward_occluding_8, forward_occluding_9 : natural range 0 to 511;
+  signal forward_occluding_10, forward_dropped_0, forward_dropped_1, forward_dropped_2 : natural range 0 to 511;
+  signal forward_dropped_3, forward_dropped_4, forward_dropped_5, forward_dropped_6 : natural range 0 to 511;
+  signal forward_dropped_7, forward_dropped_8, forward_dropped_9, forward_dropped_10 : natural range 0 to 511;
+  signal forward_dropped_11 : natural range 0 to 511;
+  signal forward_decision_0 : natural range 0 to 2;
+  signal forward_decision_1, forward_decision_2, forward_decision_3, forward_decision_4 : natural range 0 to 3;
+  signal forward_decision_5, forward_decision_6, forward_decision_7, forward_decision_8 : natural range 0 to 3;
+  signal forward_decision_9, forward_decision_10, forward_decision_11 : natural range 0 to 3;
+  -- decisions
+  signal decisions_read_words_0 : unsigned(23 downto 0);
+  signal decisions_ready_decision_0, decisions_ready_decision_1, decisions_ready_decision_2 : natural range 0 to 3;
+  signal decisions_ready_decision_3, decisions_ready_decision_4, decisions_ready_decision_5 : natural range 0 to 3;
+  signal decisions_ready_decision_6, decisions_ready_decision_7, decisions_ready_decision_8 : natural range 0 to 3;
+  signal decisions_ready_decision_9, decisions_ready_decision_10, decisions_ready_decision_11 : natural range 0 to 3;
+  signal decisions_ready_inside, decisions_comes_0, decisions_comes_1, decisions_comes_2 : boolean;
+  signal decisions_place_0, decisions_place_1, decisions_place_2, decisions_write_place : natural range 0 to 31;
+  signal decisions_write_words_0 : natural range 0 to 16777214;
+  -- last
+  signal last_tags_held_0_end_of_line, last_tags_held_1_map_column, last_tags_held_1_end_of_line : boolean;
+  signal last_tags_held_2_map_column, last_tags_held_2_end_of_line, last_tags_moved, last_tag_valid : boolean;
+  signal last_tag_map_column, last_tag_end_of_line : boolean;
+  signal last_path_0_0 : natural range 0 to 256;
+  signal last_path_0_1, last_path_0_2, last_path_0_3, last_path_0_4, last_path_0_5 : natural range 0 to 511;
+  signal last_path_0_6, last_path_0_7, last_path_0_8, last_path_0_9, last_path_0_10 : natural range 0 to 511;
+  signal last_path_0_11 : natural range 0 to 511;
+  signal last_state : natural range 0 to 11;
+  -- lastwinner1
+  signal lastwinner1_best_cost_0_0, lastwinner1_best_cost_0_1, lastwinner1_best_cost_0_2 : natural range 0 to 511;
+  signal lastwinner1_best_cost_0_3, lastwinner1_best_cost_0_4, lastwinner1_best_cost_0_5 : natural range 0 to 511;
+  signal lastwinner1_best_index_0_0, lastwinner1_tag_valid, lastwinner1_tag_map_column : boolean;
+  signal lastwinner1_tag_end_of_line : boolean;
+  signal lastwinner1_best_index_0_1 : natural range 0 to 3;
+  signal lastwinner1_best_index_0_2 : natural range 0 to 5;
+  signal lastwinner1_best_index_0_3 : natural range 0 to 7;
+  signal lastwinner1_best_index_0_4 : natural range 0 to 9;
+  signal lastwinner1_best_index_0_5 : natural range 0 to 11;
+  -- lastwinner2
+  signal lastwinner2_best_cost_0_0, lastwinner2_best_cost_0_1, lastwinner2_best_cost_0_2 : natural range 0 to 511;
+  signal lastwinner2_best_index_0_0 : natural range 0 to 3;
+  signal lastwinner2_best_index_0_1 : natural range 0 to 7;
+  signal lastwinner2_best_index_0_2 : natural range 0 to 11;
+  signal lastwinner2_tag_valid, lastwinner2_tag_map_column, lastwinner2_tag_end_of_line : boolean;
+  -- lastwinner3
+  signal lastwinner3_best_cost_0_0, lastwinner3_best_cost_0_1 : natural range 0 to 511;
+  signal lastwinner3_best_index_0_0 : natural range 0 to 7;
+  signal lastwinner3_best_index_0_1 : natural range 0 to 11;
+  signal lastwinner3_tag_valid, lastwinner3_tag_map_column, lastwinner3_tag_end_of_line : boolean;
+  -- lastwinner4
+  signal lastwinner4_best_index_0_0 : natural range 0 to 11;
+  signal lastwinner4_tag_valid, lastwinner4_tag_map_column, lastwinner4_tag_end_of_line : boolean;
+  -- traceback
+  signal traceback_state, traceback_out_disparity_0 : natural range 0 to 255;
+  signal traceback_decision, traceback_falling : natural range 0 to 3;
+  signal traceback_tags_held_0_output_column, traceback_tags_held_0_start_of_frame : boolean;
+  signal traceback_tags_held_1_output_column, traceback_tags_held_1_start_of_frame, traceback_out_passed_0 : boolean;
+  signal traceback_out_tag_map_column, traceback_out_tag_output_column, traceback_out_tag_start_of_frame : boolean;
+  signal traceback_out_tag_end_of_line : boolean;
+  -- turn
+  signal turn_order_address, turn_write_place : natural range 0 to 31;
+  signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
+  signal turn_order_held_output, turn_order_turned_map_column, turn_order_turned_output_column : boolean;
+  signal turn_order_turned_first_column, turn_comes, turn_read_tag_map_column, turn_read_tag_output_column : boolean;
+  signal turn_read_tag_first_column, turn_ready_tag_map_column, turn_ready_tag_output_column : boolean;
+  signal turn_ready_tag_first_column : boolean;
+  signal turn_newest, turn_write_words_0, turn_ready : natural range 0 to 511;
+  signal turn_read_words_0 : unsigned(8 downto 0);
+  -- fill
+  signal fill_out_disparity_0 : natural range 0 to 255;
+  signal fill_out_passed_0, fill_out_tag_output_column : boolean;
+  -- other
+  signal other_0, other_1, other_2, other_3 : natural range 0 to 257;
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
+
+begin
+  in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  disparity <= std_logic_vector(to_unsigned(fill_out_disparity_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(fill_out_passed_0), 1));
+  disparity_valid <= as_bit(lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_start_of_frame <= as_bit(((other_3 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_end_of_line <= as_bit(((other_3 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
+  decisions_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => decisions_read_words_0,
+      write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 20);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 20);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  process (clock)
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
+    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_any : boolean;
+    variable entry_order_turned_output_column_choice, forward_path_0_value, forward_path_1_any : boolean;
+    variable forward_path_1_value, forward_path_2_any, forward_path_2_value, forward_path_3_any : boolean;
+    variable forward_path_3_value, forward_path_4_any, forward_path_4_value, forward_path_5_any : boolean;
+    variable forward_path_5_value, forward_path_6_any, forward_path_6_value, forward_path_7_any : boolean;
+    variable forward_path_7_value, forward_path_8_any, forward_path_8_value, forward_path_9_any : boolean;
+    variable forward_path_9_value, forward_path_10_any, forward_path_10_value, forward_path_11_any : boolean;
+    variable forward_path_11_value, forward_dropped_0_value, forward_dropped_1_value, forward_dropped_2_value : boolean;
+    variable forward_dropped_3_value, forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any : boolean;
+    variable forward_far_1_choice, forward_far_2_choice, forward_far_3_choice, forward_far_4_choice : boolean;
+    variable forward_far_5_choice, decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
+    variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
+    variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
+    variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
+    variable lastwinner2_best_cost_0_1_is_less, lastwinner2_best_cost_0_2_is_less : boolean;
+    variable lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal, traceback_state_is_equal_2 : boolean;
+    variable traceback_state_is_equal_3, traceback_state_all, traceback_decision_value : boolean;
+    variable traceback_decision_value_2, traceback_decision_value_3, turn_order_address_any : boolean;
+    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable turn_order_turned_output_column_choice : boolean;
+    variable raster_place_group_choice, traceback_decision_choice, traceback_decision_choice_2 : natural range 0 to 3;
+    variable traceback_decision_choice_3, traceback_decision_choice_4 : natural range 0 to 3;
+    variable traceback_decision_choice_5, traceback_decision_choice_6 : natural range 0 to 3;
+    variable traceback_decision_choice_7, traceback_decision_choice_8 : natural range 0 to 3;
+    variable traceback_decision_choice_9, traceback_decision_choice_10 : natural range 0 to 3;
+    variable traceback_decision_choice_11, traceback_decision_choice_12 : natural range 0 to 3;
+    variable traceback_decision_choice_13, traceback_decision_choice_14 : natural range 0 to 3;
+    variable traceback_decision_choice_15, traceback_decision_choice_16 : natural range 0 to 3;
+    variable traceback_decision_choice_17, traceback_decision_choice_18 : natural range 0 to 3;
+    variable traceback_decision_choice_19, traceback_decision_choice_20 : natural range 0 to 3;
+    variable traceback_decision_choice_21, traceback_decision_choice_22 : natural range 0 to 3;
+    variable traceback_decision_choice_23, traceback_decision_choice_24 : natural range 0 to 3;
+    variable traceback_decision_choice_25, traceback_decision_choice_26 : natural range 0 to 3;
+    variable traceback_decision_choice_27, traceback_decision_choice_28 : natural range 0 to 3;
+    variable traceback_decision_choice_29, traceback_decision_choice_30 : natural range 0 to 3;
+    variable traceback_decision_choice_31, traceback_decision_choice_32 : natural range 0 to 3;
+    variable traceback_decision_choice_33, traceback_decision_choice_34 : natural range 0 to 3;
+    variable traceback_decision_choice_35, traceback_decision_choice_36 : natural range 0 to 3;
+    variable traceback_decision_choice_37, traceback_decision_choice_38 : natural range 0 to 3;
+    variable traceback_decision_choice_39, traceback_decision_choice_40 : natural range 0 to 3;
+    variable traceback_decision_choice_41 : natural range 0 to 3;
+    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
+    variable forward_pair_cost_0_sum, forward_pair_cost_1_sum, forward_pair_cost_2_sum : natural range 0 to 108;
+    variable forward_pair_cost_3_sum, forward_pair_cost_4_sum, forward_pair_cost_5_sum : natural range 0 to 108;
+    variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 108;
+    variable forward_pair_cost_9_sum, forward_pair_cost_10_sum, forward_pair_cost_11_sum : natural range 0 to 108;
+    variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 511;
+    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_2_choice : natural range 0 to 511;
+    variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_3_choice : natural range 0 to 511;
+    variable forward_path_3_choice_2, forward_path_3_choice_3, forward_path_4_choice : natural range 0 to 511;
+    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_5_choice : natural range 0 to 511;
+    variable forward_path_5_choice_2, forward_path_5_choice_3, forward_path_6_choice : natural range 0 to 511;
+    variable forward_path_6_choice_2, forward_path_6_choice_3, forward_path_7_choice : natural range 0 to 511;
+    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_8_choice : natural range 0 to 511;
+    variable forward_path_8_choice_2, forward_path_8_choice_3, forward_path_9_choice : natural range 0 to 511;
+    variable forward_path_9_choice_2, forward_path_9_choice_3, forward_path_10_choice : natural range 0 to 511;
+    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_11_choice : natural range 0 to 511;
+    variable forward_path_11_choice_2, forward_path_11_choice_3, forward_dropped_0_choice : natural range 0 to 511;
+    variable forward_dropped_1_choice, forward_dropped_2_choice, forward_dropped_3_choice : natural range 0 to 511;
+    variable forward_dropped_4_choice, forward_dropped_5_choice : natural range 0 to 511;
+    variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
+    variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
+    variable forward_decision_1_choice_2, forward_decision_2_choice_2 : natural range 0 to 2;
+    variable forward_decision_3_choice_2, forward_decision_4_choice_2 : natural range 0 to 2;
+    variable forward_decision_5_choice_2 : natural range 0 to 2;
+    variable last_path_0_2_difference : integer range -255 to 256;
+    variable traceback_state_sum : natural range 1 to 256;
+    variable traceback_state_sum_2 : natural range 3 to 130;
+    variable traceback_state_sum_3 : natural range 255 to 510;
+    variable traceback_state_choice, traceback_state_choice_2, traceback_state_choice_3 : natural range 0 to 255;
+    variable fill_out_disparity_0_choice : natural range 0 to 255;
+  begin
+    if rising_edge(clock) then
+      -- raster
+      raster_place_group_is_equal := raster_place_group = 11;
+      raster_place_group_is_equal_2 := raster_place_column = 39;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
+      raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2) =
+        1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and in_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
+        (raster_place_group + 1) mod 16;
+      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
+        raster_place_group;
+      raster_features_search_0 <= in_right_pixel mod 256;
+      raster_features_reference_0 <= in_left_pixel mod 256;
+      raster_features_valid <= in_valid;
+      raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
+        raster_place_group_choice_4;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_2 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
+      if in_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
+          mod 64;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
+      end if;
+      -- delay
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 13;
+      delay_tag_first_cost_is_equal := raster_place_column = 11;
+      delay_tag_map_column_is_not_less := raster_place_column >= 11;
+      delay_tag_map_column_is_less := raster_place_column < 40;
+      delay_ahead_0 <= raster_features_reference_0;
+      delay_delayed_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
+        = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
+      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+        delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
+      delay_tag_end_of_line <= raster_place_group_is_equal_2;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_delayed_0;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= delay_ahead_0;
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_first_cost <= delay_tag_first_cost;
+      rows_read_tag_map_column <= delay_tag_map_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
+      rows_ready_tag_map_column <= rows_read_tag_map_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_first_cost <= rows_ready_tag_first_cost;
+      rows_tag_map_column <= rows_ready_tag_map_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + (rows_search_rows_ready_newest_0 *
+          4096);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 4096) +
+          (rows_reference_rows_ready_newest_0 * 4096);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= rows_search_0;
+        slice0shift_search_0_1 <= slice0shift_search_0_0;
+        slice0shift_search_0_2 <= slice0shift_search_0_1;
+        slice0shift_search_0_3 <= slice0shift_search_0_2;
+        slice0shift_search_0_4 <= slice0shift_search_0_3;
+        slice0shift_search_1_0 <= rows_search_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_0;
+        slice0shift_search_1_2 <= slice0shift_search_1_1;
+        slice0shift_search_1_3 <= slice0shift_search_1_2;
+        slice0shift_search_1_4 <= slice0shift_search_1_3;
+        slice0shift_search_2_0 <= rows_search_2;
+        slice0shift_search_2_1 <= slice0shift_search_2_0;
+        slice0shift_search_2_2 <= slice0shift_search_2_1;
+        slice0shift_search_2_3 <= slice0shift_search_2_2;
+        slice0shift_search_2_4 <= slice0shift_search_2_3;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_search_out_0 <= slice0shift_search_0_4;
+      slice0shift_search_out_1 <= slice0shift_search_1_4;
+      slice0shift_search_out_2 <= slice0shift_search_2_4;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_first_cost <= rows_tag_first_cost;
+      slice0shift_tag_map_column <= rows_tag_map_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
+      slice0cost_difference_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
+      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_difference_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
+      slice0cost_difference_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
+      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_2_3 <= slice0shift_search_2_3 - slice0shift_reference_2;
+      slice0cost_difference_2_4 <= slice0shift_search_2_4 - slice0shift_reference_2;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_first_cost <= slice0shift_tag_first_cost;
+      slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
+        as_number((slice0cost_difference_1_3 < 0));
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
+        as_number((slice0cost_difference_1_4 < 0));
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0));
+      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0));
+      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0));
+      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0));
+      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0));
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_0 +
+        slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0);
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_1 +
+        slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1);
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_2 +
+        slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2);
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_3 +
+        slice0cost_pair_0_3 + as_number(slice0cost_negative_0_3);
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_4 +
+        slice0cost_pair_0_4 + as_number(slice0cost_negative_0_4);
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
+        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
+        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
+        slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
+        slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+        slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
+        slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+        slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      end if;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
+      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_map_column <= slice0window_centre_map_column_0;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_first_column <= slice0window_centre_first_column_0;
+      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      -- slice0
+      slice0_held_0_0 <= 15 when 4095 < slice0window_sum_0_0 else slice0window_sum_0_0 / 256;
+      slice0_held_0_1 <= 15 when 4095 < slice0window_sum_0_1 else slice0window_sum_0_1 / 256;
+      slice0_held_0_2 <= 15 when 4095 < slice0window_sum_0_2 else slice0window_sum_0_2 / 256;
+      slice0_held_0_3 <= 15 when 4095 < slice0window_sum_0_3 else slice0window_sum_0_3 / 256;
+      slice0_held_0_4 <= 15 when 4095 < slice0window_sum_0_4 else slice0window_sum_0_4 / 256;
+      slice0_held_1_0 <= slice0_held_0_0;
+      slice0_held_1_1 <= slice0_held_0_1;
+      slice0_held_1_2 <= slice0_held_0_2;
+      slice0_held_1_3 <= slice0_held_0_3;
+      slice0_held_1_4 <= slice0_held_0_4;
+      slice0_held_2_0 <= slice0_held_1_0;
+      slice0_held_2_1 <= slice0_held_1_1;
+      slice0_held_2_2 <= slice0_held_1_2;
+      slice0_held_2_3 <= slice0_held_1_3;
+      slice0_held_2_4 <= slice0_held_1_4;
+      slice0_tag_0_valid <= slice0window_tag_valid;
+      slice0_tag_0_map_column <= slice0window_tag_map_column;
+      slice0_tag_0_output_column <= slice0window_tag_output_column;
+      slice0_tag_0_first_column <= slice0window_tag_first_column;
+      slice0_tag_0_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0_tag_0_end_of_line <= slice0window_tag_end_of_line;
+      slice0_tag_1_valid <= slice0_tag_0_valid;
+      slice0_tag_1_map_column <= slice0_tag_0_map_column;
+      slice0_tag_1_output_column <= slice0_tag_0_output_column;
+      slice0_tag_1_first_column <= slice0_tag_0_first_column;
+      slice0_tag_1_start_of_frame <= slice0_tag_0_start_of_frame;
+      slice0_tag_1_end_of_line <= slice0_tag_0_end_of_line;
+      slice0_tag_2_valid <= slice0_tag_1_valid;
+      slice0_tag_2_map_column <= slice0_tag_1_map_column;
+      slice0_tag_2_output_column <= slice0_tag_1_output_column;
+      slice0_tag_2_first_column <= slice0_tag_1_first_column;
+      slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
+      slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice0shift_search_out_0;
+        slice1shift_search_0_1 <= slice1shift_search_0_0;
+        slice1shift_search_0_2 <= slice1shift_search_0_1;
+        slice1shift_search_0_3 <= slice1shift_search_0_2;
+        slice1shift_search_0_4 <= slice1shift_search_0_3;
+        slice1shift_search_1_0 <= slice0shift_search_out_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_0;
+        slice1shift_search_1_2 <= slice1shift_search_1_1;
+        slice1shift_search_1_3 <= slice1shift_search_1_2;
+        slice1shift_search_1_4 <= slice1shift_search_1_3;
+        slice1shift_search_2_0 <= slice0shift_search_out_2;
+        slice1shift_search_2_1 <= slice1shift_search_2_0;
+        slice1shift_search_2_2 <= slice1shift_search_2_1;
+        slice1shift_search_2_3 <= slice1shift_search_2_2;
+        slice1shift_search_2_4 <= slice1shift_search_2_3;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_search_out_0 <= slice1shift_search_0_4;
+      slice1shift_search_out_1 <= slice1shift_search_1_4;
+      slice1shift_search_out_2 <= slice1shift_search_2_4;
+      -- slice1cost
+      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_difference_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
+      slice1cost_difference_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
+      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
+      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
+      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
+      slice1cost_difference_1_3 <= slice1shift_search_1_3 - slice1shift_reference_1;
+      slice1cost_difference_1_4 <= slice1shift_search_1_4 - slice1shift_reference_1;
+      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_difference_2_3 <= slice1shift_search_2_3 - slice1shift_reference_2;
+      slice1cost_difference_2_4 <= slice1shift_search_2_4 - slice1shift_reference_2;
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
+        as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
+        as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
+        as_number((slice1cost_difference_1_2 < 0));
+      slice1cost_pair_0_3 <= folded(slice1cost_difference_2_3) + folded(slice1cost_difference_1_3) +
+        as_number((slice1cost_difference_1_3 < 0));
+      slice1cost_pair_0_4 <= folded(slice1cost_difference_2_4) + folded(slice1cost_difference_1_4) +
+        as_number((slice1cost_difference_1_4 < 0));
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_2_3 < 0;
+      slice1cost_negative_0_4 <= slice1cost_difference_2_4 < 0;
+      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0));
+      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0));
+      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0));
+      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0));
+      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0));
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_0 + slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0);
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_1 + slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1);
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_2 + slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2);
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_3 + slice1cost_pair_0_3 +
+        as_number(slice1cost_negative_0_3);
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_4 + slice1cost_pair_0_4 +
+        as_number(slice1cost_negative_0_4);
+      slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
+        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
+        slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
+      end if;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
+      slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
+      -- slice1
+      slice1_held_0_0 <= 15 when 4095 < slice1window_sum_0_0 else slice1window_sum_0_0 / 256;
+      slice1_held_0_1 <= 15 when 4095 < slice1window_sum_0_1 else slice1window_sum_0_1 / 256;
+      slice1_held_0_2 <= 15 when 4095 < slice1window_sum_0_2 else slice1window_sum_0_2 / 256;
+      slice1_held_0_3 <= 15 when 4095 < slice1window_sum_0_3 else slice1window_sum_0_3 / 256;
+      slice1_held_0_4 <= 15 when 4095 < slice1window_sum_0_4 else slice1window_sum_0_4 / 256;
+      slice1_held_1_0 <= slice1_held_0_0;
+      slice1_held_1_1 <= slice1_held_0_1;
+      slice1_held_1_2 <= slice1_held_0_2;
+      slice1_held_1_3 <= slice1_held_0_3;
+      slice1_held_1_4 <= slice1_held_0_4;
+      -- slice2shift
+      if slice0cost_difference_tag_valid then
+        slice2shift_search_0_0 <= slice1shift_search_out_0;
+        slice2shift_search_0_1 <= slice2shift_search_0_0;
+        slice2shift_search_1_0 <= slice1shift_search_out_1;
+        slice2shift_search_1_1 <= slice2shift_search_1_0;
+        slice2shift_search_2_0 <= slice1shift_search_out_2;
+        slice2shift_search_2_1 <= slice2shift_search_2_0;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      -- slice2cost
+      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
+      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
+      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
+      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
+      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_pair_0_0 <= folded(slice2cost_difference_2_0) + folded(slice2cost_difference_1_0) +
+        as_number((slice2cost_difference_1_0 < 0));
+      slice2cost_pair_0_1 <= folded(slice2cost_difference_2_1) + folded(slice2cost_difference_1_1) +
+        as_number((slice2cost_difference_1_1 < 0));
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0));
+      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0));
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_single_0_0 + slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0);
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_single_0_1 + slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1);
+      -- slice2window
+      if slice0_tag_0_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      -- slice2
+      slice2_held_0_0 <= 15 when 4095 < slice2window_sum_0_0 else slice2window_sum_0_0 / 256;
+      slice2_held_0_1 <= 15 when 4095 < slice2window_sum_0_1 else slice2window_sum_0_1 / 256;
+      -- entry
+      entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_order_inside;
+      entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside);
+      entry_order_complete_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column);
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
+      entry_next_cost_0 <= slice0_held_2_0;
+      entry_next_cost_1 <= slice0_held_2_1;
+      entry_next_cost_2 <= slice0_held_2_2;
+      entry_next_cost_3 <= slice0_held_2_3;
+      entry_next_cost_4 <= slice0_held_2_4;
+      entry_next_cost_5 <= slice1_held_1_0;
+      entry_next_cost_6 <= slice1_held_1_1;
+      entry_next_cost_7 <= slice1_held_1_2;
+      entry_next_cost_8 <= slice1_held_1_3;
+      entry_next_cost_9 <= slice1_held_1_4;
+      entry_next_cost_10 <= slice2_held_0_0;
+      entry_next_cost_11 <= slice2_held_0_1;
+      entry_next_tag_valid <= slice0_tag_2_valid;
+      entry_next_tag_map_column <= slice0_tag_2_map_column;
+      entry_next_tag_first_column <= slice0_tag_2_first_column;
+      entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column) when
+        slice0_tag_2_end_of_line else entry_order_complete and entry_order_complete_any;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_start_of_frame <= slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside)
+        and entry_next_top and entry_order_output and entry_order_complete;
+      entry_cost_0 <= entry_next_cost_0;
+      entry_cost_1 <= entry_next_cost_1;
+      entry_cost_2 <= entry_next_cost_2;
+      entry_cost_3 <= entry_next_cost_3;
+      entry_cost_4 <= entry_next_cost_4;
+      entry_cost_5 <= entry_next_cost_5;
+      entry_cost_6 <= entry_next_cost_6;
+      entry_cost_7 <= entry_next_cost_7;
+      entry_cost_8 <= entry_next_cost_8;
+      entry_cost_9 <= entry_next_cost_9;
+      entry_cost_10 <= entry_next_cost_10;
+      entry_cost_11 <= entry_next_cost_11;
+      entry_tag_valid <= entry_next_tag_valid;
+      entry_tag_map_column <= entry_next_tag_map_column;
+      entry_tag_first_column <= entry_next_tag_first_column;
+      entry_tag_end_of_line <= entry_next_tag_end_of_line;
+      entry_place <= entry_order_address;
+      entry_turned_output_column <= entry_order_turned_output_column;
+      entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if entry_order_falls_all then
+        entry_next_top <= slice0_tag_2_start_of_frame;
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
+      end if;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
+      end if;
+      if slice0_tag_2_valid then
+        entry_order_inside <= slice0_tag_2_map_column;
+      end if;
+      -- forward
+      forward_pair_cost_0_sum := entry_cost_0 + forward_next_cost_0;
+      forward_pair_cost_1_sum := entry_cost_1 + forward_next_cost_1;
+      forward_pair_cost_2_sum := entry_cost_2 + forward_next_cost_2;
+      forward_pair_cost_3_sum := entry_cost_3 + forward_next_cost_3;
+      forward_pair_cost_4_sum := entry_cost_4 + forward_next_cost_4;
+      forward_pair_cost_5_sum := entry_cost_5 + forward_next_cost_5;
+      forward_pair_cost_6_sum := entry_cost_6 + forward_next_cost_6;
+      forward_pair_cost_7_sum := entry_cost_7 + forward_next_cost_7;
+      forward_pair_cost_8_sum := entry_cost_8 + forward_next_cost_8;
+      forward_pair_cost_9_sum := entry_cost_9 + forward_next_cost_9;
+      forward_pair_cost_10_sum := entry_cost_10 + forward_next_cost_10;
+      forward_pair_cost_11_sum := entry_cost_11 + forward_next_cost_11;
+      forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
+      forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
+      forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
+      forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1));
+      forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
+      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
+      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
+      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1));
+      forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
+      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
+      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
+      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1));
+      forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
+      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
+      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
+      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1));
+      forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
+      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
+      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
+      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1));
+      forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
+      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
+      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
+      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1));
+      forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
+      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
+      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
+      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1));
+      forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
+      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
+      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
+      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1));
+      forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
+      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
+      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
+      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1));
+      forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
+      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
+      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
+      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1));
+      forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
+      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
+      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
+      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1));
+      forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
+      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
+      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
+      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
+      forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
+      forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
+      forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
+      forward_dropped_1_choice := forward_path_7 when forward_dropped_1_value else forward_path_2;
+      forward_dropped_2_value := (((forward_path_8 - forward_path_3) mod 512) / 256) = 1;
+      forward_dropped_2_choice := forward_path_8 when forward_dropped_2_value else forward_path_3;
+      forward_dropped_3_value := (((forward_path_9 - forward_path_4) mod 512) / 256) = 1;
+      forward_dropped_3_choice := forward_path_9 when forward_dropped_3_value else forward_path_4;
+      forward_dropped_4_value := (((forward_path_10 - forward_path_5) mod 512) / 256) = 1;
+      forward_dropped_4_choice := forward_path_10 when forward_dropped_4_value else forward_path_5;
+      forward_dropped_5_value := (((forward_path_11 - forward_path_6) mod 512) / 256) = 1;
+      forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
+      forward_decision_0_choice := 2 when forward_far_0 else 1;
+      forward_decision_1_choice := 2 when forward_far_1 else 1;
+      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
+      forward_decision_2_choice := 2 when forward_far_2 else 1;
+      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value else 0;
+      forward_decision_3_choice := 2 when forward_far_3 else 1;
+      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
+      forward_decision_4_choice := 2 when forward_far_4 else 1;
+      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
+      forward_decision_5_choice := 2 when forward_far_5 else 1;
+      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
+      if entry_tag_valid then
+        forward_next_cost_0 <= entry_cost_0;
+        forward_next_cost_1 <= entry_cost_1;
+        forward_next_cost_2 <= entry_cost_2;
+        forward_next_cost_3 <= entry_cost_3;
+        forward_next_cost_4 <= entry_cost_4;
+        forward_next_cost_5 <= entry_cost_5;
+        forward_next_cost_6 <= entry_cost_6;
+        forward_next_cost_7 <= entry_cost_7;
+        forward_next_cost_8 <= entry_cost_8;
+        forward_next_cost_9 <= entry_cost_9;
+        forward_next_cost_10 <= entry_cost_10;
+        forward_next_cost_11 <= entry_cost_11;
+        forward_next_first <= entry_tag_first_column;
+        forward_pair_cost_0 <= (((forward_pair_cost_0_sum / 4) + 1) * 4) + (forward_pair_cost_0_sum mod 4);
+        forward_pair_cost_1 <= (((forward_pair_cost_1_sum / 4) + 1) * 4) + (forward_pair_cost_1_sum mod 4);
+        forward_pair_cost_2 <= (((forward_pair_cost_2_sum / 4) + 1) * 4) + (forward_pair_cost_2_sum mod 4);
+        forward_pair_cost_3 <= (((forward_pair_cost_3_sum / 4) + 1) * 4) + (forward_pair_cost_3_sum mod 4);
+        forward_pair_cost_4 <= (((forward_pair_cost_4_sum / 4) + 1) * 4) + (forward_pair_cost_4_sum mod 4);
+        forward_pair_cost_5 <= (((forward_pair_cost_5_sum / 4) + 1) * 4) + (forward_pair_cost_5_sum mod 4);
+        forward_pair_cost_6 <= (((forward_pair_cost_6_sum / 4) + 1) * 4) + (forward_pair_cost_6_sum mod 4);
+        forward_pair_cost_7 <= (((forward_pair_cost_7_sum / 4) + 1) * 4) + (forward_pair_cost_7_sum mod 4);
+        forward_pair_cost_8 <= (((forward_pair_cost_8_sum / 4) + 1) * 4) + (forward_pair_cost_8_sum mod 4);
+        forward_pair_cost_9 <= (((forward_pair_cost_9_sum / 4) + 1) * 4) + (forward_pair_cost_9_sum mod 4);
+        forward_pair_cost_10 <= (((forward_pair_cost_10_sum / 4) + 1) * 4) + (forward_pair_cost_10_sum mod 4);
+        forward_pair_cost_11 <= (((forward_pair_cost_11_sum / 4) + 1) * 4) + (forward_pair_cost_11_sum mod 4);
+        forward_path_0 <= forward_path_0_choice_2;
+        forward_path_1 <= forward_path_1_choice_3;
+        forward_path_2 <= forward_path_2_choice_3;
+        forward_path_3 <= forward_path_3_choice_3;
+        forward_path_4 <= forward_path_4_choice_3;
+        forward_path_5 <= forward_path_5_choice_3;
+        forward_path_6 <= forward_path_6_choice_3;
+        forward_path_7 <= forward_path_7_choice_3;
+        forward_path_8 <= forward_path_8_choice_3;
+        forward_path_9 <= forward_path_9_choice_3;
+        forward_path_10 <= forward_path_10_choice_3;
+        forward_path_11 <= forward_path_11_choice_3;
+        forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 512;
+        forward_stayed_1 <= (forward_path_1_choice_3 + forward_next_cost_1) mod 512;
+        forward_stayed_2 <= (forward_path_2_choice_3 + forward_next_cost_2) mod 512;
+        forward_stayed_3 <= (forward_path_3_choice_3 + forward_next_cost_3) mod 512;
+        forward_stayed_4 <= (forward_path_4_choice_3 + forward_next_cost_4) mod 512;
+        forward_stayed_5 <= (forward_path_5_choice_3 + forward_next_cost_5) mod 512;
+        forward_stayed_6 <= (forward_path_6_choice_3 + forward_next_cost_6) mod 512;
+        forward_stayed_7 <= (forward_path_7_choice_3 + forward_next_cost_7) mod 512;
+        forward_stayed_8 <= (forward_path_8_choice_3 + forward_next_cost_8) mod 512;
+        forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 512;
+        forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 512;
+        forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 512;
+        forward_occluding_0 <= 128 when forward_next_first else (forward_path_0_choice_2 + 7) mod 512;
+        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_3 + 7) mod 512;
+        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_3 + 7) mod 512;
+        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_3 + 7) mod 512;
+        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_3 + 7) mod 512;
+        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_3 + 7) mod 512;
+        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_3 + 7) mod 512;
+        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_3 + 7) mod 512;
+        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_3 + 7) mod 512;
+        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_3 + 7) mod 512;
+        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_3 + 7) mod 512;
+        forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
+        forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
+        forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
+        forward_dropped_3 <= 128 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
+        forward_dropped_4 <= 128 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
+        forward_dropped_5 <= 128 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
+        forward_dropped_6 <= 128 when forward_next_first else (forward_pair_cost_6 + forward_path_7) mod 512;
+        forward_dropped_7 <= 128 when forward_next_first else (forward_pair_cost_7 + forward_path_8) mod 512;
+        forward_dropped_8 <= 128 when forward_next_first else (forward_pair_cost_8 + forward_path_9) mod 512;
+        forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
+        forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
+        forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
+        forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
+        forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
+        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
+        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_any else 3;
+        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
+        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
+        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
+        forward_decision_6 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
+        forward_decision_7 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
+        forward_decision_8 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
+        forward_decision_9 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
+        forward_decision_10 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
+        forward_decision_11 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
+      end if;
+      forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
+      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
+      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
+      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
+      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
+      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
+      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
+        (not forward_next_first);
+      -- decisions
+      if entry_tag_valid then
+        decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
+        decisions_ready_decision_1 <= (to_integer(decisions_read_words_0(7 downto 0)) / 4) mod 4;
+        decisions_ready_decision_2 <= (to_integer(decisions_read_words_0(7 downto 0)) / 16) mod 4;
+        decisions_ready_decision_3 <= to_integer(decisions_read_words_0(7 downto 0)) / 64;
+        decisions_ready_decision_4 <= to_integer(decisions_read_words_0(9 downto 8));
+        decisions_ready_decision_5 <= to_integer(decisions_read_words_0(11 downto 10));
+        decisions_ready_decision_6 <= to_integer(decisions_read_words_0(13 downto 12));
+        decisions_ready_decision_7 <= to_integer(decisions_read_words_0(15 downto 14));
+        decisions_ready_decision_8 <= to_integer(decisions_read_words_0(17 downto 16));
+        decisions_ready_decision_9 <= to_integer(decisions_read_words_0(19 downto 18));
+        decisions_ready_decision_10 <= to_integer(decisions_read_words_0(21 downto 20));
+        decisions_ready_decision_11 <= to_integer(decisions_read_words_0(23 downto 22));
+        decisions_ready_inside <= entry_tag_map_column;
+        decisions_comes_0 <= entry_tag_map_column;
+        decisions_comes_1 <= decisions_ready_inside;
+        decisions_comes_2 <= last_tags_held_1_map_column;
+        decisions_place_0 <= entry_place;
+        decisions_place_1 <= decisions_place_0;
+        decisions_place_2 <= decisions_place_1;
+      end if;
+      decisions_write_words_0_all := decisions_comes_2 and entry_tag_valid;
+      if decisions_write_words_0_all then
+        decisions_write_words_0 <= (forward_decision_10 * 1048576) + (forward_decision_11 * 4194304) +
+          (forward_decision_9 * 262144) + (forward_decision_8 * 65536) + (forward_decision_7 * 16384) +
+          (forward_decision_6 * 4096) + (forward_decision_5 * 1024) + (forward_decision_4 * 256) + (forward_decision_3
+          * 64) + (forward_decision_2 * 16) + forward_decision_0 + (forward_decision_1 * 4);
+        decisions_write_place <= decisions_place_2;
+      end if;
+      -- last
+      if entry_tag_valid then
+        last_tags_held_0_end_of_line <= entry_tag_end_of_line;
+        last_tags_held_1_map_column <= decisions_comes_0;
+        last_tags_held_1_end_of_line <= last_tags_held_0_end_of_line;
+        last_tags_held_2_map_column <= decisions_comes_1;
+        last_tags_held_2_end_of_line <= last_tags_held_1_end_of_line;
+      end if;
+      last_path_0_2_difference := 256 - forward_path_0;
+      last_tags_moved <= entry_tag_valid;
+      last_path_0_0 <= 256;
+      last_path_0_1 <= ((((((forward_path_1 / 256) + 1) mod 2) * 256) + (forward_path_1 mod 256)) - forward_path_0) mod
+        512;
+      last_path_0_2 <= (last_path_0_2_difference + forward_path_2) mod 512;
+      last_path_0_3 <= (last_path_0_2_difference + forward_path_3) mod 512;
+      last_path_0_4 <= (last_path_0_2_difference + forward_path_4) mod 512;
+      last_path_0_5 <= (last_path_0_2_difference + forward_path_5) mod 512;
+      last_path_0_6 <= (last_path_0_2_difference + forward_path_6) mod 512;
+      last_path_0_7 <= (last_path_0_2_difference + forward_path_7) mod 512;
+      last_path_0_8 <= (last_path_0_2_difference + forward_path_8) mod 512;
+      last_path_0_9 <= (last_path_0_2_difference + forward_path_9) mod 512;
+      last_path_0_10 <= (last_path_0_2_difference + forward_path_10) mod 512;
+      last_path_0_11 <= (last_path_0_2_difference + forward_path_11) mod 512;
+      last_tag_valid <= last_tags_moved;
+      last_tag_map_column <= last_tags_held_2_map_column;
+      last_tag_end_of_line <= last_tags_held_2_end_of_line;
+      if not ((not lastwinner4_tag_end_of_line) or (not lastwinner4_tag_map_column) or (not lastwinner4_tag_valid)) then
+        last_state <= lastwinner4_best_index_0_0;
+      end if;
+      -- lastwinner1
+      lastwinner1_best_cost_0_0_is_less := (last_path_0_1 - last_path_0_0) < 0;
+      lastwinner1_best_cost_0_1_is_less := (last_path_0_3 - last_path_0_2) < 0;
+      lastwinner1_best_cost_0_2_is_less := (last_path_0_5 - last_path_0_4) < 0;
+      lastwinner1_best_cost_0_3_is_less := (last_path_0_7 - last_path_0_6) < 0;
+      lastwinner1_best_cost_0_4_is_less := (last_path_0_9 - last_path_0_8) < 0;
+      lastwinner1_best_cost_0_5_is_less := (last_path_0_11 - last_path_0_10) < 0;
+      lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
+      lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
+      lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
+      lastwinner1_best_cost_0_3 <= last_path_0_7 when lastwinner1_best_cost_0_3_is_less else last_path_0_6;
+      lastwinner1_best_cost_0_4 <= last_path_0_9 when lastwinner1_best_cost_0_4_is_less else last_path_0_8;
+      lastwinner1_best_cost_0_5 <= last_path_0_11 when lastwinner1_best_cost_0_5_is_less else last_path_0_10;
+      lastwinner1_best_index_0_0 <= lastwinner1_best_cost_0_0_is_less;
+      lastwinner1_best_index_0_1 <= 3 when lastwinner1_best_cost_0_1_is_less else 2;
+      lastwinner1_best_index_0_2 <= 5 when lastwinner1_best_cost_0_2_is_less else 4;
+      lastwinner1_best_index_0_3 <= 7 when lastwinner1_best_cost_0_3_is_less else 6;
+      lastwinner1_best_index_0_4 <= 9 when lastwinner1_best_cost_0_4_is_less else 8;
+      lastwinner1_best_index_0_5 <= 11 when lastwinner1_best_cost_0_5_is_less else 10;
+      lastwinner1_tag_valid <= last_tag_valid;
+      lastwinner1_tag_map_column <= last_tag_map_column;
+      lastwinner1_tag_end_of_line <= last_tag_end_of_line;
+      -- lastwinner2
+      lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
+      lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
+      lastwinner2_best_cost_0_2_is_less := (lastwinner1_best_cost_0_5 - lastwinner1_best_cost_0_4) < 0;
+      lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
+        lastwinner1_best_cost_0_0;
+      lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
+        lastwinner1_best_cost_0_2;
+      lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5 when lastwinner2_best_cost_0_2_is_less else
+        lastwinner1_best_cost_0_4;
+      lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1 when lastwinner2_best_cost_0_0_is_less else
+        as_number(lastwinner1_best_index_0_0);
+      lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3 when lastwinner2_best_cost_0_1_is_less else
+        lastwinner1_best_index_0_2;
+      lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5 when lastwinner2_best_cost_0_2_is_less else
+        lastwinner1_best_index_0_4;
+      lastwinner2_tag_valid <= lastwinner1_tag_valid;
+      lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
+      lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
+      -- lastwinner3
+      lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
+      lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
+        lastwinner2_best_cost_0_0;
+      lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
+      lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1 when lastwinner3_best_cost_0_0_is_less else
+        lastwinner2_best_index_0_0;
+      lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_2;
+      lastwinner3_tag_valid <= lastwinner2_tag_valid;
+      lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
+      lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
+      -- lastwinner4
+      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when (lastwinner3_best_cost_0_1 -
+        lastwinner3_best_cost_0_0) < 0 else lastwinner3_best_index_0_0;
+      lastwinner4_tag_valid <= lastwinner3_tag_valid;
+      lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
+      lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
+      -- traceback
+      traceback_state_is_equal := traceback_falling = 1;
+      traceback_state_sum := traceback_state + 1;
+      traceback_state_is_equal_2 := traceback_falling = 2;
+      traceback_state_sum_2 := (traceback_state / 2) + 3;
+      traceback_state_is_equal_3 := traceback_falling = 0;
+      traceback_state_all := (traceback_decision = 3) and traceback_state_is_equal_3;
+      traceback_state_sum_3 := traceback_state + 255;
+      if traceback_state_all then
+        traceback_state_choice := traceback_state_sum_3 mod 256;
+      else
+        traceback_state_choice := traceback_state;
+      end if;
+      if traceback_state_is_equal_2 then
+        traceback_state_choice_2 := ((traceback_state_sum_2 mod 128) * 2) + (traceback_state mod 2);
+      else
+        traceback_state_choice_2 := traceback_state_choice;
+      end if;
+      if traceback_state_is_equal then
+        traceback_state_choice_3 := traceback_state_sum mod 256;
+      else
+        traceback_state_choice_3 := traceback_state_choice_2;
+      end if;
+      traceback_decision_value := (((traceback_state_sum mod 256) / 2) mod 2) = 1;
+      traceback_decision_choice := decisions_ready_decision_11 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_10;
+      traceback_decision_choice_2 := decisions_ready_decision_9 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_8;
+      traceback_decision_choice_3 := traceback_decision_choice when traceback_decision_value else
+        traceback_decision_choice_2;
+      traceback_decision_choice_4 := decisions_ready_decision_7 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_6;
+      traceback_decision_choice_5 := decisions_ready_decision_5 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_4;
+      traceback_decision_choice_6 := traceback_decision_choice_4 when traceback_decision_value else
+        traceback_decision_choice_5;
+      traceback_decision_choice_7 := decisions_ready_decision_3 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_2;
+      traceback_decision_choice_8 := decisions_ready_decision_1 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_0;
+      traceback_decision_choice_9 := traceback_decision_choice_7 when traceback_decision_value else
+        traceback_decision_choice_8;
+      traceback_decision_choice_10 := traceback_decision_choice_6 when (((traceback_state_sum mod 256) / 4) mod 2) = 1
+        else traceback_decision_choice_9;
+      traceback_decision_choice_11 := traceback_decision_choice_3 when (((traceback_state_sum mod 256) / 8) mod 2) = 1
+        else traceback_decision_choice_10;
+      traceback_decision_choice_12 := decisions_ready_decision_11 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_10;
+      traceback_decision_choice_13 := decisions_ready_decision_9 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_8;
+      traceback_decision_choice_14 := traceback_decision_choice_12 when (traceback_state_sum_2 mod 2) = 1 else
+        traceback_decision_choice_13;
+      traceback_decision_choice_15 := decisions_ready_decision_7 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_6;
+      traceback_decision_choice_16 := decisions_ready_decision_5 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_4;
+      traceback_decision_choice_17 := traceback_decision_choice_15 when (traceback_state_sum_2 mod 2) = 1 else
+        traceback_decision_choice_16;
+      traceback_decision_choice_18 := decisions_ready_decision_3 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_2;
+      traceback_decision_choice_19 := decisions_ready_decision_1 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_0;
+      traceback_decision_choice_20 := traceback_decision_choice_18 when (traceback_state_sum_2 mod 2) = 1 else
+        traceback_decision_choice_19;
+      traceback_decision_choice_21 := traceback_decision_choice_17 when (((traceback_state_sum_2 mod 128) / 2) mod 2) =
+        1 else traceback_decision_choice_20;
+      traceback_decision_choice_22 := traceback_decision_choice_14 when (((traceback_state_sum_2 mod 128) / 4) mod 2) =
+        1 else traceback_decision_choice_21;
+      traceback_decision_value_2 := (((traceback_state_sum_3 mod 256) / 2) mod 2) = 1;
+      traceback_decision_choice_23 := decisions_ready_decision_11 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_10;
+      traceback_decision_choice_24 := decisions_ready_decision_9 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_8;
+      traceback_decision_choice_25 := traceback_decision_choice_23 when traceback_decision_value_2 else
+        traceback_decision_choice_24;
+      traceback_decision_choice_26 := decisions_ready_decision_7 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_6;
+      traceback_decision_choice_27 := decisions_ready_decision_5 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_4;
+      traceback_decision_choice_28 := traceback_decision_choice_26 when traceback_decision_value_2 else
+        traceback_decision_choice_27;
+      traceback_decision_choice_29 := decisions_ready_decision_3 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_2;
+      traceback_decision_choice_30 := decisions_ready_decision_1 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_0;
+      traceback_decision_choice_31 := traceback_decision_choice_29 when traceback_decision_value_2 else
+        traceback_decision_choice_30;
+      traceback_decision_choice_32 := traceback_decision_choice_28 when (((traceback_state_sum_3 mod 256) / 4) mod 2) =
+        1 else traceback_decision_choice_31;
+      traceback_decision_choice_33 := traceback_decision_choice_25 when (((traceback_state_sum_3 mod 256) / 8) mod 2) =
+        1 else traceback_decision_choice_32;
+      traceback_decision_value_3 := ((traceback_state / 2) mod 2) = 1;
+      traceback_decision_choice_34 := traceback_decision_choice_12 when traceback_decision_value_3 else
+        traceback_decision_choice_13;
+      traceback_decision_choice_35 := traceback_decision_choice_15 when traceback_decision_value_3 else
+        traceback_decision_choice_16;
+      traceback_decision_choice_36 := traceback_decision_choice_18 when traceback_decision_value_3 else
+        traceback_decision_choice_19;
+      traceback_decision_choice_37 := traceback_decision_choice_35 when ((traceback_state / 4) mod 2) = 1 else
+        traceback_decision_choice_36;
+      traceback_decision_choice_38 := traceback_decision_choice_34 when ((traceback_state / 8) mod 2) = 1 else
+        traceback_decision_choice_37;
+      traceback_decision_choice_39 := traceback_decision_choice_33 when traceback_state_all else
+        traceback_decision_choice_38;
+      traceback_decision_choice_40 := traceback_decision_choice_22 when traceback_state_is_equal_2 else
+        traceback_decision_choice_39;
+      traceback_decision_choice_41 := traceback_decision_choice_11 when traceback_state_is_equal else
+        traceback_decision_choice_40;
+      if entry_tag_valid then
+        traceback_state <= traceback_state_choice_3 when decisions_comes_0 else last_state;
+        traceback_decision <= traceback_decision_choice_41 when decisions_comes_0 else 0;
+        traceback_falling <= traceback_decision when ((((traceback_decision + 255) mod 256) / 2) = 0) and
+          decisions_comes_0 and traceback_state_is_equal_3 else 0;
+        traceback_tags_held_0_output_column <= entry_turned_output_column;
+        traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
+        traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
+        traceback_tags_held_1_start_of_frame <= traceback_tags_held_0_start_of_frame;
+      end if;
+      traceback_out_disparity_0 <= traceback_state;
+      traceback_out_passed_0 <= ((traceback_falling / 2) = 1) or ((traceback_falling mod 2) = 1) or (not
+        ((traceback_decision / 2) = 1)) or (not ((traceback_decision mod 2) = 1));
+      traceback_out_tag_map_column <= decisions_comes_1;
+      traceback_out_tag_output_column <= traceback_tags_held_1_output_column;
+      traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
+      traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
+      -- turn
+      turn_order_address_any := turn_order_turned_map_column or (not traceback_out_tag_map_column) or (not
+        last_tag_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
+      end if;
+      turn_order_falls_all := (not turn_order_turned_map_column) and traceback_out_tag_map_column and last_tag_valid;
+      turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
+        else turn_order_held_output;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_inside <= traceback_out_tag_map_column;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when traceback_out_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and traceback_out_tag_map_column;
+      turn_order_turned_first_column <= turn_order_falls_all;
+      turn_newest <= (as_number(traceback_out_passed_0) * 256) + traceback_out_disparity_0;
+      turn_comes <= turn_order_complete_all;
+      turn_read_tag_map_column <= turn_order_inside;
+      turn_read_tag_output_column <= turn_order_turned_output_column;
+      turn_read_tag_first_column <= turn_order_turned_first_column;
+      turn_ready <= to_integer(turn_read_words_0);
+      turn_ready_tag_map_column <= turn_read_tag_map_column;
+      turn_ready_tag_output_column <= turn_read_tag_output_column;
+      turn_ready_tag_first_column <= turn_read_tag_first_column;
+      if turn_order_falls_all then
+        turn_order_output <= traceback_out_tag_output_column;
+        turn_order_first <= traceback_out_tag_start_of_frame;
+        turn_order_held_output <= turn_order_output and turn_order_complete;
+      end if;
+      if last_tag_valid then
+        turn_order_turned_map_column <= traceback_out_tag_map_column;
+      end if;
+      if turn_comes then
+        turn_write_words_0 <= turn_newest;
+        turn_write_place <= turn_order_address;
+      end if;
+      -- fill
+      fill_out_disparity_0_choice := 0 when turn_ready_tag_first_column else fill_out_disparity_0;
+      if turn_ready_tag_map_column and lastwinner3_tag_valid then
+        fill_out_disparity_0 <= turn_ready mod 256 when (turn_ready / 256) = 1 else fill_out_disparity_0_choice;
+      end if;
+      fill_out_passed_0 <= (turn_ready / 256) = 1;
+      fill_out_tag_output_column <= turn_ready_tag_output_column;
+      -- other
+      other_0 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_turned_map_column) and
+        traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
+        turn_order_complete));
+      other_1 <= other_0;
+      other_2 <= other_1;
+      other_3 <= other_2;
+      if reset = '1' then
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 13;
+        raster_place_next_frame <= false;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_map_column <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_map_column <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_map_column <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_map_column <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_map_column <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_map_column <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_map_column <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_map_column_0 <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_map_column <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0_tag_0_valid <= false;
+        slice0_tag_0_map_column <= false;
+        slice0_tag_0_output_column <= false;
+        slice0_tag_0_start_of_frame <= false;
+        slice0_tag_0_end_of_line <= false;
+        slice0_tag_1_valid <= false;
+        slice0_tag_1_map_column <= false;
+        slice0_tag_1_output_column <= false;
+        slice0_tag_1_start_of_frame <= false;
+        slice0_tag_1_end_of_line <= false;
+        slice0_tag_2_valid <= false;
+        slice0_tag_2_map_column <= false;
+        slice0_tag_2_output_column <= false;
+        slice0_tag_2_start_of_frame <= false;
+        slice0_tag_2_end_of_line <= false;
+        entry_next_tag_valid <= false;
+        entry_next_tag_map_column <= false;
+        entry_next_tag_end_of_line <= false;
+        entry_next_top <= false;
+        entry_order_address <= 0;
+        entry_order_falls <= false;
+        entry_order_inside <= false;
+        entry_order_complete <= false;
+        entry_order_output <= false;
+        entry_order_held_output <= false;
+        entry_order_turned_output_column <= false;
+        entry_order_turned_start_of_frame <= false;
+        entry_tag_valid <= false;
+        entry_tag_map_column <= false;
+        entry_tag_end_of_line <= false;
+        entry_place <= 0;
+        entry_turned_output_column <= false;
+        entry_turned_start_of_frame <= false;
+        decisions_ready_inside <= false;
+        decisions_comes_0 <= false;
+        decisions_comes_1 <= false;
+        decisions_comes_2 <= false;
+        decisions_place_0 <= 0;
+        decisions_place_1 <= 0;
+        decisions_place_2 <= 0;
+        decisions_write_place <= 0;
+        last_tags_held_0_end_of_line <= false;
+        last_tags_held_1_map_column <= false;
+        last_tags_held_1_end_of_line <= false;
+        last_tags_held_2_map_column <= false;
+        last_tags_held_2_end_of_line <= false;
+        last_tags_moved <= false;
+        last_tag_valid <= false;
+        last_tag_map_column <= false;
+        last_tag_end_of_line <= false;
+        lastwinner1_tag_valid <= false;
+        lastwinner1_tag_map_column <= false;
+        lastwinner1_tag_end_of_line <= false;
+        lastwinner2_tag_valid <= false;
+        lastwinner2_tag_map_column <= false;
+        lastwinner2_tag_end_of_line <= false;
+        lastwinner3_tag_valid <= false;
+        lastwinner3_tag_map_column <= false;
+        lastwinner3_tag_end_of_line <= false;
+        lastwinner4_tag_valid <= false;
+        lastwinner4_tag_map_column <= false;
+        lastwinner4_tag_end_of_line <= false;
+        traceback_tags_held_0_output_column <= false;
+        traceback_tags_held_0_start_of_frame <= false;
+        traceback_tags_held_1_output_column <= false;
+        traceback_tags_held_1_start_of_frame <= false;
+        traceback_out_tag_map_column <= false;
+        traceback_out_tag_output_column <= false;
+        traceback_out_tag_start_of_frame <= false;
+        traceback_out_tag_end_of_line <= false;
+        turn_order_address <= 0;
+        turn_order_falls <= false;
+        turn_order_inside <= false;
+        turn_order_complete <= false;
+        turn_order_output <= false;
+        turn_order_first <= false;
+        turn_order_held_output <= false;
+        turn_order_turned_map_column <= false;
+        turn_order_turned_output_column <= false;
+        turn_comes <= false;
+        turn_read_tag_map_column <= false;
+        turn_read_tag_output_column <= false;
+        turn_write_place <= 0;
+        turn_ready_tag_map_column <= false;
+        turn_ready_tag_output_column <= false;
+        fill_out_tag_output_column <= false;
+        other_0 <= 0;
+        other_1 <= 0;
+        other_2 <= 0;
+        other_3 <= 0;
+      end if;
+    end if;
+  end process;
+end architecture;
