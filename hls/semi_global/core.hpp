@@ -146,7 +146,7 @@ struct Core {
    HLS_INLINE StereoOutput output() const { return shown(map()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
-   HLS_INLINE void clock(const StereoInput& in) {
+   HLS_INLINE void clock(const CoreInput<C>& in) {
       if constexpr (kHasMapBlock) map_block.clock(turned());
       if constexpr (C.path_right) turn.clock(checked());
       if constexpr (C.has_left_right_check()) check();
@@ -169,7 +169,7 @@ struct Core {
 
    /// The same where the configuration has run-time settings. `now`: what the ports show; it counts in the clock of a
    /// start of frame.
-   HLS_INLINE void clock(const StereoInput& in, const Settings& now) {
+   HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
       clock(in);
       settings.clock(in, now);
    }

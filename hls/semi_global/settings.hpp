@@ -52,7 +52,7 @@ struct FrameSettings {
       }
    }
 
-   HLS_INLINE void clock(const StereoInput& in, const Settings& now) {
+   HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
       const bool starts = in.valid & in.start_of_frame;
       p1 = select<uint16_t>(starts, at_most<C.largest_p1()>(now.p1), p1);
       p2 = select<uint16_t>(starts, at_most<C.largest_p2()>(now.p2), p2);

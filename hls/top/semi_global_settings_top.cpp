@@ -7,12 +7,13 @@
 // clang-format on
 
 #include STEREO_HEADER(STEREO_FAMILY)
+#include "support/pixel_bits.hpp"
 
 namespace {
 constexpr const auto& kConfig = stereo::STEREO_FAMILY::configurations::STEREO_CONFIGURATION;
 constexpr int kPixels = kConfig.pixels_per_clock;
 using Core = stereo::STEREO_FAMILY::Core<stereo::STEREO_FAMILY::configurations::STEREO_CONFIGURATION>;
-using Pixels = stereo::uint_of_bits<8 * kPixels>;
+using Pixels = stereo::uint_of_bits<stereo::kPixelBits<kConfig> * kPixels>;
 using Disparities = stereo::uint_of_bits<kConfig.disparity_bits() * kPixels>;
 
 // Static, so that they start with zeros in hardware too.
@@ -58,7 +59,7 @@ extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_
       // all inputs first, then all outputs, then the clock.
       const Pixels left = *left_pixel;
       const Pixels right = *right_pixel;
-      stereo::StereoInput in;
+      stereo::CoreInput<kConfig> in;
       in.start_of_frame = *start_of_frame;
       in.valid = *valid;
       Core::Settings settings;
@@ -73,8 +74,8 @@ extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_
       uint8_t pixels_valid = 0;
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         in.left[p] = uint8_t(left >> (8 * p));
-         in.right[p] = uint8_t(right >> (8 * p));
+         in.left[p] = stereo::pixel_of<kConfig>(left, p);
+         in.right[p] = stereo::pixel_of<kConfig>(right, p);
          word |= Disparities(Disparities(out.disparity[p]) << (kConfig.disparity_bits() * p));
          pixels_valid |= uint8_t(uint8_t(out.pixel_valid[p]) << p);
       }

@@ -23,7 +23,7 @@ STEREO_ROW(tiny_trellis_near, option, tiny_trellis, far_drop = 12);
 STEREO_ROW(tiny_trellis_costs, option, tiny_trellis, drop_cost = 0, occlusion_cost = 2, far_drop = 2);
 STEREO_ROW(tiny_trellis_w1, option, tiny_trellis, window_px = 1, census_width_px = 9, cost_shift = 2);
 STEREO_ROW(tiny_trellis_sad, option, tiny_trellis, cost = Cost::sad, cost_shift = 6, cost_cap = 15);
-STEREO_ROW(tiny_trellis_12bit, option, tiny_trellis_sad, pixel_bits = 12, cost_shift = 8);
+STEREO_ROW(tiny_trellis_12bit, option, tiny_trellis_sad, pixel_bits = 12, cost_shift = 10);
 STEREO_ROW(tiny_trellis_min3, option, tiny_trellis, min_disparity = 3);
 STEREO_ROW(tiny_trellis_d19, option, tiny_trellis, width_px = 47, disparities = 19, slice_disparities = 6,
            winner_group = 3);

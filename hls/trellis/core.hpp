@@ -125,7 +125,7 @@ struct Core {
    HLS_INLINE StereoOutput output() const { return shown(map()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
-   HLS_INLINE void clock(const StereoInput& in) {
+   HLS_INLINE void clock(const CoreInput<C>& in) {
       if constexpr (C.median) map_block.clock(fill.out);
       fill.clock(turn.output());
       turn.clock(traceback.out);

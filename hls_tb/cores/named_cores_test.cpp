@@ -10,6 +10,7 @@
 #include "engines/clocked/run_core.hpp"
 #include "engines/clocked/stimulus.hpp"
 #include "engines/configurations.hpp"
+#include "scene/scene.hpp"
 #include "support/ports.hpp"
 #include "testing/map_compare.hpp"
 #include "testing/seed.hpp"
@@ -43,9 +44,10 @@ std::vector<NamedPair> pairs_for(const Configuration& configuration) {
 }
 
 /// The frames one behind the other.
-std::vector<DisparityMap> core_maps(const CoreModule& core, const std::vector<ImagePair>& frames, int stall_percent) {
+template <class Pair>
+std::vector<DisparityMap> core_maps(const CoreModule& core, const std::vector<Pair>& frames, int stall_percent) {
    const Schedule& schedule = core.shape.schedule;
-   StimulusWriter writer(core.shape.image.pixels_per_clock, stall_percent, test_seed());
+   StimulusWriter writer(core.shape.image.pixels_per_clock, stall_percent, test_seed(), core.shape.pixel_bits);
    for (std::size_t i = 0; i < frames.size(); ++i) {
       if (i > 0) writer.gap(schedule);
       writer.rows(frames[i], {0, core.shape.image.height_px});
@@ -55,33 +57,51 @@ std::vector<DisparityMap> core_maps(const CoreModule& core, const std::vector<Im
    return collect_frames(run_core(core, writer.clocks), core.shape);
 }
 
-TEST_P(NamedCoreTest, EqualsTheReference) {
-   const Algorithm& algorithm = *configuration().algorithm;
-   const std::vector<NamedPair> pairs = pairs_for(configuration());
-   std::vector<DisparityMap> expected;
-   for (const NamedPair& pair : pairs)
-      expected.push_back(algorithm.match_reference(pair.images.left, pair.images.right));
+/// Of all maps.
+struct PixelCounts {
    std::ptrdiff_t valid = 0, invalid = 0;
+};
+
+/// Every pair alone and before the next one, with and without bubbles.
+template <class Pair>
+PixelCounts compare_with_reference(const Configuration& configuration, const CoreModule& core,
+                                   const std::vector<NamedPair>& named, const std::vector<Pair>& pairs) {
+   std::vector<DisparityMap> expected;
+   for (const Pair& pair : pairs) expected.push_back(configuration.algorithm->match_reference(pair.left, pair.right));
+   PixelCounts counts;
    for (std::size_t i = 0; i < pairs.size(); ++i)
       for (const std::size_t frames : {1u, 2u})
          for (const int stall_percent : {0, 30}) {
-            if (!is_small(configuration()) && (frames > 1 || stall_percent > 0)) continue;
-            SCOPED_TRACE(pairs[i].name + ", " + std::to_string(frames) + " frames, " + std::to_string(stall_percent) +
+            if (!is_small(configuration) && (frames > 1 || stall_percent > 0)) continue;
+            SCOPED_TRACE(named[i].name + ", " + std::to_string(frames) + " frames, " + std::to_string(stall_percent) +
                          " % stalls");
-            std::vector<ImagePair> sent;
-            for (std::size_t frame = 0; frame < frames; ++frame)
-               sent.push_back(pairs[(i + frame) % pairs.size()].images);
-            const auto maps = core_maps(core(), sent, stall_percent);
-            ASSERT_EQ(maps.size(), frames);
-            for (std::size_t frame = 0; frame < frames; ++frame) {
+            std::vector<Pair> sent;
+            for (std::size_t frame = 0; frame < frames; ++frame) sent.push_back(pairs[(i + frame) % pairs.size()]);
+            const auto maps = core_maps(core, sent, stall_percent);
+            EXPECT_EQ(maps.size(), frames);
+            for (std::size_t frame = 0; frame < maps.size(); ++frame) {
                EXPECT_TRUE(same_map(expected[(i + frame) % pairs.size()], maps[frame])) << "frame " << frame;
-               valid += std::ranges::count(maps[frame].valid, 1);
-               invalid += std::ranges::count(maps[frame].valid, 0);
+               counts.valid += std::ranges::count(maps[frame].valid, 1);
+               counts.invalid += std::ranges::count(maps[frame].valid, 0);
             }
          }
-   EXPECT_GT(valid, 0);
-   if (algorithm.map_geometry(core().shape.image.width_px).has_check) EXPECT_GT(invalid, 0);
-   else EXPECT_EQ(invalid, 0);
+   return counts;
+}
+
+TEST_P(NamedCoreTest, EqualsTheReference) {
+   const std::vector<NamedPair> named = pairs_for(configuration());
+   std::vector<ImagePair> pairs;
+   std::vector<DeepPair> deep;
+   const int bits = core().shape.pixel_bits;
+   for (const NamedPair& pair : named) {
+      if (bits > 8) deep.push_back(deepened(pair.images, bits, test_seed()));
+      else pairs.push_back(pair.images);
+   }
+   const PixelCounts counts = bits > 8 ? compare_with_reference(configuration(), core(), named, deep)
+                                       : compare_with_reference(configuration(), core(), named, pairs);
+   EXPECT_GT(counts.valid, 0);
+   if (configuration().algorithm->map_geometry(core().shape.image.width_px).has_check) EXPECT_GT(counts.invalid, 0);
+   else EXPECT_EQ(counts.invalid, 0);
 }
 
 /// Records and bubbles of one frame and of some records behind it; the clocks of the records.

@@ -94,9 +94,6 @@ def routed_vga():
     return found["implementation"]["ecp5"]
 
 
-@pytest.mark.xfail(
-    strict=True, reason="below 100 MHz: README, what does not work yet. When it passes, the pages must say so"
-)
 def test_vga_reaches_its_clock(routed_vga):
     assert routed_vga["fmax_mhz"]["median"] >= LEAST_MHZ
 

@@ -91,22 +91,39 @@ architecture rtl of stereo_core_tiny_sgm_10bit is
   signal in_right_pixel : natural range 0 to 1023;
   signal in_left_pixel : natural range 0 to 1023;
   -- transform
-  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_left_rows_ready_words_1, transform_left_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_rows_write_words_1, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_words_1, transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_write_words_1, transform_left_column_3, transform_left_column_4 : natural range 0 to 255;
-  signal transform_right_column_3, transform_right_column_4, transform_left_filter_column_0_3 : natural range 0 to 255;
-  signal transform_left_filter_column_0_4, transform_left_filter_column_1_3 : natural range 0 to 255;
-  signal transform_left_filter_column_1_4, transform_left_filter_column_2_3 : natural range 0 to 255;
-  signal transform_left_filter_column_2_4, transform_left_filter_column_3_3 : natural range 0 to 255;
-  signal transform_left_filter_column_3_4, transform_left_filter_column_4_3 : natural range 0 to 255;
-  signal transform_left_filter_column_4_4, transform_right_filter_column_0_3 : natural range 0 to 255;
-  signal transform_right_filter_column_0_4, transform_right_filter_column_1_3 : natural range 0 to 255;
-  signal transform_right_filter_column_1_4, transform_right_filter_column_2_3 : natural range 0 to 255;
-  signal transform_right_filter_column_2_4, transform_right_filter_column_3_3 : natural range 0 to 255;
-  signal transform_right_filter_column_3_4, transform_right_filter_column_4_3 : natural range 0 to 255;
-  signal transform_right_filter_column_4_4 : natural range 0 to 255;
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 1023;
+  signal transform_left_rows_ready_words_1, transform_left_rows_ready_newest_0 : natural range 0 to 1023;
+  signal transform_left_rows_write_words_1, transform_right_rows_read_newest_0 : natural range 0 to 1023;
+  signal transform_right_rows_ready_words_1, transform_right_rows_ready_newest_0 : natural range 0 to 1023;
+  signal transform_right_rows_write_words_1, transform_left_column_0, transform_left_column_1 : natural range 0 to 1023;
+  signal transform_left_column_2, transform_left_column_3, transform_left_column_4 : natural range 0 to 1023;
+  signal transform_right_column_0, transform_right_column_1, transform_right_column_2 : natural range 0 to 1023;
+  signal transform_right_column_3, transform_right_column_4, transform_left_filter_column_0_0 : natural range 0 to 1023;
+  signal transform_left_filter_column_0_1, transform_left_filter_column_0_2 : natural range 0 to 1023;
+  signal transform_left_filter_column_0_3, transform_left_filter_column_0_4 : natural range 0 to 1023;
+  signal transform_left_filter_column_1_0, transform_left_filter_column_1_1 : natural range 0 to 1023;
+  signal transform_left_filter_column_1_2, transform_left_filter_column_1_3 : natural range 0 to 1023;
+  signal transform_left_filter_column_1_4, transform_left_filter_column_2_0 : natural range 0 to 1023;
+  signal transform_left_filter_column_2_1, transform_left_filter_column_2_2 : natural range 0 to 1023;
+  signal transform_left_filter_column_2_3, transform_left_filter_column_2_4 : natural range 0 to 1023;
+  signal transform_left_filter_column_3_0, transform_left_filter_column_3_1 : natural range 0 to 1023;
+  signal transform_left_filter_column_3_2, transform_left_filter_column_3_3 : natural range 0 to 1023;
+  signal transform_left_filter_column_3_4, transform_left_filter_column_4_0 : natural range 0 to 1023;
+  signal transform_left_filter_column_4_1, transform_left_filter_column_4_2 : natural range 0 to 1023;
+  signal transform_left_filter_column_4_3, transform_left_filter_column_4_4 : natural range 0 to 1023;
+  signal transform_right_filter_column_0_0, transform_right_filter_column_0_1 : natural range 0 to 1023;
+  signal transform_right_filter_column_0_2, transform_right_filter_column_0_3 : natural range 0 to 1023;
+  signal transform_right_filter_column_0_4, transform_right_filter_column_1_0 : natural range 0 to 1023;
+  signal transform_right_filter_column_1_1, transform_right_filter_column_1_2 : natural range 0 to 1023;
+  signal transform_right_filter_column_1_3, transform_right_filter_column_1_4 : natural range 0 to 1023;
+  signal transform_right_filter_column_2_0, transform_right_filter_column_2_1 : natural range 0 to 1023;
+  signal transform_right_filter_column_2_2, transform_right_filter_column_2_3 : natural range 0 to 1023;
+  signal transform_right_filter_column_2_4, transform_right_filter_column_3_0 : natural range 0 to 1023;
+  signal transform_right_filter_column_3_1, transform_right_filter_column_3_2 : natural range 0 to 1023;
+  signal transform_right_filter_column_3_3, transform_right_filter_column_3_4 : natural range 0 to 1023;
+  signal transform_right_filter_column_4_0, transform_right_filter_column_4_1 : natural range 0 to 1023;
+  signal transform_right_filter_column_4_2, transform_right_filter_column_4_3 : natural range 0 to 1023;
+  signal transform_right_filter_column_4_4 : natural range 0 to 1023;
   signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
   signal transform_read_row_inside_1, transform_read_row_inside_2, transform_read_row_inside_3 : boolean;
   signal transform_read_row_inside_4, transform_read_column_inside_0, transform_read_column_inside_1 : boolean;
@@ -128,26 +145,9 @@ architecture rtl of stereo_core_tiny_sgm_10bit is
   signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
   signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(29 downto 0);
-  signal transform_left_rows_read_words_1, transform_right_rows_read_words_1 : unsigned(7 downto 0);
-  signal transform_left_rows_ready_words_0, transform_right_rows_ready_words_0 : natural range 0 to 1073741823;
-  signal transform_left_rows_write_words_0, transform_right_rows_write_words_0 : natural range 0 to 268435455;
-  signal transform_left_column_0, transform_left_column_1, transform_left_column_2 : natural range 0 to 1023;
-  signal transform_right_column_0, transform_right_column_1, transform_right_column_2 : natural range 0 to 1023;
-  signal transform_left_filter_column_0_0, transform_left_filter_column_0_1 : natural range 0 to 1023;
-  signal transform_left_filter_column_0_2, transform_left_filter_column_1_0 : natural range 0 to 1023;
-  signal transform_left_filter_column_1_1, transform_left_filter_column_1_2 : natural range 0 to 1023;
-  signal transform_left_filter_column_2_0, transform_left_filter_column_2_1 : natural range 0 to 1023;
-  signal transform_left_filter_column_2_2, transform_left_filter_column_3_0 : natural range 0 to 1023;
-  signal transform_left_filter_column_3_1, transform_left_filter_column_3_2 : natural range 0 to 1023;
-  signal transform_left_filter_column_4_0, transform_left_filter_column_4_1 : natural range 0 to 1023;
-  signal transform_left_filter_column_4_2, transform_right_filter_column_0_0 : natural range 0 to 1023;
-  signal transform_right_filter_column_0_1, transform_right_filter_column_0_2 : natural range 0 to 1023;
-  signal transform_right_filter_column_1_0, transform_right_filter_column_1_1 : natural range 0 to 1023;
-  signal transform_right_filter_column_1_2, transform_right_filter_column_2_0 : natural range 0 to 1023;
-  signal transform_right_filter_column_2_1, transform_right_filter_column_2_2 : natural range 0 to 1023;
-  signal transform_right_filter_column_3_0, transform_right_filter_column_3_1 : natural range 0 to 1023;
-  signal transform_right_filter_column_3_2, transform_right_filter_column_4_0 : natural range 0 to 1023;
-  signal transform_right_filter_column_4_1, transform_right_filter_column_4_2 : natural range 0 to 1023;
+  signal transform_left_rows_read_words_1, transform_right_rows_read_words_1 : unsigned(9 downto 0);
+  signal transform_left_rows_ready_words_0, transform_left_rows_write_words_0 : natural range 0 to 1073741823;
+  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : natural range 0 to 1073741823;
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16777215;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16777215;
@@ -645,9 +645,9 @@ architecture rtl of stereo_core_tiny_sgm_10bit is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
-  signal transform_left_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_data : unsigned(9 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal transform_right_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_data : unsigned(9 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
@@ -683,9 +683,9 @@ begin
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
 
-  transform_left_rows_read_words_1_memory_write_data <= to_unsigned(transform_left_rows_write_words_1, 8);
+  transform_left_rows_read_words_1_memory_write_data <= to_unsigned(transform_left_rows_write_words_1, 10);
   transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 8)
+    generic map (depth => 40, width => 10)
     port map (
       clock => clock, read_enable => true,
       read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
@@ -699,9 +699,9 @@ begin
       read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
 
-  transform_right_rows_read_words_1_memory_write_data <= to_unsigned(transform_right_rows_write_words_1, 8);
+  transform_right_rows_read_words_1_memory_write_data <= to_unsigned(transform_right_rows_write_words_1, 10);
   transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 8)
+    generic map (depth => 40, width => 10)
     port map (
       clock => clock, read_enable => true,
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
@@ -1250,8 +1250,8 @@ begin
         transform_right_filter_feature_0_choice_4 := transform_right_filter_feature_0_value +
           transform_right_filter_feature_0_choice_3;
       end if;
-      transform_left_0 <= in_left_pixel mod 256;
-      transform_right_0 <= in_right_pixel mod 256;
+      transform_left_0 <= in_left_pixel;
+      transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
       transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
         transform_counter_group_choice_3;

@@ -93,10 +93,11 @@ architecture rtl of stereo_core_tiny_sgm_12bit_all is
   signal in_right_pixel : natural range 0 to 4095;
   signal in_left_pixel : natural range 0 to 4095;
   -- transform
-  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0, transform_left_column_1, transform_left_column_2 : natural range 0 to 255;
-  signal transform_right_column_1, transform_right_column_2 : natural range 0 to 255;
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 4095;
+  signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 4095;
+  signal transform_right_rows_ready_newest_0, transform_left_column_0 : natural range 0 to 4095;
+  signal transform_left_column_1, transform_left_column_2, transform_right_column_0 : natural range 0 to 4095;
+  signal transform_right_column_1, transform_right_column_2 : natural range 0 to 4095;
   signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
   signal transform_read_row_inside_2, transform_read_column_inside_0, transform_read_column_inside_1 : boolean;
   signal transform_read_column_inside_2, transform_read_start_of_frame, transform_read_valid : boolean;
@@ -112,14 +113,13 @@ architecture rtl of stereo_core_tiny_sgm_12bit_all is
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
   signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
-  signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(19 downto 0);
-  signal transform_left_rows_ready_words_0, transform_right_rows_ready_words_0 : natural range 0 to 1048575;
-  signal transform_left_rows_write_words_0, transform_right_rows_write_words_0 : natural range 0 to 1044735;
-  signal transform_left_column_0, transform_right_column_0 : natural range 0 to 4095;
-  signal transform_left_filter_column_0_0, transform_left_filter_column_1_0 : natural range 0 to 8701;
-  signal transform_left_filter_column_2_0, transform_right_filter_column_0_0 : natural range 0 to 8701;
-  signal transform_right_filter_column_1_0, transform_right_filter_column_2_0 : natural range 0 to 8701;
-  signal transform_left_filter_slope_0, transform_right_filter_slope_0 : integer range -8701 to 8701;
+  signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(23 downto 0);
+  signal transform_left_rows_ready_words_0, transform_left_rows_write_words_0 : natural range 0 to 16777215;
+  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : natural range 0 to 16777215;
+  signal transform_left_filter_column_0_0, transform_left_filter_column_1_0 : natural range 0 to 16381;
+  signal transform_left_filter_column_2_0, transform_right_filter_column_0_0 : natural range 0 to 16381;
+  signal transform_right_filter_column_1_0, transform_right_filter_column_2_0 : natural range 0 to 16381;
+  signal transform_left_filter_slope_0, transform_right_filter_slope_0 : integer range -16381 to 16381;
   signal transform_left_filter_feature_0 : natural range 0 to 65535;
   signal transform_right_filter_feature_0 : natural range 0 to 2047;
   -- raster
@@ -678,8 +678,8 @@ architecture rtl of stereo_core_tiny_sgm_12bit_all is
   signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(21 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal other_4_memory_write_data : unsigned(25 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
@@ -872,17 +872,17 @@ begin
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
-  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 20);
+  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 24);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 20)
+    generic map (depth => 40, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
 
-  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 20);
+  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 24);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 20)
+    generic map (depth => 40, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
@@ -1128,8 +1128,8 @@ begin
         4);
       transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-500) else
         transform_right_filter_feature_0_choice;
-      transform_left_0 <= in_left_pixel mod 256;
-      transform_right_0 <= in_right_pixel mod 256;
+      transform_left_0 <= in_left_pixel;
+      transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
       transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
         transform_counter_group_choice_4;
@@ -1205,20 +1205,14 @@ begin
           (transform_right_rows_ready_newest_0 * 4096);
         transform_write_column <= transform_ready_column;
       end if;
-      if transform_columns_row_inside_2 then
-        transform_left_filter_column_0_0_choice := transform_left_column_2;
-      else
-        transform_left_filter_column_0_0_choice := transform_left_column_0;
-      end if;
+      transform_left_filter_column_0_0_choice := transform_left_column_2 when transform_columns_row_inside_2 else
+        transform_left_column_0;
       transform_left_filter_column_0_0_choice_2 := transform_left_column_0 when transform_columns_row_inside_0 else
         transform_left_column_2;
       transform_left_filter_column_0_0_sum := transform_left_filter_column_0_0_choice +
         transform_left_filter_column_0_0_choice_2;
-      if transform_columns_row_inside_2 then
-        transform_right_filter_column_0_0_choice := transform_right_column_2;
-      else
-        transform_right_filter_column_0_0_choice := transform_right_column_0;
-      end if;
+      transform_right_filter_column_0_0_choice := transform_right_column_2 when transform_columns_row_inside_2 else
+        transform_right_column_0;
       transform_right_filter_column_0_0_choice_2 := transform_right_column_0 when transform_columns_row_inside_0 else
         transform_right_column_2;
       transform_right_filter_column_0_0_sum := transform_right_filter_column_0_0_choice +
@@ -1513,7 +1507,7 @@ begin
       slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
       slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
       if slice0_tag_0_valid then
-        slice0_tag_0_first_column <= slice1window_centre_first_column_0;
+        slice0_tag_0_first_column <= slice2cost_tag_first_column;
       end if;
       -- slice1shift
       if slice0shift_tag_valid then
@@ -1594,13 +1588,13 @@ begin
         slice1window_partial_0_1_3 <= (slice1cost_column_0_3 + slice1window_partial_0_0_3) mod 65536;
         slice1window_partial_0_1_4 <= (slice1cost_column_0_4 + slice1window_partial_0_0_4) mod 65536;
       end if;
-      slice1window_centre_first_column_0 <= slice1cost_tag_first_column;
+      slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       slice1window_sum_0_0 <= (slice1cost_column_0_0 + slice1window_partial_0_1_0) mod 65536;
       slice1window_sum_0_1 <= (slice1cost_column_0_1 + slice1window_partial_0_1_1) mod 65536;
       slice1window_sum_0_2 <= (slice1cost_column_0_2 + slice1window_partial_0_1_2) mod 65536;
       slice1window_sum_0_3 <= (slice1cost_column_0_3 + slice1window_partial_0_1_3) mod 65536;
       slice1window_sum_0_4 <= (slice1cost_column_0_4 + slice1window_partial_0_1_4) mod 65536;
-      slice1window_tag_first_column <= slice2cost_tag_first_column;
+      slice1window_tag_first_column <= slice1window_centre_first_column_0;
       -- slice1mask
       slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside_0;
       slice1mask_inside_0_choice := slice1mask_inside_0_all when slice0window_tag_first_column else
@@ -1664,7 +1658,7 @@ begin
       slice2cost_single_0_1 <= folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0));
       slice2cost_column_0_0 <= slice2cost_single_0_0 + slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0);
       slice2cost_column_0_1 <= slice2cost_single_0_1 + slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1);
-      slice2cost_tag_first_column <= slice0window_centre_first_column_0;
+      slice2cost_tag_first_column <= slice1cost_tag_first_column;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Stereo core, trellis, configuration tiny_trellis_12bit: 40x12, 12 disparities, window 3x3, drop 4 or by 6, occlusion 7, 1 pixel pair a clock.
--- Options: disparities 12, pixel_bits 12, cost sad, cost_shift 8, cost_cap 15, slice_disparities 5.
+-- Options: disparities 12, pixel_bits 12, cost sad, cost_shift 10, cost_cap 15, slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_trellis_12bit
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -91,23 +91,23 @@ architecture rtl of stereo_core_tiny_trellis_12bit is
   signal in_right_pixel : natural range 0 to 4095;
   signal in_left_pixel : natural range 0 to 4095;
   -- raster
-  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 4095;
   signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 63;
   signal raster_place_group : natural range 0 to 15;
   -- delay
-  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
+  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 4095;
   signal delay_column : natural range 0 to 63;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
   signal delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
   signal delay_tag_end_of_line : boolean;
   -- rows
-  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(19 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_1 : natural range 0 to 255;
-  signal rows_search_2, rows_reference_1, rows_reference_2 : natural range 0 to 255;
-  signal rows_search_rows_ready_words_0, rows_reference_rows_ready_words_0 : natural range 0 to 1048575;
-  signal rows_search_rows_write_words_0, rows_reference_rows_write_words_0 : natural range 0 to 1044735;
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 4095;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 4095;
+  signal rows_search_1, rows_search_2, rows_reference_0, rows_reference_1, rows_reference_2 : natural range 0 to 4095;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
   signal rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_map_column : boolean;
@@ -117,26 +117,23 @@ architecture rtl of stereo_core_tiny_trellis_12bit is
   signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
   signal rows_tag_valid, rows_tag_border_column, rows_tag_first_cost, rows_tag_map_column : boolean;
   signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
-  signal rows_search_0, rows_reference_0 : natural range 0 to 4095;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 4095;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_reference_0 : natural range 0 to 4095;
-  signal slice0shift_search_out_0 : natural range 0 to 4095;
-  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
-  signal slice0shift_search_1_3, slice0shift_search_1_4, slice0shift_search_2_0 : natural range 0 to 255;
-  signal slice0shift_search_2_1, slice0shift_search_2_2, slice0shift_search_2_3 : natural range 0 to 255;
-  signal slice0shift_search_2_4, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
-  signal slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_1_0 : natural range 0 to 4095;
+  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 4095;
+  signal slice0shift_search_1_4, slice0shift_search_2_0, slice0shift_search_2_1 : natural range 0 to 4095;
+  signal slice0shift_search_2_2, slice0shift_search_2_3, slice0shift_search_2_4 : natural range 0 to 4095;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 4095;
+  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 4095;
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
   signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
   signal slice0shift_tag_end_of_line : boolean;
   -- slice0cost
   signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -4095 to 4095;
-  signal slice0cost_difference_0_3, slice0cost_difference_0_4 : integer range -4095 to 4095;
-  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
-  signal slice0cost_difference_1_3, slice0cost_difference_1_4, slice0cost_difference_2_0 : integer range -255 to 255;
-  signal slice0cost_difference_2_1, slice0cost_difference_2_2, slice0cost_difference_2_3 : integer range -255 to 255;
-  signal slice0cost_difference_2_4 : integer range -255 to 255;
+  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_1_0 : integer range -4095 to 4095;
+  signal slice0cost_difference_1_1, slice0cost_difference_1_2, slice0cost_difference_1_3 : integer range -4095 to 4095;
+  signal slice0cost_difference_1_4, slice0cost_difference_2_0, slice0cost_difference_2_1 : integer range -4095 to 4095;
+  signal slice0cost_difference_2_2, slice0cost_difference_2_3, slice0cost_difference_2_4 : integer range -4095 to 4095;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
@@ -147,28 +144,28 @@ architecture rtl of stereo_core_tiny_trellis_12bit is
   signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
   signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
   signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
-  signal slice0cost_pair_0_4 : natural range 0 to 511;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 8191;
+  signal slice0cost_pair_0_4 : natural range 0 to 8191;
   signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 4096;
   signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 4096;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 4608;
-  signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 4608;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 12288;
+  signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 12288;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 4608;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4 : natural range 0 to 4608;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 9216;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4 : natural range 0 to 9216;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 12288;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4 : natural range 0 to 12288;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 24576;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4 : natural range 0 to 24576;
   signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
   signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
   signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
   signal slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 13824;
-  signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 13824;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 36864;
+  signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 36864;
   -- slice0
-  signal slice0_held_0_0, slice0_held_0_1, slice0_held_0_2, slice0_held_0_3, slice0_held_0_4 : natural range 0 to 54;
-  signal slice0_held_1_0, slice0_held_1_1, slice0_held_1_2, slice0_held_1_3, slice0_held_1_4 : natural range 0 to 54;
-  signal slice0_held_2_0, slice0_held_2_1, slice0_held_2_2, slice0_held_2_3, slice0_held_2_4 : natural range 0 to 54;
+  signal slice0_held_0_0, slice0_held_0_1, slice0_held_0_2, slice0_held_0_3, slice0_held_0_4 : natural range 0 to 36;
+  signal slice0_held_1_0, slice0_held_1_1, slice0_held_1_2, slice0_held_1_3, slice0_held_1_4 : natural range 0 to 36;
+  signal slice0_held_2_0, slice0_held_2_1, slice0_held_2_2, slice0_held_2_3, slice0_held_2_4 : natural range 0 to 36;
   signal slice0_tag_0_valid, slice0_tag_0_map_column, slice0_tag_0_output_column, slice0_tag_0_first_column : boolean;
   signal slice0_tag_0_start_of_frame, slice0_tag_0_end_of_line, slice0_tag_1_valid, slice0_tag_1_map_column : boolean;
   signal slice0_tag_1_output_column, slice0_tag_1_first_column, slice0_tag_1_start_of_frame : boolean;
@@ -176,62 +173,59 @@ architecture rtl of stereo_core_tiny_trellis_12bit is
   signal slice0_tag_2_first_column, slice0_tag_2_start_of_frame, slice0_tag_2_end_of_line : boolean;
   -- slice1shift
   signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 4095;
-  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_reference_0 : natural range 0 to 4095;
-  signal slice1shift_search_out_0 : natural range 0 to 4095;
-  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 255;
-  signal slice1shift_search_1_3, slice1shift_search_1_4, slice1shift_search_2_0 : natural range 0 to 255;
-  signal slice1shift_search_2_1, slice1shift_search_2_2, slice1shift_search_2_3 : natural range 0 to 255;
-  signal slice1shift_search_2_4, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 255;
-  signal slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 255;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_1_0 : natural range 0 to 4095;
+  signal slice1shift_search_1_1, slice1shift_search_1_2, slice1shift_search_1_3 : natural range 0 to 4095;
+  signal slice1shift_search_1_4, slice1shift_search_2_0, slice1shift_search_2_1 : natural range 0 to 4095;
+  signal slice1shift_search_2_2, slice1shift_search_2_3, slice1shift_search_2_4 : natural range 0 to 4095;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 4095;
+  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 4095;
   -- slice1cost
   signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -4095 to 4095;
-  signal slice1cost_difference_0_3, slice1cost_difference_0_4 : integer range -4095 to 4095;
-  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
-  signal slice1cost_difference_1_3, slice1cost_difference_1_4, slice1cost_difference_2_0 : integer range -255 to 255;
-  signal slice1cost_difference_2_1, slice1cost_difference_2_2, slice1cost_difference_2_3 : integer range -255 to 255;
-  signal slice1cost_difference_2_4 : integer range -255 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
-  signal slice1cost_pair_0_4 : natural range 0 to 511;
+  signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_1_0 : integer range -4095 to 4095;
+  signal slice1cost_difference_1_1, slice1cost_difference_1_2, slice1cost_difference_1_3 : integer range -4095 to 4095;
+  signal slice1cost_difference_1_4, slice1cost_difference_2_0, slice1cost_difference_2_1 : integer range -4095 to 4095;
+  signal slice1cost_difference_2_2, slice1cost_difference_2_3, slice1cost_difference_2_4 : integer range -4095 to 4095;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 8191;
+  signal slice1cost_pair_0_4 : natural range 0 to 8191;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
   signal slice1cost_negative_0_4, slice1cost_tag_border_column : boolean;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 4096;
   signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 4096;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 4608;
-  signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 4608;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 12288;
+  signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 12288;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 4608;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4 : natural range 0 to 4608;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 9216;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4 : natural range 0 to 9216;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 13824;
-  signal slice1window_sum_0_3, slice1window_sum_0_4 : natural range 0 to 13824;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 12288;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4 : natural range 0 to 12288;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 24576;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4 : natural range 0 to 24576;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 36864;
+  signal slice1window_sum_0_3, slice1window_sum_0_4 : natural range 0 to 36864;
   -- slice1
-  signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 54;
-  signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 54;
+  signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 36;
+  signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 36;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_reference_0 : natural range 0 to 4095;
-  signal slice2shift_search_1_0, slice2shift_search_1_1, slice2shift_search_2_0 : natural range 0 to 255;
-  signal slice2shift_search_2_1, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 255;
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 4095;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 4095;
+  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 4095;
   -- slice2cost
-  signal slice2cost_difference_0_0, slice2cost_difference_0_1 : integer range -4095 to 4095;
-  signal slice2cost_difference_1_0, slice2cost_difference_1_1, slice2cost_difference_2_0 : integer range -255 to 255;
-  signal slice2cost_difference_2_1 : integer range -255 to 255;
-  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -4095 to 4095;
+  signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -4095 to 4095;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 8191;
   signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
   signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 4096;
-  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 4608;
+  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 12288;
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 4608;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 9216;
-  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 13824;
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 12288;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 24576;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 36864;
   -- slice2
-  signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 54;
+  signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 36;
   -- entry
-  signal entry_next_cost_0, entry_next_cost_1, entry_next_cost_2, entry_next_cost_3 : natural range 0 to 54;
-  signal entry_next_cost_4, entry_next_cost_5, entry_next_cost_6, entry_next_cost_7 : natural range 0 to 54;
-  signal entry_next_cost_8, entry_next_cost_9, entry_next_cost_10, entry_next_cost_11 : natural range 0 to 54;
-  signal entry_cost_0, entry_cost_1, entry_cost_2, entry_cost_3, entry_cost_4, entry_cost_5 : natural range 0 to 54;
-  signal entry_cost_6, entry_cost_7, entry_cost_8, entry_cost_9, entry_cost_10, entry_cost_11 : natural range 0 to 54;
+  signal entry_next_cost_0, entry_next_cost_1, entry_next_cost_2, entry_next_cost_3 : natural range 0 to 36;
+  signal entry_next_cost_4, entry_next_cost_5, entry_next_cost_6, entry_next_cost_7 : natural range 0 to 36;
+  signal entry_next_cost_8, entry_next_cost_9, entry_next_cost_10, entry_next_cost_11 : natural range 0 to 36;
+  signal entry_cost_0, entry_cost_1, entry_cost_2, entry_cost_3, entry_cost_4, entry_cost_5 : natural range 0 to 36;
+  signal entry_cost_6, entry_cost_7, entry_cost_8, entry_cost_9, entry_cost_10, entry_cost_11 : natural range 0 to 36;
   signal entry_next_tag_valid, entry_next_tag_map_column, entry_next_tag_first_column : boolean;
   signal entry_next_tag_end_of_line, entry_next_top, entry_order_falls, entry_order_inside : boolean;
   signal entry_order_complete, entry_order_output, entry_order_held_output, entry_order_turned_output_column : boolean;
@@ -239,14 +233,14 @@ architecture rtl of stereo_core_tiny_trellis_12bit is
   signal entry_tag_end_of_line, entry_turned_output_column, entry_turned_start_of_frame : boolean;
   signal entry_order_address, entry_place : natural range 0 to 31;
   -- forward
-  signal forward_next_cost_0, forward_next_cost_1, forward_next_cost_2, forward_next_cost_3 : natural range 0 to 54;
-  signal forward_next_cost_4, forward_next_cost_5, forward_next_cost_6, forward_next_cost_7 : natural range 0 to 54;
-  signal forward_next_cost_8, forward_next_cost_9, forward_next_cost_10, forward_next_cost_11 : natural range 0 to 54;
+  signal forward_next_cost_0, forward_next_cost_1, forward_next_cost_2, forward_next_cost_3 : natural range 0 to 36;
+  signal forward_next_cost_4, forward_next_cost_5, forward_next_cost_6, forward_next_cost_7 : natural range 0 to 36;
+  signal forward_next_cost_8, forward_next_cost_9, forward_next_cost_10, forward_next_cost_11 : natural range 0 to 36;
   signal forward_next_first, forward_far_0, forward_far_1, forward_far_2, forward_far_3, forward_far_4 : boolean;
   signal forward_far_5 : boolean;
-  signal forward_pair_cost_0, forward_pair_cost_1, forward_pair_cost_2, forward_pair_cost_3 : natural range 0 to 115;
-  signal forward_pair_cost_4, forward_pair_cost_5, forward_pair_cost_6, forward_pair_cost_7 : natural range 0 to 115;
-  signal forward_pair_cost_8, forward_pair_cost_9, forward_pair_cost_10, forward_pair_cost_11 : natural range 0 to 115;
+  signal forward_pair_cost_0, forward_pair_cost_1, forward_pair_cost_2, forward_pair_cost_3 : natural range 0 to 79;
+  signal forward_pair_cost_4, forward_pair_cost_5, forward_pair_cost_6, forward_pair_cost_7 : natural range 0 to 79;
+  signal forward_pair_cost_8, forward_pair_cost_9, forward_pair_cost_10, forward_pair_cost_11 : natural range 0 to 79;
   signal forward_path_0, forward_path_1, forward_path_2, forward_path_3, forward_path_4 : natural range 0 to 511;
   signal forward_path_5, forward_path_6, forward_path_7, forward_path_8, forward_path_9 : natural range 0 to 511;
   signal forward_path_10, forward_path_11, forward_stayed_0, forward_stayed_1 : natural range 0 to 511;
@@ -328,8 +322,8 @@ architecture rtl of stereo_core_tiny_trellis_12bit is
   signal other_0, other_1, other_2, other_3 : natural range 0 to 257;
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -358,17 +352,17 @@ begin
       read_address => entry_order_address, read_data => decisions_read_words_0,
       write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
 
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 20);
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 20)
+    generic map (depth => 40, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
 
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 20);
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 20)
+    generic map (depth => 40, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
@@ -423,10 +417,10 @@ begin
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
-    variable forward_pair_cost_0_sum, forward_pair_cost_1_sum, forward_pair_cost_2_sum : natural range 0 to 108;
-    variable forward_pair_cost_3_sum, forward_pair_cost_4_sum, forward_pair_cost_5_sum : natural range 0 to 108;
-    variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 108;
-    variable forward_pair_cost_9_sum, forward_pair_cost_10_sum, forward_pair_cost_11_sum : natural range 0 to 108;
+    variable forward_pair_cost_0_sum, forward_pair_cost_1_sum, forward_pair_cost_2_sum : natural range 0 to 72;
+    variable forward_pair_cost_3_sum, forward_pair_cost_4_sum, forward_pair_cost_5_sum : natural range 0 to 72;
+    variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 72;
+    variable forward_pair_cost_9_sum, forward_pair_cost_10_sum, forward_pair_cost_11_sum : natural range 0 to 72;
     variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 511;
     variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_2_choice : natural range 0 to 511;
     variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_3_choice : natural range 0 to 511;
@@ -466,8 +460,8 @@ begin
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
-      raster_features_search_0 <= in_right_pixel mod 256;
-      raster_features_reference_0 <= in_left_pixel mod 256;
+      raster_features_search_0 <= in_right_pixel;
+      raster_features_reference_0 <= in_left_pixel;
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
         raster_place_group_choice_4;
@@ -680,11 +674,11 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0
-      slice0_held_0_0 <= 15 when 4095 < slice0window_sum_0_0 else slice0window_sum_0_0 / 256;
-      slice0_held_0_1 <= 15 when 4095 < slice0window_sum_0_1 else slice0window_sum_0_1 / 256;
-      slice0_held_0_2 <= 15 when 4095 < slice0window_sum_0_2 else slice0window_sum_0_2 / 256;
-      slice0_held_0_3 <= 15 when 4095 < slice0window_sum_0_3 else slice0window_sum_0_3 / 256;
-      slice0_held_0_4 <= 15 when 4095 < slice0window_sum_0_4 else slice0window_sum_0_4 / 256;
+      slice0_held_0_0 <= 15 when 16383 < slice0window_sum_0_0 else slice0window_sum_0_0 / 1024;
+      slice0_held_0_1 <= 15 when 16383 < slice0window_sum_0_1 else slice0window_sum_0_1 / 1024;
+      slice0_held_0_2 <= 15 when 16383 < slice0window_sum_0_2 else slice0window_sum_0_2 / 1024;
+      slice0_held_0_3 <= 15 when 16383 < slice0window_sum_0_3 else slice0window_sum_0_3 / 1024;
+      slice0_held_0_4 <= 15 when 16383 < slice0window_sum_0_4 else slice0window_sum_0_4 / 1024;
       slice0_held_1_0 <= slice0_held_0_0;
       slice0_held_1_1 <= slice0_held_0_1;
       slice0_held_1_2 <= slice0_held_0_2;
@@ -803,11 +797,11 @@ begin
       slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
       slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
       -- slice1
-      slice1_held_0_0 <= 15 when 4095 < slice1window_sum_0_0 else slice1window_sum_0_0 / 256;
-      slice1_held_0_1 <= 15 when 4095 < slice1window_sum_0_1 else slice1window_sum_0_1 / 256;
-      slice1_held_0_2 <= 15 when 4095 < slice1window_sum_0_2 else slice1window_sum_0_2 / 256;
-      slice1_held_0_3 <= 15 when 4095 < slice1window_sum_0_3 else slice1window_sum_0_3 / 256;
-      slice1_held_0_4 <= 15 when 4095 < slice1window_sum_0_4 else slice1window_sum_0_4 / 256;
+      slice1_held_0_0 <= 15 when 16383 < slice1window_sum_0_0 else slice1window_sum_0_0 / 1024;
+      slice1_held_0_1 <= 15 when 16383 < slice1window_sum_0_1 else slice1window_sum_0_1 / 1024;
+      slice1_held_0_2 <= 15 when 16383 < slice1window_sum_0_2 else slice1window_sum_0_2 / 1024;
+      slice1_held_0_3 <= 15 when 16383 < slice1window_sum_0_3 else slice1window_sum_0_3 / 1024;
+      slice1_held_0_4 <= 15 when 16383 < slice1window_sum_0_4 else slice1window_sum_0_4 / 1024;
       slice1_held_1_0 <= slice1_held_0_0;
       slice1_held_1_1 <= slice1_held_0_1;
       slice1_held_1_2 <= slice1_held_0_2;
@@ -854,8 +848,8 @@ begin
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2
-      slice2_held_0_0 <= 15 when 4095 < slice2window_sum_0_0 else slice2window_sum_0_0 / 256;
-      slice2_held_0_1 <= 15 when 4095 < slice2window_sum_0_1 else slice2window_sum_0_1 / 256;
+      slice2_held_0_0 <= 15 when 16383 < slice2window_sum_0_0 else slice2window_sum_0_0 / 1024;
+      slice2_held_0_1 <= 15 when 16383 < slice2window_sum_0_1 else slice2window_sum_0_1 / 1024;
       -- entry
       entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_order_inside;
       entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside);

@@ -12,11 +12,12 @@ pytestmark = pytest.mark.skipif(not PROGRAM, reason="the program stereo_hls is m
 
 
 def deep_pair(tmp_path, bits, width=WIDTH):
-    """Noise over the whole range, the left image moved by 3 pixels."""
+    """Noise over the whole range. The left image is moved by 3 pixels, and a third of its pixels are others."""
     noise = random.Random(bits)
     values = [[noise.randrange(1 << bits) for _ in range(width + 3)] for _ in range(HEIGHT)]
     values[0][3], values[0][4] = 0, (1 << bits) - 1
-    left = deep_image(tmp_path / "deep_l.pgm", lambda x, y: values[y][x], width)
+    others = [[value if noise.random() < 2 / 3 else noise.randrange(1 << bits) for value in row] for row in values]
+    left = deep_image(tmp_path / "deep_l.pgm", lambda x, y: others[y][x], width)
     right = deep_image(tmp_path / "deep_r.pgm", lambda x, y: values[y][x + 3], width)
     return ["--left", left, "--right", right]
 
