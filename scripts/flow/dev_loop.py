@@ -19,6 +19,7 @@ from .synthesis import bambu
 SCRIPTS = ROOT / "scripts"
 WORK = ROOT / "build" / "dev_loop"
 ORIGINAL_ROWS = 3  # or as few as give an output: Bambu's own VHDL takes about a second for 100 clocks
+BAMBU_PROCESSORS = 1
 
 
 Step = Callable[[], str]  # gives a note
@@ -91,9 +92,7 @@ class DevLoop:
         # Without a compiler cache: a touched header has the same content.
         command: list[Word] = ["cmake", "-S", ROOT, "-B", self.build, "-G", "Ninja", "-DSTEREO_COMPILER_CACHE="]
         run(command, log=WORK / "configure.log")
-        self._make("stereo_hls", f"core_{self.config}")
-        if self._has_test():
-            self._make(self._test())
+        self._make("stereo_hls", f"core_{self.config}", *([self._test()] if self._has_test() else []))
         run(
             [os.environ["STEREO_HLS"], "scene", "--config", self.config, "--seed", 7, "--out", WORK / "scene"],
             passes_errors=True,
@@ -101,9 +100,9 @@ class DevLoop:
         shutil.rmtree(WORK / "rtl", ignore_errors=True)
         os.utime(self.header)
 
-    def _make(self, *targets: str) -> None:
-        # One processor is left to Bambu.
-        jobs = max((os.cpu_count() or 1) - 1, 1)
+    def _make(self, *targets: str, spare: int = 0) -> None:
+        """`spare`: processors that are left to others."""
+        jobs = max((os.cpu_count() or 1) - spare, 1)
         run(["cmake", "--build", self.build, "--parallel", jobs, "--target", *targets], log=WORK / "build.log")
 
     def _test(self) -> str:
@@ -115,12 +114,12 @@ class DevLoop:
     def unit_test(self) -> str:
         if not self._has_test():
             raise Skipped(f"there is no test {self._test()}")
-        self._make(self._test())
+        self._make(self._test(), spare=BAMBU_PROCESSORS)
         output = run([self.build / "tests" / self._test()], log=WORK / "unit.log")
         return next((line.strip("[] ") for line in output.splitlines() if "PASSED" in line), "")
 
     def clocked_core(self) -> str:
-        self._make("stereo_hls", f"core_{self.config}")
+        self._make("stereo_hls", f"core_{self.config}", spare=BAMBU_PROCESSORS)
         pair: list[Word] = ["--left", WORK / "scene" / "left.png", "--right", WORK / "scene" / "right.png"]
         options: list[Word] = ["--config", self.config, "--engine", "clocked", "--out", WORK / "match"]
         run([os.environ["STEREO_HLS"], "match", *pair, *options], passes_errors=True)

@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Arguments that most commands share."""
+"""What the tests of all commands share."""
 
 import pytest
 
-from stereo_hls_program import write_image
+from stereo_hls_program import PROGRAM, write_image
+
+
+@pytest.fixture(scope="session", autouse=True)
+def program():
+    if not PROGRAM:
+        pytest.skip("SKIP: the program stereo_hls is missing; set STEREO_HLS to it")
 
 
 @pytest.fixture

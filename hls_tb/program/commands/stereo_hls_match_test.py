@@ -23,8 +23,6 @@ from stereo_hls_program import (
     write_image,
 )
 
-pytestmark = pytest.mark.skipif(not PROGRAM, reason="the program stereo_hls is missing: set STEREO_HLS to it")
-
 
 @pytest.mark.parametrize("config", ["tiny", "tiny_p2", "tiny_p4"])
 def test_match_engines_agree(tmp_path, match, config):

@@ -212,11 +212,10 @@ RowBands bands_of(const DisparityMap& map, const Matching& matching, int threads
    return {map.height, map.width, std::min(std::max(kRows, matching.window_px), map.height), kColumns};
 }
 
-template <class Pixel, class Image>
-DisparityMap match(const Image& left, const Image& right, const Matching& matching, int threads) {
+template <class Pixel>
+DisparityMap match(const PixelRows<Pixel>& pixels, int image_width, const Matching& matching, int threads) {
    const int lanes = (matching.disparities + kVector - 1) / kVector * kVector;
-   const PixelRows<Pixel> pixels(left, right, matching, kVector, threads);
-   DisparityMap map(map_width(left.width, matching), left.height, 0, matching.subpixel);
+   DisparityMap map(map_width(image_width, matching), pixels.height, 0, matching.subpixel);
    const auto run = [&]<class Lane, int Fixed>(void (*match)(Shared<Pixel, Lane, Fixed>&)) {
       Shared<Pixel, Lane, Fixed> shared{
           pixels,
@@ -245,14 +244,21 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
    return map;
 }
 
+/// Either kind of image.
+template <class Image>
+DisparityMap match_images(const Image& left, const Image& right, const Matching& matching, int threads) {
+   if (matching.cost == Cost::census)
+      return match(census_rows(left, right, matching, kVector, threads), left.width, matching, threads);
+   return match(pixel_rows(left, right, matching, kVector, threads), left.width, matching, threads);
+}
+
 }  // namespace
 
 DisparityMap match_paths(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
-   return match<uint8_t>(left, right, matching, threads);
+   return match_images(left, right, matching, threads);
 }
 DisparityMap match_paths(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads) {
-   return matching.cost == Cost::census ? match<uint8_t>(left, right, matching, threads)
-                                        : match<uint16_t>(left, right, matching, threads);
+   return match_images(left, right, matching, threads);
 }
 
 }  // namespace stereo::semi_global

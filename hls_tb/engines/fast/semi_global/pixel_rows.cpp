@@ -2,7 +2,6 @@
 #include "engines/fast/semi_global/pixel_rows.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "definition/block_matching/matching_input.hpp"
 #include "engines/fast/census.hpp"
@@ -25,38 +24,43 @@ void copy_columns(const std::vector<Pixel>& pixels, int width, int first, int co
 }  // namespace
 
 template <class Pixel>
-template <class Image>
-PixelRows<Pixel>::PixelRows(const Image& left_image, const Image& right_image, const Matching& matching, int room,
-                            int threads)
-    : height(left_image.height),
-      columns(block_matching::cost_columns(left_image.width, matching.window_costs())),
+PixelRows<Pixel>::PixelRows(const std::vector<Pixel>& left_planes, const std::vector<Pixel>& right_planes,
+                            int image_width, int image_height, const Matching& matching, int room)
+    : height(image_height),
+      columns(block_matching::cost_columns(image_width, matching.window_costs())),
+      planes(int(std::ssize(left_planes) / image_width / image_height)),
       left_stride(columns + matching.disparities - 1 + room),
       right_stride(columns) {
-   const int width = left_image.width, first = block_matching::first_cost_column(matching.window_costs());
-   const int first_left = first + matching.min_disparity, left_count = columns + matching.disparities - 1;
-   const auto copy = [&](const std::vector<Pixel>& left_pixels, const std::vector<Pixel>& right_pixels) {
-      copy_columns(left_pixels, width, first_left, left_count, left, left_stride);
-      copy_columns(right_pixels, width, first, columns, right, right_stride);
-   };
-   if constexpr (sizeof(Pixel) == 1) {
-      if (matching.cost == Cost::census) {
-         const int census_width = matching.census_width_px, census_height = matching.census_height_px;
-         planes = (census_width * census_height - 1 + 7) / 8;
-         copy(fast::census_planes(left_image, census_width, census_height, threads),
-              fast::census_planes(right_image, census_width, census_height, threads));
-         return;
-      }
-   }
-   if constexpr (std::is_same_v<decltype(left_image.pixels), std::vector<Pixel>>) {
-      if (matching.prefilter == Prefilter::xsobel)
-         copy(fast::prefilter_xsobel(left_image, matching.prefilter_cap, threads).pixels,
-              fast::prefilter_xsobel(right_image, matching.prefilter_cap, threads).pixels);
-      else copy(left_image.pixels, right_image.pixels);
-   }
+   const int first = block_matching::first_cost_column(matching.window_costs());
+   copy_columns(left_planes, image_width, first + matching.min_disparity, columns + matching.disparities - 1, left,
+                left_stride);
+   copy_columns(right_planes, image_width, first, columns, right, right_stride);
 }
 
-template PixelRows<uint8_t>::PixelRows(const GrayImage&, const GrayImage&, const Matching&, int, int);
-template PixelRows<uint8_t>::PixelRows(const DeepImage&, const DeepImage&, const Matching&, int, int);
-template PixelRows<uint16_t>::PixelRows(const DeepImage&, const DeepImage&, const Matching&, int, int);
+template <class Image>
+PixelRows<uint8_t> census_rows(const Image& left, const Image& right, const Matching& matching, int room, int threads) {
+   const auto planes_of = [&](const Image& image) {
+      return fast::census_planes(image, matching.census_width_px, matching.census_height_px, threads);
+   };
+   return {planes_of(left), planes_of(right), left.width, left.height, matching, room};
+}
+
+template <class Pixel>
+PixelRows<Pixel> pixel_rows(const RasterImage<Pixel>& left, const RasterImage<Pixel>& right, const Matching& matching,
+                            int room, int threads) {
+   if (matching.prefilter == Prefilter::none)
+      return {left.pixels, right.pixels, left.width, left.height, matching, room};
+   const auto filtered = [&](const RasterImage<Pixel>& image) {
+      return fast::prefilter_xsobel(image, matching.prefilter_cap, threads).pixels;
+   };
+   return {filtered(left), filtered(right), left.width, left.height, matching, room};
+}
+
+template struct PixelRows<uint8_t>;
+template struct PixelRows<uint16_t>;
+template PixelRows<uint8_t> census_rows(const GrayImage&, const GrayImage&, const Matching&, int, int);
+template PixelRows<uint8_t> census_rows(const DeepImage&, const DeepImage&, const Matching&, int, int);
+template PixelRows<uint8_t> pixel_rows(const GrayImage&, const GrayImage&, const Matching&, int, int);
+template PixelRows<uint16_t> pixel_rows(const DeepImage&, const DeepImage&, const Matching&, int, int);
 
 }  // namespace stereo::semi_global

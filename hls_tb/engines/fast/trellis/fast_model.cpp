@@ -136,31 +136,46 @@ STEREO_VECTOR_CLONES void match_deep_squares(const DeepRows& pixels, const semi_
 
 template <class Rows>
 using MatchRows = void (*)(const Rows&, const semi_global::Matching&, const Matching&, DisparityMap&, int, int);
-
-template <class Rows, class Image>
-DisparityMap matched(const Image& left, const Image& right, const Matching& matching, int threads,
+template <class Rows>
+DisparityMap matched(const Rows& pixels, const semi_global::Matching& costs, const Matching& matching, int threads,
                      MatchRows<Rows> match) {
-   const semi_global::Matching costs = semi_global::mirrored(matching.path_costs());
-   const Rows pixels(stereo::mirrored(right), stereo::mirrored(left), costs, kVector, threads);
    DisparityMap map(pixels.columns, pixels.height);
    fast::for_each_band(map.height, threads,
                        [&](int first, int end) { match(pixels, costs, matching, map, first, end); });
    return matching.median ? fast::median_3x3(map, threads) : map;
 }
 
+/// By the type of what is compared.
+DisparityMap match_rows(const ByteRows& pixels, const semi_global::Matching& costs, const Matching& matching,
+                        int threads) {
+   return matched(pixels, costs, matching, threads, matching.cost == Cost::ssd ? match_squares : match_bytes);
+}
+DisparityMap match_rows(const DeepRows& pixels, const semi_global::Matching& costs, const Matching& matching,
+                        int threads) {
+   return matched(pixels, costs, matching, threads, matching.cost == Cost::ssd ? match_deep_squares : match_deep);
+}
+
+template <class Image>
+DisparityMap match_images(const Image& left, const Image& right, const Matching& matching, int threads) {
+   check_matching_input(left, right, matching);
+   const semi_global::Matching costs = semi_global::mirrored(matching.path_costs());
+   const Image mirrored_right = stereo::mirrored(right), mirrored_left = stereo::mirrored(left);
+   if (matching.cost == Cost::census)
+      return match_rows(semi_global::census_rows(mirrored_right, mirrored_left, costs, kVector, threads), costs,
+                        matching, threads);
+   return match_rows(semi_global::pixel_rows(mirrored_right, mirrored_left, costs, kVector, threads), costs, matching,
+                     threads);
+}
+
 }  // namespace
 
 DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    // What the prefilter gives may need the bits that the pixels do not.
-   if (matching.pixel_bits > 8) return match_fast(widened(left), widened(right), matching, threads);
-   check_matching_input(left, right, matching);
-   return matched<ByteRows>(left, right, matching, threads, matching.cost == Cost::ssd ? match_squares : match_bytes);
+   if (matching.pixel_bits > 8) return match_images(widened(left), widened(right), matching, threads);
+   return match_images(left, right, matching, threads);
 }
 DisparityMap match_fast(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads) {
-   check_matching_input(left, right, matching);
-   if (matching.cost == Cost::census) return matched<ByteRows>(left, right, matching, threads, match_bytes);
-   return matched<DeepRows>(left, right, matching, threads,
-                            matching.cost == Cost::ssd ? match_deep_squares : match_deep);
+   return match_images(left, right, matching, threads);
 }
 
 }  // namespace stereo::trellis
