@@ -61,23 +61,26 @@ class Checker:
         self.program = find_native("random_cores/check_cores")
         self.source_folder = source_folder(family)
         self.interface = run([self.program, "--interface"]).strip()
+        self.clocked = checkout / "hls_tb" / "engines" / "clocked"
+        folders = [checkout / name for name in dict.fromkeys((self.source_folder, "hls", "hls_tb"))]
+        self.compiler: list[Word] = [find_tool("c++", "CXX", "on Debian: apt-get install g++"), "-std=c++20", "-O1"]
+        self.compiler += ["-fPIC", *(f"-I{path}" for path in folders)]
+        # The same in every module, as it knows nothing of the core.
+        self.register_list = folder / "register_list.o"
+        run([*self.compiler, "-c", self.clocked / "register_list.cpp", "-o", self.register_list])
 
     def build(self, core: Core) -> Path:
         """The module of one core."""
         rows, module = self.folder / f"{core.name}.hpp", self.folder / f"{core.name}.so"
         rows.write_text(core.row + "\n")
-        folders = [self.checkout / name for name in dict.fromkeys((self.source_folder, "hls", "hls_tb"))]
-        clocked = self.checkout / "hls_tb" / "engines" / "clocked"
         macros = {
             "FAMILY": self.family,
             "CONFIGURATION": core.name,
             "ROWS": f'"{rows}"',
             "CORE_INTERFACE": f'"{self.interface}"',
         }
-        command: list[Word] = [find_tool("c++", "CXX", "on Debian: apt-get install g++"), "-std=c++20", "-O1"]
-        command += ["-fPIC", "-shared", *(f"-I{path}" for path in folders)]
-        command += [f"-DSTEREO_{name}={value}" for name, value in macros.items()]
-        run([*command, clocked / "core_module.cpp", clocked / "register_list.cpp", "-o", module])
+        command = [*self.compiler, "-shared", *(f"-DSTEREO_{name}={value}" for name, value in macros.items())]
+        run([*command, self.clocked / "core_module.cpp", self.register_list, "-o", module])
         return module
 
     def check(self, core: Core) -> Core:
