@@ -16,6 +16,9 @@ export STEREO_PRESET=${STEREO_PRESET:-release}
 [ $# -gt 0 ] || set -- -LE slow
 export STEREO_SKIPPED=$PWD/build/$STEREO_PRESET/skipped_cases.txt
 rm -f "$STEREO_SKIPPED"
+# Tests start the commands many times, each faster where Python keeps what it has compiled; not beside the sources.
+unset PYTHONDONTWRITEBYTECODE
+export PYTHONPYCACHEPREFIX=$PWD/build/pycache
 code=0
 ctest --test-dir "build/$STEREO_PRESET" --output-on-failure --no-tests=error -j "$(nproc)" "$@" || code=$?
 if [ -s "$STEREO_SKIPPED" ]; then
