@@ -123,10 +123,19 @@ PENALTY_FAULTS = {
 FAULTS_OF = {"tiny_settings": SETTING_FAULTS, "tiny_sgm_settings": PENALTY_FAULTS}
 
 
+@pytest.fixture(scope="module")
+def settings_frames(tmp_path_factory):
+    """{configuration: its frames}. Ten are too few for some seeds: none has the settings that show the fault."""
+    return {
+        config: pool.make_pool(config, configuration(config), 60, 1, tmp_path_factory.mktemp(config))
+        for config in FAULTS_OF
+    }
+
+
 @pytest.mark.parametrize(
     "config, fault", [(config, fault) for config in FAULTS_OF for fault in (None, *FAULTS_OF[config])]
 )
-def test_each_frame_has_its_settings(ghdl, verilator, rng, tmp_path, config, fault):
+def test_each_frame_has_its_settings(ghdl, verilator, settings_frames, rng, tmp_path, config, fault):
     parameters = configuration(config)
     files = design.vhdl_files(config)
     if fault:
@@ -139,8 +148,7 @@ def test_each_frame_has_its_settings(ghdl, verilator, rng, tmp_path, config, fau
     simulation = verilated.Verilated(config, tmp_path / "model", files)
     simulation.build()
     geometry = pool.Geometry.of(parameters)
-    # Ten frames are too few for some seeds: none of them has the settings that show the fault.
-    frames = pool.make_pool(config, parameters, 60, 1, tmp_path / "pool")
+    frames = settings_frames[config]
     steps = script.changed_settings(rng, frames, geometry, rtl.settings_of(parameters))
     verdict = judge.judge(steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "play"), geometry, frames)
     if fault:
