@@ -98,6 +98,8 @@ class DevLoop:
             passes_errors=True,
         )
         shutil.rmtree(WORK / "rtl", ignore_errors=True)
+        for simulator in ("ghdl", "verilator", "original"):  # built anew, as after a change
+            shutil.rmtree(ROOT / "build" / "cosim" / "simulators" / f"{self.config}-{simulator}", ignore_errors=True)
         os.utime(self.header)
 
     def _make(self, *targets: str, spare: int = 0) -> None:
@@ -143,8 +145,6 @@ class DevLoop:
         need(find_verilator if simulator == "verilator" else find_ghdl)
         if simulator == "original":
             need(find_bambu)
-        # From scratch, as after a change.
-        shutil.rmtree(ROOT / "build" / "cosim" / "simulators" / f"{self.config}-{simulator}", ignore_errors=True)
         name, new_rtl = f"{simulator}{'-crop' if rows else ''}", WORK / "rtl" / self.config
         command: list[Word] = [
             SCRIPTS / "cosim.py",

@@ -248,6 +248,23 @@ def test_reset_reaches_flags_through_a_memory():
     assert sorted(r.name for r in control_registers(design).values()) == ["data", "flag", "m_address"]
 
 
+def test_reset_leaves_addresses_alone_that_follow_from_pixels():
+    """A winner's column is an address that no flag announces. Where a flag depends on the word that is read there, it
+    must start anew all the same, and so must what counts."""
+    design = memory_design()
+    count, word = design.registers
+    place = netlist.Register("place", n.leaf("register", "place", 3))
+    place.next = n.wrap(n.add(count.value, design.inputs["left_pixel"]), 3)
+    design.registers.append(place)
+    memory = design.memories[0]
+    memory.read_address = place.value
+    assert [r.name for r in control_registers(design).values()] == ["m_address"], "the write address counts"
+    memory.write_address = place.value
+    assert not control_registers(design)
+    design.outputs["disparity_valid"] = n.wrap(word.value, 1)
+    assert sorted(r.name for r in control_registers(design).values()) == ["m_address", "place"]
+
+
 def test_numbers_are_compared_by_their_difference_and_constants_are_not():
     design = memory_design()
     x, y = n.leaf("input", "left_pixel", 8), n.leaf("input", "right_pixel", 8)

@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 1298,
       gap_groups => 0,
-      core_id => x"dd9a2133",
+      core_id => x"12d107ab",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

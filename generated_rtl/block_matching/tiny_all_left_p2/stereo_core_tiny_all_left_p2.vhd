@@ -3547,10 +3547,7 @@ begin
         leftright_ring_write_address <= 0;
         leftright_holds_winners <= false;
         leftright_position <= 0;
-        leftright_held_position <= 0;
         leftright_held_valid <= false;
-        leftright_address_0 <= 0;
-        leftright_address_1 <= 0;
         leftright_asking_tag_valid <= false;
         leftright_asking_tag_map_column <= false;
         leftright_asking_tag_start_of_frame <= false;
@@ -3570,7 +3567,6 @@ begin
         map_behind <= false;
         map_line_ended <= false;
         map_write_column <= 0;
-        map_at_column <= 0;
         map_at_arrives <= false;
         map_at_behind <= false;
         map_at_top <= false;

@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 106,
       gap_groups => 0,
-      core_id => x"b1679d60",
+      core_id => x"8ff6958b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

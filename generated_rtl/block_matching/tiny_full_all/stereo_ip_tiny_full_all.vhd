@@ -65,7 +65,7 @@ begin
       latency_clocks => 49,
       flush_groups => 109,
       gap_groups => 0,
-      core_id => x"8d00e5c4",
+      core_id => x"d502b134",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -66,7 +66,7 @@ begin
       latency_clocks => 49,
       flush_groups => 109,
       gap_groups => 0,
-      core_id => x"9f2f22f2",
+      core_id => x"b83f083a",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (279, 100, 7, 0, 7, 7),
       settings_start => (30, 10, 1, 0, 0, 7))

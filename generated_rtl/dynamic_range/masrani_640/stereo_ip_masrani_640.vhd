@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 30614,
       gap_groups => 15360,
-      core_id => x"410ad93e",
+      core_id => x"f57260fe",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

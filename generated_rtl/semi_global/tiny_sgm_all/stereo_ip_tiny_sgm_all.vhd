@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"ce849a5b",
+      core_id => x"d9cd1810",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

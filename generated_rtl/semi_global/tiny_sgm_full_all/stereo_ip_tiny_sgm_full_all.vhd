@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 267,
       gap_groups => 0,
-      core_id => x"6124b9d2",
+      core_id => x"b7c4d130",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -66,7 +66,7 @@ begin
       latency_clocks => 59,
       flush_groups => 267,
       gap_groups => 0,
-      core_id => x"0dae1b65",
+      core_id => x"9acaa198",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (7, 198, 11, 31, 11, 11),
       settings_start => (5, 3, 1, 22, 0, 11))

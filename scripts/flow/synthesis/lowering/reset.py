@@ -33,16 +33,19 @@ def memory_read_register(netlist: Netlist, memory: Memory) -> tuple[Register, No
 
 
 def control_registers(netlist: Netlist) -> dict[int, Register]:
-    """The registers that a reset must set: all that flags, enables and memory addresses depend on, through memories
-    too.
+    """The registers that a reset must set: all that flags, enables and the addresses of counters depend on, through
+    memories too.
 
-    The others hold pixels and costs, which no flag announces before new ones have replaced them. {id of the value:
-    register}
+    The others hold pixels and costs, which no flag announces before new ones have replaced them. So do addresses that
+    follow from an input word, as that of a winner's column does: what they write counts no more than the word itself.
+    {id of the value: register}
     """
     by_value = {id(r.value): r for r in netlist.registers}
     words = {id(memory_read_register(netlist, m)[0].value): m for m in netlist.memories}
+    from_words = _follow_from_words(netlist)
+    addresses = [address for m in netlist.memories for address in (m.read_address, m.write_address)]
     frontier = [node for name, node in netlist.outputs.items() if name not in netlist.words]
-    frontier += [address for m in netlist.memories for address in (m.read_address, m.write_address)]
+    frontier += [node for node in addresses if id(node) not in from_words]
     frontier += [c for c in (split_hold(r)[0] for r in netlist.registers) if c is not None]
     found: dict[int, Register] = {}
     known_bits = dict.fromkeys(words, 0)
@@ -55,8 +58,22 @@ def control_registers(netlist: Netlist) -> dict[int, Register]:
                 frontier.append(by_value[key].next)
         for key, bits in used.items():
             frontier += _parts(words[key].write_data, bits & ~known_bits[key])
+            if bits & ~known_bits[key]:
+                frontier += [words[key].read_address, words[key].write_address]
             known_bits[key] |= bits
     return found
+
+
+def _follow_from_words(netlist: Netlist) -> set[int]:
+    """The values that an input of more than one bit reaches, through registers and memories. {id}"""
+    reached = {id(node) for node in netlist.inputs.values() if node.high > 1}
+    steps = [(r.value, [r.next]) for r in netlist.registers]
+    steps += [(m.data, [m.read_address, m.write_address, m.write_data]) for m in netlist.memories]
+    waiting = [(value, {id(node) for node in walk(roots)}) for value, roots in steps]
+    while reaching := [value for value, cone in waiting if not cone.isdisjoint(reached)]:
+        reached.update(id(value) for value in reaching)
+        waiting = [(value, cone) for value, cone in waiting if id(value) not in reached]
+    return reached
 
 
 def _used_bits(roots: list[Node], words: Mapping[int, Memory]) -> dict[int, int]:
