@@ -94,7 +94,7 @@ def routed_vga():
     return found["implementation"]["ecp5"]
 
 
-@pytest.mark.xfail(strict=True, reason="91 MHz with the first seed: examples/camera_system/README.md says so")
+@pytest.mark.xfail(strict=True, reason="missed: examples/camera_system/README.md has the figure")
 def test_vga_reaches_its_clock(routed_vga):
     assert routed_vga["fmax_mhz"]["median"] >= LEAST_MHZ
 
