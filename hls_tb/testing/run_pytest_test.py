@@ -26,6 +26,21 @@ def test_skipped_cases_of_a_file_that_passes_are_named(tmp_path):
     assert skipped.read_text() == "case_test.py::test_skips: ghdl is missing\n"
 
 
+MISSES = "import pytest\n@pytest.mark.xfail(strict=True, reason='an aim')\ndef test_misses():\n    assert {}\n"
+
+
+def test_a_case_that_fails_as_expected_is_named_and_has_run(tmp_path):
+    (tmp_path / "case_test.py").write_text(MISSES.format(False))
+    command = [sys.executable, ROOT / "cmake" / "run_pytest.py", "case_test.py"]
+    skipped = tmp_path / "skipped.txt"
+    environment = {**os.environ, "STEREO_SKIPPED": str(skipped)}
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, env=environment)
+    assert result.returncode == 0, "it has run"
+    assert skipped.read_text() == "case_test.py::test_misses: fails as expected: an aim\n"
+    (tmp_path / "case_test.py").write_text(MISSES.format(True))
+    assert subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=60, env=environment).returncode == 1
+
+
 @pytest.mark.parametrize(
     "text, code, skip_shown",
     [
