@@ -45,6 +45,8 @@ class Report(TypedDict):
     environment: NotRequired[Facts]
     wave: NotRequired[str]  # the file that --wave asked for
     wave_clocks: NotRequired[tuple[int, int]]  # first and last in failure.vcd
+    first_register: NotRequired[str]  # which register of the VHDL differs first from the C++ core's, and when
+    first_registers: NotRequired[list[str]]  # all that do so in that clock
 
 
 class Error(TypedDict):
