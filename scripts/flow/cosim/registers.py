@@ -85,8 +85,9 @@ class Registers:
         return found if agreed_ever else None
 
     def divergence(self, settled: int, only_reset: bool = False) -> Divergence | None:
-        """`settled`: the clock before which what is without reset may hold anything. `only_reset`: looks at nothing else.
-        Behind a reset in mid-stream the rest may hold pixels of the frame before: it counts where nothing else differs."""
+        """`settled`: the clock before which what is without reset may hold anything. `only_reset`: looks at nothing
+        else. Behind a reset in mid-stream the rest may hold pixels of the frame before: it counts where nothing else
+        differs."""
         times = {clock: waveform.start_ns(clock) for clock in self.clocks}
         resets = {clock + 1 for clock, time in times.items() if self._values.at(waveform.CORE + "reset", time) == 1}
         steps = [step for step, is_taken in ((True, resets or only_reset), (False, not only_reset)) if is_taken]

@@ -13,7 +13,6 @@ from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.facts import Facts, facts
 from .checker import Interval
 
-
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 

@@ -94,8 +94,8 @@ def _natural(name: str) -> list[int | str]:
 
 
 def save_file(dump: Path, clock: int, differ: Sequence[str] = ()) -> str:
-    """The text of a .gtkw for a dump, with a marker where the clock begins; first of all the registers that `differ`, each
-    above its value in C++."""
+    """The text of a .gtkw for a dump, with a marker where the clock begins; first of all the registers that `differ`,
+    each above its value in C++."""
     values = Values(dump)
     lines = [
         "[*] Made by scripts/cosim.py",
