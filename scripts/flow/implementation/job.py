@@ -107,19 +107,25 @@ def implement_target(
         work = netlist.work / target.name
         work.mkdir()
         reports = {}
+        tools["nextpnr"] = nextpnr.version(tool, work)
         result["device"] = target.device
         try:
             for seed in seeds:
                 stage(f"nextpnr, seed {seed}")
                 reports[seed] = nextpnr.route(
-                    tool, target.device_options, seed, netlist.work / "netlist.json", work, job.router
+                    tool,
+                    tools["nextpnr"],
+                    target.device_options,
+                    seed,
+                    netlist.work / "netlist.json",
+                    work,
+                    job.router,
                 )
         except nextpnr.DoesNotFitError as error:
             result["does_not_fit"] = error.cells
         else:
             routed = nextpnr.clocks(reports, netlist.names)
             result |= {"target_mhz": nextpnr.FREQUENCY_MHZ, "router": job.router, **routed}
-        tools["nextpnr"] = nextpnr.version(tool, work)
     progress.update(task, description=f"{job.entity} {target.name}: done", completed=2 + len(seeds))
     return result, netlist.lost
 
