@@ -129,7 +129,9 @@ def test_pixels_of_more_bits(module, tmp_path, configuration, options):
     )
     assert again == measures
     narrow = module.scene(WIDTH, HEIGHT, RANGE, seed=3)
-    maps = [module.match(narrow.left.astype(kind), narrow.right, configuration, **options) for kind in (np.uint16, np.uint8)]
+    maps = [
+        module.match(narrow.left.astype(kind), narrow.right, configuration, **options) for kind in (np.uint16, np.uint8)
+    ]
     np.testing.assert_array_equal(maps[0].steps, maps[1].steps)
     wide = pair.left.copy()
     wide[7, 5] = 1 << bits

@@ -169,7 +169,7 @@ def test_depth_of_pixels_of_more_bits(tmp_path):
 def test_video_of_folders_of_pixels_of_more_bits(tmp_path):
     for bits in (8, 12):
         folder = tmp_path / str(bits)
-        images = moved_pair(folder, bits)
+        moved_pair(folder, bits)
         for camera in ("l", "r"):
             (folder / camera).mkdir()
             (folder / f"{camera}.pgm").rename(folder / camera / "0.pgm")
