@@ -6,14 +6,13 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "definition/pixel_range.hpp"
 #include "program/errors.hpp"
+#include "program/io/image_codecs.hpp"
 #include "program/io/opencv_images.hpp"
 #include "program/io/require_file.hpp"
-#include "program/io/silent_stderr.hpp"
 
 namespace stereo::app {
 namespace {
@@ -54,13 +53,7 @@ GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shad
 
 cv::Mat read_image(const std::string& path, const std::string& name) {
    require_file(path, name);
-   cv::Mat mat;
-   try {
-      const SilentStderr silent;
-      mat = cv::imread(path, cv::IMREAD_UNCHANGED);
-   } catch (const std::exception&) {  // cv::Exception, and others that OpenCV lets through
-      // Reported below, as an empty image.
-   }
+   cv::Mat mat = image_codecs().read(path);
    if (mat.empty()) throw InputError(name + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
    return mat;
 }
@@ -119,11 +112,7 @@ cv::Mat colored(const DisparityMap& map, int disparities) {
    return color;
 }
 
-std::string encode(const cv::Mat& mat) {
-   std::vector<uint8_t> bytes;
-   if (!cv::imencode(".png", mat, bytes)) throw std::runtime_error("OpenCV cannot encode a PNG image");
-   return {bytes.begin(), bytes.end()};
-}
+std::string encode(const cv::Mat& mat) { return image_codecs().encode_png(mat); }
 
 namespace {
 
