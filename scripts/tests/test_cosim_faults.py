@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Faults put into copies of the VHDL must be caught: a co-simulation that cannot fail proves nothing."""
 
+import signal
+import subprocess
+import time
 import xml.etree.ElementTree as xml
+from pathlib import Path
 
 import pytest
 
+from flow.base.tools import ROOT
 from flow_commands import altered_rtl, cosim, random_pair, report
 
 FAULTS = {
@@ -138,10 +143,33 @@ def test_silent_core_is_caught(ghdl, pair, tmp_path):
     assert report(tmp_path / "out")["compared"] == 0
 
 
+ENDLESS = r"disparity_valid <= .*;", "disparity_valid <= '0';\n  process begin loop end loop; end process;"
+
+
 def test_hanging_simulation_is_stopped(ghdl, pair, tmp_path):
-    endless = "disparity_valid <= '0';\n  process begin loop end loop; end process;"
-    rtl = altered_rtl(tmp_path / "rtl", "tiny", r"disparity_valid <= .*;", endless)
+    rtl = altered_rtl(tmp_path / "rtl", "tiny", *ENDLESS)
     process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl, "--watchdog", "3")
     assert process.returncode == 4
     assert "made no progress for 3 s and was stopped" in process.stderr
     assert "made no progress" in report(tmp_path / "out")["error"]["message"]
+
+
+def simulations_of(folder):
+    """The running processes that know a folder."""
+    lines = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout.splitlines()
+    return [line for line in lines if f"={folder}/observed.txt" in line]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interruption_ends_the_simulation(ghdl, pair, tmp_path, number):
+    """Of the command alone, as `timeout` and CI services end it; a terminal's Ctrl-C reaches the simulation itself."""
+    rtl, out = altered_rtl(tmp_path / "rtl", "tiny", *ENDLESS), tmp_path / "out"
+    words = [ROOT / "scripts" / "cosim.py", "--config", "tiny", "--left", pair[0], "--right", pair[1]]
+    process = subprocess.Popen([*words, "--rtl", rtl, "--out", out], stderr=subprocess.PIPE, text=True)
+    while not simulations_of(out):
+        assert process.poll() is None
+        time.sleep(0.05)
+    process.send_signal(number)
+    assert process.communicate(timeout=30)[1] == "cosim.py: interrupted\n" and process.returncode == 128 + number
+    assert simulations_of(out) == [] and not (out / "report.json").exists()
+    assert list(Path(out).glob(".*")) == []

@@ -6,6 +6,7 @@ import importlib
 import resource
 import signal
 import sys
+import xml.etree.ElementTree as xml
 
 import pytest
 
@@ -78,6 +79,13 @@ def test_junit_counts_failures():
     text = report.junit([report.case_of(one) for one in (good, bad, bad)]).decode()
     assert 'tests="3"' in text and 'failures="2"' in text and 'errors="0"' in text
     assert text.count("<failure ") == 2
+
+
+def test_a_message_with_colours_makes_a_junit_file_that_can_be_read():
+    failure = {"config": "tiny", "simulator": "ghdl", "command": "", "seed": 1, "passed": False, "environment": {}}
+    failure["error"] = {"exit_code": 4, "message": "\x1b[1merror\x1b[0m: a < b\x00 \ud800"}
+    suite = xml.fromstring(report.junit([report.case_of_failure(failure)]))
+    assert suite.find("testcase/error").get("message") == "?[1merror?[0m: a < b? ?"
 
 
 def test_a_simulation_that_stops_early_is_no_result(ghdl, tmp_path, monkeypatch):

@@ -2,8 +2,12 @@
 """Many co-simulations at once: none is lost, none is green that is not, and runs side by side stay apart."""
 
 import json
+import os
 import shutil
+import signal
 import subprocess
+import threading
+import time
 import xml.etree.ElementTree as xml
 
 import pytest
@@ -50,11 +54,16 @@ def stand_ins(monkeypatch, tmp_path):
     """A regression over `tiny` and others with a stand-in for cosim.py, which ends as the configuration's name says."""
     (tmp_path / "scripts").mkdir()
     script = tmp_path / "scripts" / "cosim.py"
-    script.write_text("""import json, pathlib, sys
+    script.write_text("""import json, os, pathlib, sys, time
 def value(name):
     return sys.argv[sys.argv.index(name) + 1]
 config, out = value("--config"), pathlib.Path(value("--out"))
 code = int(config[-1])
+if config.startswith("killed"):
+    os.kill(os.getpid(), 9)
+if config.startswith("slow"):
+    (out / "waits").touch()
+    time.sleep(60)
 content = {"config": config, "simulator": "ghdl", "seed": 1, "command": "cosim " + config, "passed": code == 0,
            "expected": 10, "compared": 10, "mismatches": code, "first_mismatch": "clock 3" if code else None,
            "clocks": 12, "simulation_seconds": 0.5, "initiation_interval": None, "latency_clocks": None,
@@ -116,6 +125,34 @@ def test_exit_code(stand_ins, configs, code):
 def test_an_exit_code_that_the_report_does_not_bear_out_is_an_error(stand_ins, config):
     code, summary, _ = run(stand_ins, config)
     assert code == 4 and outcomes(summary) == {config: "ERROR"}
+
+
+def test_one_that_was_killed_is_an_error(stand_ins):
+    """As by the kernel, where memory is short."""
+    code, summary, suite = run(stand_ins, "good0", "killed0")
+    assert code == 4 and summary["passed"] is False and outcomes(summary) == {"good0": "pass", "killed0": "ERROR"}
+    assert suite.find("testcase[@name='killed0']/error").get("message") == "killed by signal 9"
+
+
+def test_an_interruption_keeps_what_has_run(stand_ins):
+    """Ctrl-C, or the time limit of a CI service."""
+
+    def interrupt():
+        while not (stand_ins / "slow0-ghdl" / "waits").exists():
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    started = time.monotonic()
+    threading.Thread(target=interrupt).start()
+    with pytest.raises(KeyboardInterrupt):
+        run(stand_ins, "good0", "slow0", "other0")
+    assert time.monotonic() - started < 30, "what runs is ended"
+    summary = json.loads((stand_ins / "summary.json").read_text())
+    assert outcomes(summary) == {"good0": "pass", "slow0": "not run", "other0": "not run"}
+    assert summary["passed"] is False and summary["exit_code"] == 130
+    suite = xml.parse(stand_ins / "junit.xml").getroot()
+    assert suite.get("skipped") == "2" and suite.find("testcase[@name='other0']/skipped").get("message") == "interrupted"
+    assert outcomes(run(stand_ins, "good0", "other0", only_changed=True)[1]) == {"good0": "unchanged", "other0": "pass"}
 
 
 def test_a_report_of_an_earlier_run_is_not_taken(stand_ins):

@@ -13,6 +13,7 @@ EXIT_MISMATCH = 1  # the job ran, and its answer is no: outputs differ, or the V
 EXIT_USAGE = 2  # wrong options or unusable input
 EXIT_MISSING_TOOL = 3  # a program this step needs is not installed
 EXIT_TOOL_FAILED = 4  # a tool crashed, hung, or gave something this flow does not understand
+EXIT_INTERRUPTED = 128 + signal.SIGINT
 
 EXIT_CODES_HELP = "exit codes: 0 done, 1 the result differs, 2 bad usage or input, 3 missing tool, 4 a tool failed"
 
@@ -35,10 +36,15 @@ class ArgumentParser(argparse.ArgumentParser):
         raise FlowError(f"{message} (see {self.prog} --help)")
 
 
+def _interrupt(number: int, _: object) -> NoReturn:
+    raise KeyboardInterrupt(number)
+
+
 def run_command(main: Callable[[], int]) -> NoReturn:
     """Runs a command's main function and turns FlowError, OSError and a missing package into one line on stderr and
     the exit code."""
     program = sys.argv[0].rsplit("/", 1)[-1]
+    signal.signal(signal.SIGTERM, _interrupt)  # of `timeout` or a CI service: what we started ends with us
     try:
         code = main()
         sys.stdout.flush()
@@ -59,6 +65,6 @@ def run_command(main: Callable[[], int]) -> NoReturn:
     except OSError as error:  # a file or folder that is not what the command needs
         print(f"{program}: {error.filename or 'a file'}: {error.strerror or error}", file=sys.stderr)
         sys.exit(EXIT_USAGE)
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as interruption:
         print(f"{program}: interrupted", file=sys.stderr)
-        sys.exit(130)
+        sys.exit(128 + interruption.args[0] if interruption.args else EXIT_INTERRUPTED)

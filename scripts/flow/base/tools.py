@@ -147,16 +147,21 @@ def run_with_progress(
     ):
         assert process.stdout is not None  # it is a pipe
         selector.register(process.stdout, selectors.EVENT_READ)
-        while True:
-            if not selector.select(timeout=watchdog_seconds):
-                process.kill()
-                raise FlowError(f"{name} made no progress for {watchdog_seconds:g} s and was stopped", EXIT_TOOL_FAILED)
-            line = process.stdout.readline()
-            if not line:
-                break
-            tail = (tail + [line.strip()])[-5:]
-            error = error or first_error([line])
-            on_line(line.strip())
+        try:
+            while True:
+                if not selector.select(timeout=watchdog_seconds):
+                    raise FlowError(
+                        f"{name} made no progress for {watchdog_seconds:g} s and was stopped", EXIT_TOOL_FAILED
+                    )
+                line = process.stdout.readline()
+                if not line:
+                    break
+                tail = (tail + [line.strip()])[-5:]
+                error = error or first_error([line])
+                on_line(line.strip())
+        except BaseException:  # of an interruption, too: it would go on without us
+            process.kill()
+            raise
         code = process.wait()
     if code != 0:
         said = error or " / ".join(tail)

@@ -19,13 +19,14 @@ from typing import Any, Literal
 
 from ..base import builds, facts, files, json_files, rtl
 from ..base.configurations import designs
-from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
+from ..base.errors import EXIT_INTERRUPTED, EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_stereo_hls
 from . import report
 from .simulators import BENCH, SIMULATORS
 
 FORMAT = "stereo-hls regression 1"
 ALL = "all"
+INTERRUPTED = "interrupted"
 Outcome = Literal["pass", "FAIL", "ERROR", "unchanged", "not run"]
 
 
@@ -74,9 +75,12 @@ class Regression:
     jobs: int = 1
     fails_fast: bool = False
     only_changed: bool = False
+    _stopped: str = ""  # why no more are started
+    _running: set[subprocess.Popen[bytes]] = field(default_factory=set)
 
     def run(self) -> int:
-        """Returns the exit code: 1 when anything differs, else the highest of all."""
+        """Returns the exit code: 1 when anything differs, else the highest of all. What an interruption leaves is written
+        before it goes on."""
         self.out.mkdir(parents=True, exist_ok=True)
         with builds.Exclusive(self.out):
             return self._run()
@@ -87,19 +91,29 @@ class Regression:
         for name in ("summary.json", "junit.xml"):
             (self.out / name).unlink(missing_ok=True)
         entries = [Entry(config) for config in self.configs]
-        stop, lock = threading.Event(), threading.Lock()
+        lock = threading.Lock()
 
         def one(entry: Entry) -> None:
-            if not stop.is_set():
+            if not self._stopped:
                 self._one(entry, earlier)
                 if self.fails_fast and entry.outcome in ("FAIL", "ERROR"):
-                    stop.set()
-            entry.text = entry.text or "an earlier one failed (--fail-fast)"
+                    self._stopped = self._stopped or "an earlier one failed (--fail-fast)"
+            entry.text = entry.text or self._stopped
             with lock:
                 print(entry.line(), flush=True)
 
         with ThreadPoolExecutor(self.jobs) as workers:
-            list(workers.map(one, entries))
+            try:
+                list(workers.map(one, entries))
+            except KeyboardInterrupt:
+                self._stopped = INTERRUPTED
+                for process in list(self._running):
+                    process.terminate()
+                workers.shutdown()
+                for entry in entries:
+                    entry.text = entry.text or self._stopped
+                self._write(entries, EXIT_INTERRUPTED, time.monotonic() - started)
+                raise
         code = exit_code(entries)
         self._write(entries, code, time.monotonic() - started)
         return code
@@ -120,10 +134,16 @@ class Regression:
         (folder / "report.json").unlink(missing_ok=True)
         folder.mkdir(parents=True, exist_ok=True)
         started = time.monotonic()
-        with (folder / "log.txt").open("w") as log:
-            ended = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
+        with (
+            (folder / "log.txt").open("w") as log,
+            subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT) as process,
+        ):
+            self._running.add(process)
+            process.wait()
+            self._running.discard(process)
         entry.seconds = time.monotonic() - started
-        self._judge(entry, folder, ended.returncode)
+        if self._stopped != INTERRUPTED:
+            self._judge(entry, folder, process.returncode)
 
     def _judge(self, entry: Entry, folder: Path, code: int) -> None:
         """The report must say what the exit code says."""
@@ -133,7 +153,9 @@ class Regression:
         except (OSError, ValueError, KeyError, TypeError):
             says = None
         entry.exit_code = code
-        if code not in (EXIT_OK, EXIT_MISMATCH):
+        if code < 0:  # the kernel's, where memory is short
+            entry.outcome, entry.exit_code, entry.text = "ERROR", EXIT_TOOL_FAILED, f"killed by signal {-code}"
+        elif code not in (EXIT_OK, EXIT_MISMATCH):
             entry.outcome = "ERROR"
             entry.text = entry.report["error"]["message"] if says == code else _last_line(folder / "log.txt")
         elif says != code:

@@ -2,6 +2,7 @@
 """What a co-simulation gave: report.json, junit.xml and the lines on the terminal."""
 
 import json
+import re
 import xml.etree.ElementTree as xml
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,6 +12,9 @@ from ..base import files
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.facts import Facts, facts
 from .checker import Interval
+
+
+_NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 class Report(TypedDict):
@@ -166,5 +170,8 @@ def junit(cases: list[xml.Element]) -> bytes:
     for name, value in facts().items():
         xml.SubElement(properties, "property", name=name, value=str(value))
     suite.extend(cases)
+    for element in suite.iter():  # a tool's message may hold colours, which no XML file can
+        element.attrib.update({name: _NO_XML.sub("?", value) for name, value in element.items()})
+        element.text = element.text and _NO_XML.sub("?", element.text)
     text: bytes = xml.tostring(suite, encoding="utf-8", xml_declaration=True)
     return text + b"\n"
