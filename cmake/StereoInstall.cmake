@@ -9,7 +9,7 @@ set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/stereo_hls)
 set(data_folder ${CMAKE_INSTALL_DATADIR}/stereo_hls)
 
 # The program looks for its modules beside the file that the link leads to.
-install(TARGETS stereo_hls stereo_hls_video RUNTIME DESTINATION ${program_folder} LIBRARY DESTINATION ${program_folder})
+install(TARGETS stereo_hls stereo_hls_images stereo_hls_video RUNTIME DESTINATION ${program_folder} LIBRARY DESTINATION ${program_folder})
 file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/cores")
 install(DIRECTORY "${PROJECT_BINARY_DIR}/cores" DESTINATION ${program_folder} FILES_MATCHING PATTERN "*.so")
 file(RELATIVE_PATH program_link "/${CMAKE_INSTALL_BINDIR}" "/${program_folder}/stereo_hls")

@@ -5,15 +5,15 @@
 import sys
 from pathlib import Path
 
-from rich.console import Console
-from rich.table import Table
-
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.dev_loop import DevLoop, Timing
 
 
 def main() -> int:
+    from rich.console import Console
+    from rich.table import Table
+
     parser = ArgumentParser(prog="dev_loop.py", description=__doc__)
     parser.add_argument("--config", default="tiny", metavar="NAME", help="configuration to simulate (default tiny)")
     parser.add_argument(

@@ -9,8 +9,6 @@ from argparse import Namespace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from rich.console import Console
-
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import ROOT
@@ -211,6 +209,8 @@ def show(
         "choices": table,
     }
     explore.write(options.out, content, table, picture)
+    from rich.console import Console
+
     console = Console(highlight=False)
     for made in front.tables(table, key, title):
         console.print(made)

@@ -19,4 +19,12 @@ std::string beyond_range(const RasterImage<Pixel>& image, int bits) {
           " bits are at most " + std::to_string((1 << bits) - 1);
 }
 
+/// What 8 bits can show of grey values of `bits` bits.
+inline GrayImage upper_8_bits(const DeepImage& image, int bits) {
+   GrayImage result(image.width, image.height);
+   std::ranges::transform(image.pixels, result.pixels.begin(),
+                          [bits](uint16_t pixel) { return uint8_t(pixel >> (bits - 8)); });
+   return result;
+}
+
 }  // namespace stereo

@@ -10,4 +10,9 @@ struct InputError : std::runtime_error {
    using std::runtime_error::runtime_error;
 };
 
+/// A part of the program is not where it should be: exit code 3.
+struct MissingPart : std::runtime_error {
+   using std::runtime_error::runtime_error;
+};
+
 }  // namespace stereo::app

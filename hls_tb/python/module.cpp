@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "definition/pixel_range.hpp"
 #include "engines/clocked/core_modules.hpp"
 #include "engines/clocked/match_clocked.hpp"
 #include "engines/clocked/register_trace.hpp"
@@ -31,11 +32,22 @@ Array<Value> array_of(const std::vector<Value>& values, int height, int width) {
    std::copy(values.begin(), values.end(), array.mutable_data());
    return array;
 }
-Array<uint8_t> array_of(const GrayImage& image) { return array_of(image.pixels, image.height, image.width); }
+template <class Pixel>
+Array<Pixel> array_of(const RasterImage<Pixel>& image) {
+   return array_of(image.pixels, image.height, image.width);
+}
 
-GrayImage image_of(const Array<uint8_t>& array) {
-   GrayImage image(int(array.shape(1)), int(array.shape(0)));
+template <class Pixel>
+RasterImage<Pixel> image_of(const Array<Pixel>& array) {
+   RasterImage<Pixel> image(int(array.shape(1)), int(array.shape(0)));
    std::copy_n(array.data(), image.pixels.size(), image.pixels.begin());
+   return image;
+}
+
+DeepImage deep_image(const char* name, const Array<uint16_t>& array, int bits) {
+   DeepImage image = image_of(array);
+   if (const std::string problem = beyond_range(image, bits); !problem.empty())
+      throw std::invalid_argument(std::string(name) + ": " + problem);
    return image;
 }
 /// What is not finite has no disparity.
@@ -66,11 +78,22 @@ std::shared_ptr<const Algorithm> algorithm_of(const Configuration& configuration
    return algorithm;
 }
 
-py::dict match(const Array<uint8_t>& left, const Array<uint8_t>& right, const std::string& name,
-               const Settings& settings, bool clocked, int threads) {
+ImagePair pair_of(const Array<uint8_t>& left, const Array<uint8_t>& right, const Algorithm&) {
+   return {image_of(left), image_of(right)};
+}
+DeepPair pair_of(const Array<uint16_t>& left, const Array<uint16_t>& right, const Algorithm& algorithm) {
+   const int bits = algorithm.pixel_bits();
+   if (bits == 8) throw py::type_error("left, right: must be arrays of uint8 where pixel_bits is 8");
+   return {deep_image("left", left, bits), deep_image("right", right, bits)};
+}
+
+/// Pixel: uint8_t or, where pixel_bits is more than 8, uint16_t.
+template <class Pixel>
+py::dict match(const Array<Pixel>& left, const Array<Pixel>& right, const std::string& name, const Settings& settings,
+               bool clocked, int threads) {
    const Configuration& configuration = configuration_of(name);
    const auto algorithm = algorithm_of(configuration, settings);
-   const ImagePair pair{image_of(left), image_of(right)};
+   const auto pair = pair_of(left, right, *algorithm);
    DisparityMap map;
    {
       const py::gil_scoped_release others_may_run;
@@ -91,6 +114,10 @@ py::dict match(const Array<uint8_t>& left, const Array<uint8_t>& right, const st
    return result;
 }
 
+Array<uint8_t> shown(const char* name, const Array<uint16_t>& image, int bits) {
+   return array_of(upper_8_bits(deep_image(name, image, bits), bits));
+}
+
 std::string evaluate(const Array<float>& found, const Array<float>& truth,
                      const std::optional<Array<float>>& other_truth, const std::optional<Array<uint8_t>>& image,
                      const std::string& reference, std::optional<std::pair<int, int>> search, int border_px) {
@@ -107,15 +134,21 @@ std::string evaluate(const Array<float>& found, const Array<float>& truth,
    return app::measures_json(app::measure_masks(map, reference_of(reference), range, wanted, masks)).dump();
 }
 
-py::dict scene(int width, int height, int disparities, uint64_t seed, int noise) {
+py::dict scene(int width, int height, int disparities, uint64_t seed, int noise, int pixel_bits) {
    Scene made;
+   DeepPair deep;
    {
       const py::gil_scoped_release others_may_run;
       made = make_scene({.width = width, .height = height, .disparities = disparities, .seed = seed, .noise = noise});
+      if (pixel_bits > 8) deep = deepened(made.images, pixel_bits, seed);
    }
    py::dict result;
-   result["left"] = array_of(made.images.left);
-   result["right"] = array_of(made.images.right);
+   const auto add_pair = [&](const auto& pair) {
+      result["left"] = array_of(pair.left);
+      result["right"] = array_of(pair.right);
+   };
+   if (pixel_bits > 8) add_pair(deep);
+   else add_pair(made.images);
    result["truth_left"] = array_of(made.left_disparity);
    result["truth_right"] = array_of(made.disparity);
    return result;
@@ -164,7 +197,9 @@ PYBIND11_MODULE(_core, module) {
    module.def("set_core_folder", &set_core_folder);
    module.def("configurations", [] { return app::configurations_json().dump(); });
    module.def("families", [] { return app::families_json().dump(); });
-   module.def("match", &match);
+   module.def("match", &match<uint8_t>);
+   module.def("match_deep", &match<uint16_t>);
+   module.def("shown", &shown);
    module.def("evaluate", &evaluate);
    module.def("scene", &scene);
    module.def("trace", &trace);

@@ -46,24 +46,25 @@ def tool(folder, name, body):
     return path
 
 
-def yosys_body(cells=None, lost="", statistics=None):
+def yosys_body(cells=None, lost="", statistics=None, netlist=NETLIST):
     """yosys as flow.yosys.script drives it: the files are what the script names."""
     stat = (
         json.dumps({"modules": {"\\stereo_core": {"num_cells_by_type": cells or CELLS}}})
         if statistics is None
         else statistics
     )
-    files = {"memories.txt": MEMORY, "unmapped.txt": lost, "stat.json": stat, "netlist.json": json.dumps(NETLIST)}
+    files = {"memories.txt": MEMORY, "unmapped.txt": lost, "stat.json": stat, "netlist.json": json.dumps(netlist)}
     writes = "\n".join(f"cat > {name} <<'END'\n{text}\nEND" for name, text in files.items())
     return f'if [ "$1" = -V ]; then echo "Yosys 0.23 (stand-in)"; exit; fi\n{writes}'
 
 
-def nextpnr_body(mhz_by_seed):
+def nextpnr_body(mhz_by_seed, otherwise=""):
+    """`otherwise`: what it does with other seeds."""
     cases = "\n".join(
         f"*'--seed {seed} '*) cat > report_{seed}.json <<'END'\n{json.dumps(report(mhz))}\nEND\n;;"
         for seed, mhz in mhz_by_seed.items()
     )
-    return f"case \"$*\" in --version) echo '(Version nextpnr-0.0)' >&2;;\n{cases}\nesac"
+    return f"case \"$*\" in --version) echo '(Version nextpnr-0.0)' >&2;;\n{cases}\n*) {otherwise};;\nesac"
 
 
 def environment(folder, yosys=None, nextpnr=None, ghdl=GHDL):

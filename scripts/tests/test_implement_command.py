@@ -217,8 +217,8 @@ def test_missing_tools(build, tools, variable, name):
     [
         ({"yosys": 'echo "ERROR: no such cell" >&2; exit 1'}, ["failed with exit code 1", "no such cell"]),
         ({"yosys": stand_ins.yosys_body(statistics="{")}, ["no usable statistics"]),
-        ({"nextpnr": "echo 'ERROR: unable to place' >&2; exit 255"}, ["unable to place", "nextpnr_1.log"]),
-        ({"nextpnr": "exit 0"}, ["no usable report"]),
+        ({"nextpnr": stand_ins.nextpnr_body({}, "echo 'ERROR: unable to place' >&2; exit 255")}, ["unable to place", "nextpnr_1.log"]),
+        ({"nextpnr": stand_ins.nextpnr_body({})}, ["no usable report"]),
         ({"ghdl": "exit 0"}, ["did not write a module"]),
     ],
 )
@@ -324,3 +324,23 @@ def test_a_path_that_cannot_be_named():
 def test_memories_in_a_dump():
     assert yosys.read_memories("\n" + stand_ins.MEMORY) == {"rows.memory": 5120}
     assert yosys.read_memories("\n\n") == {}
+
+
+def test_a_seed_is_not_routed_twice(build, tools):
+    """A run that breaks off loses no seed; another netlist or router is another result."""
+    assert run_tiny(tools, "--target", "ecp5", "--seeds", 1, 2).returncode == 0
+    first = results(build)["targets"]["ecp5"]
+    assert run_tiny(tools, "--target", "ecp5").returncode == 0
+    assert results(build)["targets"]["ecp5"]["fmax_mhz"]["by_seed"] == {"1": 120.5, "2": 140.25, "3": 131.0}
+    assert first["fmax_mhz"]["by_seed"] == {"1": 120.5, "2": 140.25}
+
+    def seeds():
+        routed = [line for line in stand_ins.calls(tools, "nextpnr_ecp5") if "--seed" in line]
+        return [line.split("--seed ")[1].split()[0] for line in routed]
+
+    assert seeds() == ["1", "2", "3"]
+    assert run_tiny(tools, "--target", "ecp5", "--seeds", 1, "--router", "router2").returncode == 0
+    assert run_tiny(tools, "--target", "ecp5_grade6", "--seeds", 1).returncode == 0
+    other = stand_ins.yosys_body(netlist=stand_ins.NETLIST | {"creator": "another yosys"})
+    assert run_tiny(tools, "--target", "ecp5", "--seeds", 1, yosys=other).returncode == 0
+    assert seeds() == ["1", "2", "3", "1", "1", "1"]

@@ -105,6 +105,47 @@ def test_match_and_evaluate_are_those_of_the_program(module, pair, files, tmp_pa
     assert again == measures
 
 
+@pytest.mark.parametrize("configuration,options", [("tiny_10bit", {}), ("tiny_sgm", {"pixel_bits": 12})])
+def test_pixels_of_more_bits(module, tmp_path, configuration, options):
+    """The same scene, maps and measures as the program's. An array of uint8 is taken as it is."""
+    bits = options.get("pixel_bits", 10)
+    sizes = ["--width", WIDTH, "--height", HEIGHT, "--disparities", RANGE, "--seed", 3, "--pixel-bits", bits]
+    run([find_stereo_hls(), "scene", *sizes, "--out", tmp_path])
+    names = {"left": "left", "right": "right", "truth-left": "disparity_left", "truth-right": "disparity_right"}
+    files = [word for option, name in names.items() for word in (f"--{option}", tmp_path / f"{name}.png")]
+    settings = [word for name, value in options.items() for word in ("--set", f"{name}={value}")]
+    program = [find_stereo_hls(), "evaluate", *files, "--config", configuration, *settings]
+    run([*program, "--json", tmp_path / "evaluation.json"])
+    method = json.loads((tmp_path / "evaluation.json").read_text())["methods"][0]
+    pair = module.scene(WIDTH, HEIGHT, RANGE, seed=3, pixel_bits=bits)
+    assert pair.left.dtype == pair.right.dtype == np.uint16 and 255 < pair.left.max() < 1 << bits
+    found = module.match(pair.left, pair.right, configuration, **options)
+    image, other = (pair.right, "left") if found.reference == "right" else (pair.left, "right")
+    truths = pair.truth(found.reference), pair.truth(other)
+    measures = module.evaluate(found, *truths, image)
+    assert measures == method["masks"] and "textureless" in measures
+    again = module.evaluate(
+        found.disparity, *truths, image, reference=found.reference, search=found.search, pixel_bits=bits
+    )
+    assert again == measures
+    narrow = module.scene(WIDTH, HEIGHT, RANGE, seed=3)
+    maps = [
+        module.match(narrow.left.astype(kind), narrow.right, configuration, **options) for kind in (np.uint16, np.uint8)
+    ]
+    np.testing.assert_array_equal(maps[0].steps, maps[1].steps)
+    wide = pair.left.copy()
+    wide[7, 5] = 1 << bits
+    says = f"left: has the grey value {1 << bits} at x=5 y=7 but pixels of {bits} bits are at most {(1 << bits) - 1}"
+    with pytest.raises(ValueError, match=says):
+        module.match(wide, pair.right, configuration, **options)
+    with pytest.raises(ValueError, match=says.replace("left", "image")):
+        module.evaluate(found, *truths, wide)
+    with pytest.raises(ValueError, match="pixel_bits: must be given where image is an array of uint16"):
+        module.evaluate(found.disparity, *truths, image, reference=found.reference)
+    with pytest.raises(ValueError, match="pixel_bits=11: must be 8, 10 or 12"):
+        module.scene(pixel_bits=11)
+
+
 def test_what_a_map_says_of_itself(module, pair):
     found = module.match(
         pair.left, pair.right, "tiny", disparities=RANGE, subpixel=True, min_disparity=2, uniqueness_percent=20
@@ -195,13 +236,14 @@ def test_bad_calls(module, pair, kind):
 
 def test_bad_arrays(module, pair):
     for left, error, sentence in [
-        (pair.left.astype(np.float32), TypeError, "left: must be an array of uint8 but is one of float32"),
+        (pair.left.astype(np.float32), TypeError, "left: must be an array of uint8 or uint16 but is one of float32"),
         (pair.left.astype(np.int8), TypeError, "int8"),
         (pair.left[0], ValueError, "left: must have two axes"),
         (np.stack([pair.left] * 3, 2), ValueError, f"its shape is ({HEIGHT}, {WIDTH}, 3)"),
         (pair.left[:0], ValueError, "left: has no pixels"),
         (pair.left[1:], ValueError, f"left is {WIDTH}x{HEIGHT - 1}, right is {WIDTH}x{HEIGHT}"),
         (None, TypeError, "left: must be an array of uint8"),
+        (pair.left.astype(np.uint16), TypeError, "left, right: must be arrays of uint8 where pixel_bits is 8"),
     ]:
         with pytest.raises(error) as raised:
             module.match(left, pair.right, "tiny")

@@ -33,25 +33,27 @@ struct Arguments {
 
 /// A pair that can be matched, in colour where the cameras' images are, and where it stands.
 struct PreparedPair {
-   cv::Mat left, right;
+   cv::Mat left, right;  ///< as `read_camera_image` gives them
+   int bits;             ///< that it was told
    RectifiedGeometry geometry;
 
-   ImagePair gray() const { return {gray_of_any(left), gray_of_any(right)}; }
+   AnyPair gray() const { return gray_pair(left, right); }
+   ImagePair shown() const { return shown_pair(gray(), bits); }
 };
 
-PreparedPair prepare(const Arguments& arguments) {
+PreparedPair prepare(const Arguments& arguments, int bits) {
    const Calibration calibration = load_calibration(arguments.calibration, arguments.extrinsics);
-   PreparedPair pair{read_8_bit_image(arguments.left), read_8_bit_image(arguments.right), {}};
+   PreparedPair pair{read_camera_image(arguments.left, bits), read_camera_image(arguments.right, bits), bits, {}};
    require_same_size<InputError>(arguments.left, pair.left.size(), arguments.right, pair.right.size());
    if (arguments.rectified) {
       pair.geometry = rectified_geometry(calibration);
       return pair;
    }
    const Rectification rectification = make_rectification(calibration, pair.left.cols, pair.left.rows);
-   if (const auto offset = vertical_offset(pair.gray()))
+   if (const auto offset = vertical_offset(pair.shown()))
       std::cout << "before rectification " << offset->features << " matching features lie " << offset->median_px
                 << " rows apart (median)\n";
-   return {rectification.left(pair.left), rectification.right(pair.right), rectification.geometry};
+   return {rectification.left(pair.left), rectification.right(pair.right), bits, rectification.geometry};
 }
 
 struct Depths {
@@ -102,22 +104,26 @@ std::string summary(const PreparedPair& pair, double baseline_mm, const Depths& 
 
 void depth(const Arguments& arguments) {
    const auto algorithm = named_algorithm(arguments.config, arguments.settings);
-   const PreparedPair pair = prepare(arguments);
-   const ImagePair gray = pair.gray();
-   std::cout << rectification_warning(gray);
+   const PreparedPair pair = prepare(arguments, algorithm->pixel_bits());
+   const AnyPair gray = pair.gray();
+   const ImagePair shown = shown_pair(gray, pair.bits);
+   std::cout << rectification_warning(shown);
    double milliseconds = 0;
-   const DisparityMap map =
-       timed(milliseconds, [&] { return match_named(arguments.config, gray, *algorithm, arguments.threads); });
-   const MapGeometry map_geometry = algorithm->map_geometry(gray.left.width);
-   const std::vector<Point> points = points_of(at_image_size(map, map_geometry, gray.left.width),
+   const auto match = [&](const auto& images) {
+      return match_named(arguments.config, images, *algorithm, arguments.threads);
+   };
+   const DisparityMap map = timed(milliseconds, [&] { return std::visit(match, gray); });
+   const MapGeometry map_geometry = algorithm->map_geometry(shown.left.width);
+   const std::vector<Point> points = points_of(at_image_size(map, map_geometry, shown.left.width),
                                                map_geometry.reference, pair.geometry, arguments.unit_mm / 1000);
-   const cv::Mat image = depth_image(points, gray.left.width, gray.left.height);
+   const cv::Mat image = depth_image(points, shown.left.width, shown.left.height);
    const Depths depths = depths_of(image);
+   const cv::Mat& reference = map_geometry.reference == Reference::left ? pair.left : pair.right;
 
    OutputFolder out(arguments.out);
    out.add("depth.png", encode(image));
-   out.add("cloud.ply", encode_ply(points, map_geometry.reference == Reference::left ? pair.left : pair.right));
-   out.add("preview.png", encode_overview_png(gray, map, map_geometry));
+   out.add("cloud.ply", encode_ply(points, shown_image(reference, pair.bits)));
+   out.add("preview.png", encode_overview_png(shown, map, map_geometry));
    for (const auto& [name, rectified] : {std::pair{"left.png", pair.left}, {"right.png", pair.right}}) {
       if (arguments.rectified) out.leave_out(name, {arguments.left, arguments.right});
       else out.add(name, encode(rectified));

@@ -40,8 +40,9 @@ struct Arguments {
 
 /// The images and, of each that has one, truth and masks.
 struct GroundTruth {
-   ImagePair pair;  ///< as loaded: which pixels count does not depend on the cameras
-   ImagePair seen;  ///< what is matched
+   int bits = 8;     ///< of a grey value
+   ImagePair shown;  ///< of 8 bits, as loaded: which pixels count does not depend on the cameras
+   AnyPair seen;     ///< what is matched
    std::optional<DisparityImage> left, right;
    std::vector<NamedMask> left_masks, right_masks;
 
@@ -64,21 +65,33 @@ std::optional<DisparityImage> load_truth(const std::string& option, const std::s
    return truth;
 }
 
+/// Of the grey values that every named configuration takes.
+int least_pixel_bits(const Arguments& arguments) {
+   if (arguments.configs.empty()) return 8;
+   std::vector<int> bits;
+   for (const std::string& name : arguments.configs)
+      bits.push_back(named_algorithm(name, arguments.settings)->pixel_bits());
+   return *std::min_element(bits.begin(), bits.end());
+}
+
 GroundTruth load(const Arguments& arguments) {
    if (arguments.truth_left.empty() && arguments.truth_right.empty())
       throw InputError("evaluate: give the true disparities with --truth-left, --truth-right or both");
    GroundTruth truth;
-   truth.pair = load_pair(arguments.left, arguments.right);
-   truth.seen = seen_by(truth.pair, arguments.cameras);
-   truth.left = load_truth("--truth-left", arguments.truth_left, arguments.truth_scale, truth.pair.left);
-   truth.right = load_truth("--truth-right", arguments.truth_right, arguments.truth_scale, truth.pair.right);
+   const AnyPair pair = load_any_pair(arguments.left, arguments.right, least_pixel_bits(arguments));
+   if (std::holds_alternative<DeepPair>(pair)) truth.bits = least_pixel_bits(arguments);
+   truth.shown = shown_pair(pair, truth.bits);
+   truth.seen =
+       std::visit([&](const auto& images) { return AnyPair(seen_by(images, arguments.cameras, truth.bits)); }, pair);
+   truth.left = load_truth("--truth-left", arguments.truth_left, arguments.truth_scale, truth.shown.left);
+   truth.right = load_truth("--truth-right", arguments.truth_right, arguments.truth_scale, truth.shown.right);
    const auto address = [](const std::optional<DisparityImage>& image) { return image ? &*image : nullptr; };
    if (truth.left)
       truth.left_masks =
-          evaluation_masks(truth.pair.left, *truth.left, address(truth.right), Reference::left, arguments.border_px);
+          evaluation_masks(truth.shown.left, *truth.left, address(truth.right), Reference::left, arguments.border_px);
    if (truth.right)
       truth.right_masks =
-          evaluation_masks(truth.pair.right, *truth.right, address(truth.left), Reference::right, arguments.border_px);
+          evaluation_masks(truth.shown.right, *truth.right, address(truth.left), Reference::right, arguments.border_px);
    return truth;
 }
 
@@ -101,15 +114,16 @@ EvaluatedMethod evaluate_core(const std::string& name, const Arguments& argument
    EvaluatedMethod method{name, "core", Reference::left, options_json(algorithm->options())};
    method.engine = word_of(arguments.engine);
    method.postprocessing = postprocessing_json(arguments.postprocessing);
-   const MapGeometry geometry = algorithm->map_geometry(truth.pair.left.width);
-   const auto match_once = [&](const ImagePair& pair) {
+   const MapGeometry geometry = algorithm->map_geometry(truth.shown.left.width);
+   const auto match_once = [&](const auto& pair) {
       return match_named(name, pair, *algorithm, arguments.threads, arguments.engine);
    };
-   const DisparityMap map = timed(method.milliseconds, [&] {
-      return match_and_process(match_once, truth.seen, geometry, arguments.postprocessing).map;
-   });
+   const auto match = [&](const auto& pair) {
+      return match_and_process(match_once, pair, geometry, arguments.postprocessing).map;
+   };
+   const DisparityMap map = timed(method.milliseconds, [&] { return std::visit(match, truth.seen); });
    method.reference = geometry.reference;
-   score(method, at_image_size(map, geometry, truth.pair.left.width), range_of(*algorithm), truth);
+   score(method, at_image_size(map, geometry, truth.shown.left.width), range_of(*algorithm), truth);
    return method;
 }
 
@@ -117,9 +131,13 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
    OpenCvMatcher matcher = OpenCvMatcher::stored(opencv_kinds().at(word));
    if (arguments.opencv_disparities != 0) matcher.disparities = arguments.opencv_disparities;
    if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
-   check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
+   check_opencv_matcher(matcher, truth.shown.left.width, truth.shown.left.height);
    EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher)};
-   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.seen, matcher, arguments.threads); }),
+   if (truth.bits > 8)
+      method.remarks.push_back(method.name + " takes 8 bits a pixel and was given the upper 8 of the images' " +
+                               std::to_string(truth.bits));
+   const ImagePair seen = shown_pair(truth.seen, truth.bits);
+   score(method, timed(method.milliseconds, [&] { return match_opencv(seen, matcher, arguments.threads); }),
          DisparityRange{0, matcher.disparities}, truth);
    return method;
 }
@@ -127,7 +145,7 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
 EvaluatedMethod evaluate_file(const std::string& path, const std::string& reference, const Arguments& arguments,
                               const GroundTruth& truth) {
    const DisparityImage found = load_disparities("--disparity", path, arguments.disparity_scale);
-   require_size(found, truth.pair.left, "--disparity " + path);
+   require_size(found, truth.shown.left, "--disparity " + path);
    EvaluatedMethod method{path, "file", reference_words().at(reference), {{"scale", arguments.disparity_scale}}};
    method.milliseconds = kNoDisparity;
    score(method, found, std::nullopt, truth);
@@ -172,8 +190,8 @@ void evaluate(Arguments arguments) {
    const GroundTruth truth = load(arguments);
    Evaluation evaluation{arguments.left,
                          arguments.right,
-                         truth.pair.left.width,
-                         truth.pair.left.height,
+                         truth.shown.left.width,
+                         truth.shown.left.height,
                          arguments.border_px,
                          arguments.threads,
                          {}};

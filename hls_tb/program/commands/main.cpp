@@ -42,7 +42,8 @@ int main(int argc, char** argv) {
    app.set_version_flag("--version", STEREO_HLS_VERSION);
    app.require_subcommand(1);
    app.footer(
-       "Exit codes: 0 success; 1 internal failure; 2 wrong usage or input; 3 a core that was not built. On failure one "
+       "Exit codes: 0 success; 1 internal failure; 2 wrong usage or input; 3 a core that was not built, or another "
+       "missing part. On failure one "
        "line on stderr says why, "
        "and nothing is written.");
    add_match(app);
@@ -69,6 +70,8 @@ int main(int argc, char** argv) {
    } catch (const std::invalid_argument& error) {
       return report(error.what(), kInputError);
    } catch (const stereo::NoCoreModule& error) {
+      return report(error.what(), kMissingPart);
+   } catch (const MissingPart& error) {
       return report(error.what(), kMissingPart);
    } catch (const std::filesystem::filesystem_error& error) {  // a folder without rights, mostly
       return report(error.path1().string() + ": " + error.code().message(), kInputError);

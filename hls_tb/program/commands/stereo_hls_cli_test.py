@@ -4,6 +4,7 @@ stereo_hls_match_test.py."""
 
 import json
 import os
+import shutil
 import subprocess
 
 import pytest
@@ -17,6 +18,24 @@ def test_version():
 
 def test_help_names_the_exit_codes():
     assert "Exit codes: 0 success; 1 internal failure; 2 wrong usage or input" in succeed("--help")
+
+
+def test_a_start_loads_no_readers_of_images():
+    """The libraries behind them take ten times as long to load as all others together."""
+    process = subprocess.run(
+        [PROGRAM], capture_output=True, text=True, env={**os.environ, "LD_TRACE_LOADED_OBJECTS": "1"}
+    )
+    assert "libopencv_core" in process.stdout
+    assert "imgcodecs" not in process.stdout and "videoio" not in process.stdout
+
+
+def test_a_program_without_its_modules(tmp_path):
+    shutil.copy(PROGRAM, tmp_path / "stereo_hls")
+    words = [tmp_path / "stereo_hls", "scene", "--config", "tiny", "--seed", "1", "--out", tmp_path / "out"]
+    process = subprocess.run(words, capture_output=True, text=True)
+    assert process.returncode == 3 and process.stderr.count("\n") == 1
+    assert f"{tmp_path}/stereo_hls_images.so cannot be loaded; it belongs beside the program" in process.stderr
+    assert not (tmp_path / "out").exists()
 
 
 def test_configurations_as_json():

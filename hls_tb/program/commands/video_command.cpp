@@ -32,11 +32,11 @@ struct Arguments {
    Postprocessing postprocessing;
 };
 
-PairSource open_pair(const Arguments& arguments) {
-   if (!arguments.side_by_side.empty()) return PairSource(open_frames("--side-by-side", arguments.side_by_side));
+PairSource open_pair(const Arguments& arguments, int bits) {
+   if (!arguments.side_by_side.empty()) return PairSource(open_frames("--side-by-side", arguments.side_by_side, bits));
    if (arguments.left.empty() || arguments.right.empty())
       throw InputError("video: give --left and --right, or --side-by-side");
-   return {open_frames("--left", arguments.left), open_frames("--right", arguments.right)};
+   return {open_frames("--left", arguments.left, bits), open_frames("--right", arguments.right, bits)};
 }
 
 cv::Mat in_color(const cv::Mat& frame) {
@@ -58,7 +58,8 @@ cv::Mat beside(const cv::Mat& reference, const DisparityMap& map, const MapGeome
 
 void video(const Arguments& arguments) {
    const auto algorithm = named_algorithm(arguments.config, arguments.settings);
-   PairSource source = open_pair(arguments);
+   const int bits = algorithm->pixel_bits();
+   PairSource source = open_pair(arguments, bits);
    const double own_rate = source.frames_per_second(), rate = arguments.frames_per_second > 0
                                                                   ? arguments.frames_per_second
                                                               : own_rate > 0 ? own_rate
@@ -68,17 +69,20 @@ void video(const Arguments& arguments) {
    double matching_seconds = 0;
    cv::Size size;
    for (FramePair frames = source.next(); !frames.empty(); frames = source.next()) {
-      const ImagePair pair{gray_of_any(frames.left), gray_of_any(frames.right)};
-      if (!sink) std::cout << rectification_warning(pair);
+      const AnyPair pair = gray_pair(frames.left, frames.right);
+      if (!sink) std::cout << rectification_warning(shown_pair(pair, bits));
       double milliseconds = 0;
-      const MapGeometry geometry = algorithm->map_geometry(pair.left.width);
-      const auto match_once = [&](const ImagePair& images) {
+      const MapGeometry geometry = algorithm->map_geometry(frames.left.cols);
+      const auto match_once = [&](const auto& images) {
          return match_named(arguments.config, images, *algorithm, arguments.threads);
       };
-      const DisparityMap map = timed(
-          milliseconds, [&] { return match_and_process(match_once, pair, geometry, arguments.postprocessing).map; });
+      const auto match = [&](const auto& images) {
+         return match_and_process(match_once, images, geometry, arguments.postprocessing).map;
+      };
+      const DisparityMap map = timed(milliseconds, [&] { return std::visit(match, pair); });
       matching_seconds += milliseconds / 1000;
-      const cv::Mat page = beside(geometry.reference == Reference::left ? frames.left : frames.right, map, geometry);
+      const cv::Mat& reference = geometry.reference == Reference::left ? frames.left : frames.right;
+      const cv::Mat page = beside(shown_image(reference, bits), map, geometry);
       size = frames.left.size();
       if (!sink) sink = make_frame_sink(arguments.out, rate, page.size());
       sink->add(page);

@@ -16,21 +16,26 @@ double normal(Random& random) {
    return sum;
 }
 
-void change(GrayImage& image, double gain, double offset, double noise, uint64_t seed) {
+template <class Pixel>
+void change(RasterImage<Pixel>& image, int bits, double gain, double offset, double noise, uint64_t seed) {
+   const long largest = (1L << bits) - 1;
    Random random(seed);
-   for (uint8_t& pixel : image.pixels) {
+   for (Pixel& pixel : image.pixels) {
       const double value = gain * pixel + offset + (noise > 0 ? noise * normal(random) : 0);
-      pixel = uint8_t(std::clamp(std::lround(value), 0L, 255L));
+      pixel = Pixel(std::clamp(std::lround(value), 0L, largest));
    }
 }
 
 }  // namespace
 
-ImagePair seen_by(const ImagePair& pair, const CameraDifference& difference) {
-   ImagePair seen = pair;
-   change(seen.left, 1, 0, difference.noise, 2 * uint64_t(difference.seed));
-   change(seen.right, difference.gain, difference.offset, difference.noise, 2 * uint64_t(difference.seed) + 1);
+template <class Pixel>
+PairOf<Pixel> seen_by(const PairOf<Pixel>& pair, const CameraDifference& difference, int bits) {
+   PairOf<Pixel> seen = pair;
+   change(seen.left, bits, 1, 0, difference.noise, 2 * uint64_t(difference.seed));
+   change(seen.right, bits, difference.gain, difference.offset, difference.noise, 2 * uint64_t(difference.seed) + 1);
    return seen;
 }
+template ImagePair seen_by(const ImagePair&, const CameraDifference&, int);
+template DeepPair seen_by(const DeepPair&, const CameraDifference&, int);
 
 }  // namespace stereo::app

@@ -14,7 +14,8 @@ struct CameraDifference {
    bool operator==(const CameraDifference&) const = default;
 };
 
-/// The pair as such cameras see it: rounded and clamped to 0 ... 255.
-ImagePair seen_by(const ImagePair& pair, const CameraDifference& difference);
+/// The pair as such cameras see it: rounded and clamped to 0 ... 2^bits - 1.
+template <class Pixel>
+PairOf<Pixel> seen_by(const PairOf<Pixel>& pair, const CameraDifference& difference, int bits = 8);
 
 }  // namespace stereo::app

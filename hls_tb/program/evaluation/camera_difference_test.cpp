@@ -17,6 +17,13 @@ TEST(CameraDifference, ChangesTheRightImageOnly) {
    EXPECT_EQ(seen_by(pair, {}).right, pair.right);
 }
 
+TEST(CameraDifference, PixelsOfMoreBitsAreClampedToTheirs) {
+   DeepPair pair{DeepImage(2, 1, 1000), DeepImage(2, 1, 1000)};
+   pair.right.pixels = {1001, 3000};
+   EXPECT_EQ(seen_by(pair, {.gain = 1.5, .offset = -10}, 12).right.pixels, (std::vector<uint16_t>{1492, 4095}));
+   EXPECT_EQ(seen_by(pair, {.gain = 1.5}, 10).right.pixels, (std::vector<uint16_t>{1023, 1023}));
+}
+
 TEST(CameraDifference, NoiseHasItsDeviationInBothImages) {
    const ImagePair grey{GrayImage(200, 100, 128), GrayImage(200, 100, 128)};
    const ImagePair seen = seen_by(grey, {.noise = 4});

@@ -6,14 +6,13 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "definition/pixel_range.hpp"
 #include "program/errors.hpp"
+#include "program/io/image_codecs.hpp"
 #include "program/io/opencv_images.hpp"
 #include "program/io/require_file.hpp"
-#include "program/io/silent_stderr.hpp"
 
 namespace stereo::app {
 namespace {
@@ -54,13 +53,7 @@ GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shad
 
 cv::Mat read_image(const std::string& path, const std::string& name) {
    require_file(path, name);
-   cv::Mat mat;
-   try {
-      const SilentStderr silent;
-      mat = cv::imread(path, cv::IMREAD_UNCHANGED);
-   } catch (const std::exception&) {  // cv::Exception, and others that OpenCV lets through
-      // Reported below, as an empty image.
-   }
+   cv::Mat mat = image_codecs().read(path);
    if (mat.empty()) throw InputError(name + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
    return mat;
 }
@@ -74,6 +67,32 @@ cv::Mat read_8_bit_image(const std::string& path) {
       throw InputError(path + ": has " + std::to_string(mat.channels()) +
                        " channels but must be grey or in colour; convert it to a grey image");
    return mat;
+}
+
+cv::Mat read_camera_image(const std::string& path, int bits) {
+   if (bits == 8) return read_8_bit_image(path);
+   cv::Mat mat = read_image(path, path);
+   if (mat.depth() != CV_16U) return read_8_bit_image(path);
+   if (mat.channels() != 1)
+      throw InputError(path + ": has " + std::to_string(mat.channels()) +
+                       " channels of 16 bits but must be grey; convert it to a grey image");
+   if (const std::string problem = beyond_range(deep_from_mat(mat), bits); !problem.empty())
+      throw InputError(path + ": " + problem);
+   return mat;
+}
+
+AnyPair gray_pair(const cv::Mat& left, const cv::Mat& right) {
+   if (left.depth() == CV_8U && right.depth() == CV_8U) return ImagePair{gray_of_any(left), gray_of_any(right)};
+   const auto deep = [](const cv::Mat& mat) {
+      return mat.depth() == CV_8U ? widened(gray_of_any(mat)) : deep_from_mat(mat);
+   };
+   return DeepPair{deep(left), deep(right)};
+}
+
+cv::Mat shown_image(const cv::Mat& mat, int bits) {
+   if (mat.depth() == CV_8U) return mat;
+   GrayImage shown = upper_8_bits(deep_from_mat(mat), bits);
+   return as_mat(shown).clone();
 }
 
 GrayImage gray_of_any(const cv::Mat& mat) {
@@ -93,38 +112,16 @@ cv::Mat colored(const DisparityMap& map, int disparities) {
    return color;
 }
 
-std::string encode(const cv::Mat& mat) {
-   std::vector<uint8_t> bytes;
-   if (!cv::imencode(".png", mat, bytes)) throw std::runtime_error("OpenCV cannot encode a PNG image");
-   return {bytes.begin(), bytes.end()};
-}
-
-GrayImage load_gray(const std::string& path) {
-   const cv::Mat mat = read_8_bit_image(path);
-   if (mat.channels() > 1) std::cout << path << ": colour image converted to grey\n";
-   if (mat.channels() == 4 || is_gray_with_alpha(path)) std::cout << path << ": its transparency is left out\n";
-   return gray_of_any(mat);
-}
-
-ImagePair load_pair(const std::string& left_path, const std::string& right_path) {
-   ImagePair pair{load_gray(left_path), load_gray(right_path)};
-   require_same_size<InputError>(left_path, pair.left, right_path, pair.right);
-   return pair;
-}
+std::string encode(const cv::Mat& mat) { return image_codecs().encode_png(mat); }
 
 namespace {
 
-/// Grey values of `bits` bits from a file of 8 or 16.
-DeepImage load_deep(const std::string& path, int bits) {
-   cv::Mat mat = read_image(path, path);
-   if (mat.depth() != CV_16U) return widened(load_gray(path));
-   if (mat.channels() != 1)
-      throw InputError(path + ": has " + std::to_string(mat.channels()) +
-                       " channels of 16 bits but must be grey; convert it to a grey image");
-   DeepImage image(mat.cols, mat.rows);
-   mat.copyTo(as_mat(image));
-   if (const std::string problem = beyond_range(image, bits); !problem.empty()) throw InputError(path + ": " + problem);
-   return image;
+/// A file in grey; stdout says what of it is left out.
+cv::Mat load_camera_image(const std::string& path, int bits) {
+   const cv::Mat mat = read_camera_image(path, bits);
+   if (mat.channels() > 1) std::cout << path << ": colour image converted to grey\n";
+   if (mat.channels() == 4 || is_gray_with_alpha(path)) std::cout << path << ": its transparency is left out\n";
+   return mat;
 }
 
 template <class Pair>
@@ -147,20 +144,29 @@ Pair fitted(Pair pair, int width, int height, Fit fit) {
 
 }  // namespace
 
+GrayImage load_gray(const std::string& path) { return gray_of_any(load_camera_image(path, 8)); }
+
+ImagePair load_pair(const std::string& left_path, const std::string& right_path) {
+   return std::get<ImagePair>(load_any_pair(left_path, right_path, 8));
+}
+
+AnyPair load_any_pair(const std::string& left_path, const std::string& right_path, int bits) {
+   const cv::Mat left = load_camera_image(left_path, bits), right = load_camera_image(right_path, bits);
+   require_same_size<InputError>(left_path, left.size(), right_path, right.size());
+   return gray_pair(left, right);
+}
+
 DeepPair load_deep_pair(const std::string& left_path, const std::string& right_path, int bits) {
-   DeepPair pair{load_deep(left_path, bits), load_deep(right_path, bits)};
-   require_same_size<InputError>(left_path, pair.left, right_path, pair.right);
-   return pair;
+   AnyPair pair = load_any_pair(left_path, right_path, bits);
+   if (const auto* const narrow = std::get_if<ImagePair>(&pair)) return {widened(narrow->left), widened(narrow->right)};
+   return std::get<DeepPair>(std::move(pair));
 }
 
 ImagePair shown_pair(const DeepPair& pair, int bits) {
-   const auto shown = [bits](const DeepImage& image) {
-      GrayImage result(image.width, image.height);
-      std::transform(image.pixels.begin(), image.pixels.end(), result.pixels.begin(),
-                     [bits](uint16_t pixel) { return uint8_t(pixel >> (bits - 8)); });
-      return result;
-   };
-   return {shown(pair.left), shown(pair.right)};
+   return {upper_8_bits(pair.left, bits), upper_8_bits(pair.right, bits)};
+}
+ImagePair shown_pair(const AnyPair& pair, int bits) {
+   return std::visit([bits](const auto& images) { return ImagePair(shown_pair(images, bits)); }, pair);
 }
 
 ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit) {

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <string>
+#include <variant>
 
 #include "definition/disparity_map.hpp"
 #include "definition/gray_image.hpp"
 
 namespace stereo::app {
+
+/// A pair of 8 bits where neither image has more.
+using AnyPair = std::variant<ImagePair, DeepPair>;
 
 /// An 8-bit grey image; a colour image is converted, and stdout says so. Throws InputError.
 GrayImage load_gray(const std::string& path);
@@ -17,9 +21,12 @@ ImagePair load_pair(const std::string& left_path, const std::string& right_path)
 /// The same with grey values of `bits` bits, as they are: an image of 16 bits must have no larger ones, one of 8 bits
 /// has none.
 DeepPair load_deep_pair(const std::string& left_path, const std::string& right_path, int bits);
+/// The same with as few bits as the files have. `bits` of 8: refuses files of 16.
+AnyPair load_any_pair(const std::string& left_path, const std::string& right_path, int bits);
 /// Its upper 8 bits, to be looked at.
 ImagePair shown_pair(const DeepPair& pair, int bits);
 inline const ImagePair& shown_pair(const ImagePair& pair, int) { return pair; }
+ImagePair shown_pair(const AnyPair& pair, int bits);
 
 enum class Fit { none, crop, resize };
 

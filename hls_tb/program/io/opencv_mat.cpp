@@ -14,4 +14,10 @@ GrayImage from_mat(const cv::Mat& mat) {
    return image;
 }
 
+DeepImage deep_from_mat(const cv::Mat& mat) {
+   DeepImage image(mat.cols, mat.rows);
+   mat.copyTo(as_mat(image));
+   return image;
+}
+
 }  // namespace stereo::app

@@ -21,7 +21,7 @@ constexpr std::array kImageEndings{".png", ".pgm", ".ppm", ".jpg", ".jpeg", ".bm
 
 class FolderSource : public FrameSource {
   public:
-   FolderSource(const std::string& option, const std::string& path) {
+   FolderSource(const std::string& option, const std::string& path, int bits) : bits_(bits) {
       for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
          const std::string ending = lower_ending(entry.path());
          const bool is_image = std::find(kImageEndings.begin(), kImageEndings.end(), ending) != kImageEndings.end();
@@ -34,13 +34,14 @@ class FolderSource : public FrameSource {
    cv::Mat next() override {
       if (position_ == paths_.size()) return {};
       const std::string& path = paths_[position_++];
-      cv::Mat frame = read_8_bit_image(path);
+      cv::Mat frame = read_camera_image(path, bits_);
       if (first_.empty()) first_ = frame;
       require_size_of(frame, first_, path);
       return frame;
    }
 
   private:
+   int bits_;
    std::vector<std::string> paths_;
    std::size_t position_ = 0;
    cv::Mat first_;
@@ -48,9 +49,9 @@ class FolderSource : public FrameSource {
 
 }  // namespace
 
-std::unique_ptr<FrameSource> open_frames(const std::string& option, const std::string& path) {
+std::unique_ptr<FrameSource> open_frames(const std::string& option, const std::string& path, int bits) {
    std::error_code error;
-   if (fs::is_directory(path, error)) return std::make_unique<FolderSource>(option, path);
+   if (fs::is_directory(path, error)) return std::make_unique<FolderSource>(option, path, bits);
    if (!fs::is_regular_file(path, error)) throw InputError(option + " " + path + ": there is no such file or folder");
    return open_video(option, path);
 }

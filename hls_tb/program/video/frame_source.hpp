@@ -11,16 +11,16 @@ namespace stereo::app {
 class FrameSource {
   public:
    virtual ~FrameSource() = default;
-   /// The next frame, 8 bits, 1, 3 or 4 channels, of the size of the first one; empty after the last one. Throws
+   /// The next frame, as `read_camera_image` gives it, of the size of the first one; empty after the last one. Throws
    /// InputError with one sentence that names the file.
    virtual cv::Mat next() = 0;
    /// 0: not known.
    virtual double frames_per_second() const { return 0; }
 };
 
-/// A folder of images, in the order of their names, or a video file. Throws InputError, which names the option, when
-/// there is nothing to read.
-std::unique_ptr<FrameSource> open_frames(const std::string& option, const std::string& path);
+/// A folder of images, in the order of their names and with grey values of up to `bits` bits, or a video file, which
+/// has 8. Throws InputError, which names the option, when there is nothing to read.
+std::unique_ptr<FrameSource> open_frames(const std::string& option, const std::string& path, int bits);
 
 struct FramePair {
    cv::Mat left, right;  ///< both empty after the last pair

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/video/video_files.hpp"
 
-#include <dlfcn.h>
-
-#include <filesystem>
-#include <stdexcept>
+#include "program/io/program_module.hpp"
 
 namespace stereo::app {
 namespace {
 
 const VideoModule& video_module() {
-   static const VideoModule* const module = [] {
-      const auto path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "stereo_hls_video.so";
-      void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-      const void* const entry = library != nullptr ? dlsym(library, kVideoModuleEntry) : nullptr;
-      if (entry == nullptr) throw std::runtime_error(path.string() + " cannot be loaded: " + dlerror());
-      return static_cast<const VideoModule*>(entry);
-   }();
-   return *module;
+   static const VideoModule& module = program_module<VideoModule>("stereo_hls_video.so", kVideoModuleEntry);
+   return module;
 }
 
 }  // namespace

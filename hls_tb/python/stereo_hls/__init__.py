@@ -73,8 +73,8 @@ class DisparityMap:
 class Scene:
     """A generated pair with the true disparities of both images."""
 
-    left: NDArray[np.uint8]
-    right: NDArray[np.uint8]
+    left: NDArray[np.uint8] | NDArray[np.uint16]
+    right: NDArray[np.uint8] | NDArray[np.uint16]
     truth_left: NDArray[np.float32]
     """[H, W]: whole pixels."""
     truth_right: NDArray[np.float32]
@@ -111,7 +111,8 @@ def match(
 ) -> DisparityMap:
     """The disparity map of a rectified pair. Other Python threads run meanwhile.
 
-    left, right: uint8 [H, W], of any strides.
+    left, right: uint8 [H, W], of any strides; uint16 with values below 2^pixel_bits where the option pixel_bits is 10
+        or 12, which also takes uint8 as they are.
     configuration: a name of `configurations()`.
     engine: "fast", the software model, for images of any size, or "clocked", the hardware's C++, for images of the
         configuration's size and without options.
@@ -122,14 +123,17 @@ def match(
     CoreNotBuilt where the clocked core is not part of the installation: STEREO_CORES in the environment names a folder
     with others, such as build/release/cores.
     """
-    images = _image("left", left), _image("right", right)
+    images = _grey("left", left), _grey("right", right)
     if engine not in ("fast", "clocked"):
         raise ValueError(f"engine={engine!r}: must be 'fast' or 'clocked'")
     if engine == "clocked" and options:
         raise ValueError(f"{next(iter(options))}: the options of a clocked core are fixed; take engine='fast'")
     count = len(os.sched_getaffinity(0)) if threads is None else _number("threads", threads, 1, _MOST_THREADS)
     settings = [(name, _option_text(name, value)) for name, value in options.items()]
-    found = _core.match(*images, configuration, settings, engine == "clocked", count)
+    run = _core.match
+    if any(image.dtype == np.uint16 for image in images):
+        run, images = _core.match_deep, (images[0].astype(np.uint16), images[1].astype(np.uint16))
+    found = run(*images, configuration, settings, engine == "clocked", count)
     found.update(valid=found["valid"].view(np.bool_), options=json.loads(found["options"]))
     return DisparityMap(**found)
 
@@ -143,6 +147,7 @@ def evaluate(
     reference: Side | None = None,
     search: tuple[int, int] | None = None,
     border_px: int = 10,
+    pixel_bits: int | None = None,
 ) -> dict[str, dict[str, Any]]:
     """How good a map is, by the rules of `stereo_hls evaluate`: {mask: {measure: value}}. Masks without pixels are
     absent.
@@ -150,10 +155,12 @@ def evaluate(
     disparity: what `match` found, or pixels as float [H, W]; where a value is not finite, nothing was found.
     truth: the true disparities of the reference image in pixels, float [H, W]; not finite where unknown.
     other_truth: those of the other image; needed for the masks "non_occluded", "searchable" and "discontinuity".
-    image: the reference image, uint8 [H, W]; needed, with other_truth, for the mask "textureless".
+    image: the reference image, uint8 or uint16 [H, W]; needed, with other_truth, for the mask "textureless". Of more
+        than 8 bits the upper 8 count.
     reference: "left" or "right"; needed where `disparity` is an array.
     search: the smallest disparity and the number of them; needed for "searchable" where `disparity` is an array.
     border_px: pixels at each side of the images that do not count, 0 ... 10000.
+    pixel_bits: of an image of uint16, 8 ... 16; needed where `disparity` is an array.
 
     Measures: "pixels"; "density" 0 ... 1; "avg_px", "rms_px"; "bad_0_5", "bad_1", "bad_2", "bad_4", "d1": shares
     0 ... 1 of pixels off by more than 0.5, 1, 2, 4 pixels and by KITTI's rule, each as {"invalid_bad", "valid_only"}.
@@ -162,12 +169,14 @@ def evaluate(
     Raises ValueError or TypeError with one sentence.
     """
     if isinstance(disparity, DisparityMap):
+        if pixel_bits is None:
+            pixel_bits = int(disparity.options.get("pixel_bits", 8))
         reference, search, disparity = disparity.reference, disparity.search, disparity.disparity
     if reference not in ("left", "right"):
         raise ValueError("reference: must be 'left' or 'right' where the disparities are an array")
     found, wanted = _disparities("disparity", disparity), _disparities("truth", truth)
     other = None if other_truth is None else _disparities("other_truth", other_truth)
-    shown = None if image is None else _image("image", image)
+    shown = None if image is None else _shown("image", image, pixel_bits)
     for name, array in (("disparity", found), ("other_truth", other), ("image", shown)):
         if array is not None and array.shape != wanted.shape:
             raise ValueError(f"{name}: is {_size(array)} but the truth is {_size(wanted)}")
@@ -178,18 +187,22 @@ def evaluate(
     return measures
 
 
-def scene(width: int = 640, height: int = 480, disparities: int = 100, seed: int = 1, noise: int = 2) -> Scene:
+def scene(
+    width: int = 640, height: int = 480, disparities: int = 100, seed: int = 1, noise: int = 2, pixel_bits: int = 8
+) -> Scene:
     """A generated pair, the same on every machine.
 
     width, height: pixels; disparities: 2 ... 256, below the width, the scene's stay below it; noise: 0 ... 64 grey
-    levels.
+    levels of 8 bits; pixel_bits: of left and right, 8, 10 or 12, whose images are uint16.
 
     Raises ValueError with one sentence.
     """
+    if pixel_bits not in (8, 10, 12):
+        raise ValueError(f"pixel_bits={pixel_bits}: must be 8, 10 or 12")
     numbers = {"width": width, "height": height, "disparities": disparities, "noise": noise}
     sizes = {name: _number(name, value, -(2**31), 2**31 - 1) for name, value in numbers.items()}
     seed = _number("seed", seed, 0, 2**64 - 1)
-    made = _core.scene(sizes["width"], sizes["height"], sizes["disparities"], seed, sizes["noise"])
+    made = _core.scene(sizes["width"], sizes["height"], sizes["disparities"], seed, sizes["noise"], pixel_bits)
     for side in ("truth_left", "truth_right"):
         made[side] = made[side].astype(np.float32)
     return Scene(**made)
@@ -217,12 +230,21 @@ def _plane(name: str, array: NDArray[Any]) -> None:
         raise ValueError(f"{name}: has no pixels; its shape is {array.shape}")
 
 
-def _image(name: str, value: ArrayLike) -> NDArray[np.uint8]:
+def _grey(name: str, value: ArrayLike) -> NDArray[Any]:
     array = np.asarray(value)
-    if array.dtype != np.uint8:
-        raise TypeError(f"{name}: must be an array of uint8 but is one of {array.dtype}")
+    if array.dtype not in (np.uint8, np.uint16):
+        raise TypeError(f"{name}: must be an array of uint8 or uint16 but is one of {array.dtype}")
     _plane(name, array)
     return np.ascontiguousarray(array)
+
+
+def _shown(name: str, value: ArrayLike, pixel_bits: int | None) -> NDArray[np.uint8]:
+    array = _grey(name, value)
+    if array.dtype == np.uint8:
+        return array
+    if pixel_bits is None:
+        raise ValueError(f"pixel_bits: must be given where {name} is an array of uint16")
+    return _core.shown(name, array, _number("pixel_bits", pixel_bits, 8, 16))
 
 
 def _disparities(name: str, value: ArrayLike) -> NDArray[np.float32]:

@@ -20,6 +20,16 @@ def match(
     threads: int,
     /,
 ) -> dict[str, Any]: ...
+def match_deep(
+    left: NDArray[Any],
+    right: NDArray[Any],
+    configuration: str,
+    settings: list[tuple[str, str]],
+    clocked: bool,
+    threads: int,
+    /,
+) -> dict[str, Any]: ...
+def shown(name: str, image: NDArray[Any], bits: int, /) -> NDArray[Any]: ...
 def evaluate(
     found: NDArray[Any],
     truth: NDArray[Any],
@@ -30,5 +40,7 @@ def evaluate(
     border_px: int,
     /,
 ) -> str: ...
-def scene(width: int, height: int, disparities: int, seed: int, noise: int, /) -> dict[str, NDArray[Any]]: ...
+def scene(
+    width: int, height: int, disparities: int, seed: int, noise: int, pixel_bits: int, /
+) -> dict[str, NDArray[Any]]: ...
 def trace(configuration: str, clocks: int, /) -> dict[str, NDArray[Any]]: ...

@@ -3,6 +3,8 @@
 those of stages in front of them."""
 
 import json
+from functools import cache
+from pathlib import Path
 from typing import Any, TypedDict, cast
 
 from .errors import EXIT_TOOL_FAILED, FlowError
@@ -56,10 +58,16 @@ def option(parameters: Parameters, name: str) -> Any:
     return cast(dict[str, Any], parameters).get(name)
 
 
+@cache
+def _text(program: str, changed_ns: int, *options: str) -> str:
+    """What the program says, asked once for each time that it was built."""
+    return run([program, "configurations", "--json", *options])
+
+
 def _listed(*options: str) -> dict[str, Configuration]:
     program = find_stereo_hls()
     try:
-        table: dict[str, Configuration] = json.loads(run([program, "configurations", "--json", *options]))
+        table: dict[str, Configuration] = json.loads(_text(program, Path(program).stat().st_mtime_ns, *options))
     except ValueError:
         raise FlowError(f"{program} does not list configurations as stereo_hls does", EXIT_TOOL_FAILED) from None
     return table

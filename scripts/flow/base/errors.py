@@ -41,7 +41,8 @@ def _interrupt(number: int, _: object) -> NoReturn:
 
 
 def run_command(main: Callable[[], int]) -> NoReturn:
-    """Runs a command's main function and turns FlowError and OSError into one line on stderr and the exit code."""
+    """Runs a command's main function and turns FlowError, OSError and a missing package into one line on stderr and
+    the exit code."""
     program = sys.argv[0].rsplit("/", 1)[-1]
     signal.signal(signal.SIGTERM, _interrupt)  # of `timeout` or a CI service: what we started ends with us
     try:
@@ -51,6 +52,13 @@ def run_command(main: Callable[[], int]) -> NoReturn:
     except FlowError as error:
         print(f"{program}: {error}", file=sys.stderr)
         sys.exit(error.exit_code)
+    except ModuleNotFoundError as error:
+        print(
+            f"{program}: the Python package {error.name} is missing for {sys.executable}; start the command by its own "
+            f"name, which takes /usr/bin/python3, or on Debian: apt-get install python3-{error.name}",
+            file=sys.stderr,
+        )
+        sys.exit(EXIT_MISSING_TOOL)
     except BrokenPipeError:  # whoever read our output has seen enough, as `head` does
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # nothing is left to be flushed into the pipe
         sys.exit(128 + signal.SIGPIPE)

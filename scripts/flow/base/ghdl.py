@@ -3,6 +3,7 @@
 
 import re
 from collections.abc import Iterable, Mapping
+from functools import cache
 from pathlib import Path
 
 from .errors import EXIT_TOOL_FAILED, FlowError
@@ -21,7 +22,11 @@ def version() -> str:
 
 def full_version() -> str:
     """With the code generator: what one has made cannot run on another."""
-    program = find_ghdl()
+    return _full_version(find_ghdl())
+
+
+@cache
+def _full_version(program: str) -> str:
     generator = re.search(r"^ *(\S.* code generator)$", run([program, "--version"]), re.MULTILINE)
     return tool_version(program) + (f", {generator[1]}" if generator else "")
 

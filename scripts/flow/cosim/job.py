@@ -8,9 +8,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-from ..base import builds, files, rtl
+from ..base import builds, files, progress, rtl
 from ..base.configurations import Parameters, configuration, designs
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.facts import facts
@@ -272,13 +270,9 @@ def _simulator(job: Job, design: list[Path], parameters: Parameters) -> Simulato
 
 def _simulate(job: Job, simulator: Simulator, stimulus: Path, observed: Path, clocks: int) -> float:
     """The seconds that it took."""
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("clocks"))
-    with Progress(*columns, TimeRemainingColumn()) as bar:
-        task = bar.add_task(f"{job.config} in {job.simulator}", total=clocks)
-        seconds = simulator.run(
-            stimulus, observed, lambda clock: bar.update(task, completed=clock), job.watchdog_seconds
-        )
-        bar.update(task, completed=clocks)
+    with progress.bar(f"{job.config} in {job.simulator}", clocks, "clocks") as bar:
+        seconds = simulator.run(stimulus, observed, bar.show, job.watchdog_seconds)
+        bar.show(clocks)
     return seconds
 
 

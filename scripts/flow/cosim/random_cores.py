@@ -10,8 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
-
+from ..base import progress
 from ..base.configurations import configurations
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Word, find_native, find_tool, run
@@ -96,22 +95,18 @@ class Checker:
 
 
 def run_all(cores: list[Core], family: str, seed: int, jobs: int) -> list[Core]:
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        TimeRemainingColumn(),
-    )
     checked = []
-    with tempfile.TemporaryDirectory() as folder, Progress(*columns) as bar, ThreadPoolExecutor(jobs) as pool:
-        task = bar.add_task("cores", total=len(cores))
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        progress.bar("cores", len(cores)) as bar,
+        ThreadPoolExecutor(jobs) as pool,
+    ):
         checker = Checker(family, seed, Path(folder))
         for core in pool.map(checker.check, cores):
             checked.append(core)
-            bar.advance(task)
+            bar.show(len(checked))
             if not core.exact:
-                bar.console.print(f"{core.name}: {core.verdict}\n  {core.row}", highlight=False, soft_wrap=True)
+                bar.say(f"{core.name}: {core.verdict}\n  {core.row}")
     return checked
 
 

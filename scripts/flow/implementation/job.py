@@ -9,9 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
-
-from ..base import ghdl, rtl
+from ..base import ghdl, progress, rtl
 from ..base.configurations import Parameters
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.tools import ROOT
@@ -85,17 +83,24 @@ def synthesize(job: Design, target: Target, stage: Callable[[str], None]) -> Net
     return Netlist(work, area, lost, names)
 
 
-def implement_target(
-    job: Design, target: Target, made: dict[str, Netlist], progress: Progress
-) -> tuple[record.Result, list[str]]:
+def implement_target(job: Design, target: Target, made: dict[str, Netlist]) -> tuple[record.Result, list[str]]:
     """Area and, where there is a router, clock on one target. `made`: the netlists of the families so far. Returns
     (result, memories that became flip-flops)."""
-    tool = nextpnr.find_nextpnr(progress.console.print) if target.device else None
+    steps = 2 + (len(job.seeds) if target.device else 0)
+    with progress.bar(f"{job.entity} {target.name}", steps, "steps") as bar:
+        return _implement(job, target, made, bar)
+
+
+def _implement(
+    job: Design, target: Target, made: dict[str, Netlist], bar: progress.Bar
+) -> tuple[record.Result, list[str]]:
+    tool = nextpnr.find_nextpnr(bar.say) if target.device else None
     seeds = job.seeds if target.device else []
-    task = progress.add_task("", total=2 + len(seeds))
+    begun: list[str] = []
 
     def stage(name: str) -> None:
-        progress.update(task, description=f"{job.entity} {target.name}: {name}", advance=1)
+        begun.append(name)
+        bar.show(len(begun), f"{job.entity} {target.name}: {name}")
 
     family = target.family or target.name
     if family not in made:
@@ -107,26 +112,27 @@ def implement_target(
         work = netlist.work / target.name
         work.mkdir()
         reports = {}
+        tools["nextpnr"] = nextpnr.version(tool, work)
         result["device"] = target.device
         try:
             for seed in seeds:
                 stage(f"nextpnr, seed {seed}")
                 reports[seed] = nextpnr.route(
-                    tool, target.device_options, seed, netlist.work / "netlist.json", work, job.router
+                    tool,
+                    tools["nextpnr"],
+                    target.device_options,
+                    seed,
+                    netlist.work / "netlist.json",
+                    work,
+                    job.router,
                 )
         except nextpnr.DoesNotFitError as error:
             result["does_not_fit"] = error.cells
         else:
             routed = nextpnr.clocks(reports, netlist.names)
             result |= {"target_mhz": nextpnr.FREQUENCY_MHZ, "router": job.router, **routed}
-        tools["nextpnr"] = nextpnr.version(tool, work)
-    progress.update(task, description=f"{job.entity} {target.name}: done", completed=2 + len(seeds))
+    bar.show(2 + len(seeds), f"{job.entity} {target.name}: done")
     return result, netlist.lost
-
-
-def progress_bar() -> Progress:
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
-    return Progress(*columns, TextColumn("steps"), TimeElapsedColumn())
 
 
 def run_job(job: Job) -> int:
@@ -137,12 +143,11 @@ def run_job(job: Job) -> int:
     all_lost: list[str] = []
     made: dict[str, Netlist] = {}
     shell = design.digests() if job.shell else None
-    with progress_bar() as bar:
-        for name in job.targets:
-            result, lost = implement_target(job.design(), TARGETS[name], made, bar)
-            record.merge(job.out, entry, name, result, shell)
-            bar.console.print(summary(job.entity, name, entry["parameters"], result), highlight=False, soft_wrap=True)
-            all_lost += [f"{memory} on {name}" for memory in lost]
+    for name in job.targets:
+        result, lost = implement_target(job.design(), TARGETS[name], made)
+        record.merge(job.out, entry, name, result, shell)
+        print(summary(job.entity, name, entry["parameters"], result), flush=True)
+        all_lost += [f"{memory} on {name}" for memory in lost]
     if all_lost:
         raise FlowError(
             f"{job.config}: a memory became flip-flops instead of RAM: {', '.join(all_lost)}", EXIT_MISMATCH

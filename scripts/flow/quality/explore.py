@@ -13,9 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
-
-from ..base import files
+from ..base import files, progress
 from ..base.configurations import configuration, configurations, option
 from ..base.errors import FlowError
 from ..base.tools import Word
@@ -167,9 +165,7 @@ def evaluate(pairs: Sequence[Pair], all_choices: Sequence[Choice], jobs: int, ke
     results = {place: method for place, call in calls.items() if (method := kept.find(call))}
     if results:
         print(f"{len(results)} of {len(calls)} evaluations are in {kept.path} from before")
-    columns = (TextColumn("evaluating"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
-    with Progress(*columns) as bar, ThreadPoolExecutor(jobs) as pool:
-        task = bar.add_task("", total=len(calls), completed=len(results))
+    with progress.bar("evaluating", len(calls)) as bar, ThreadPoolExecutor(jobs) as pool:
         futures = {
             pool.submit(evaluation.evaluate, *call, "--threads", 1): place
             for place, call in calls.items()
@@ -181,12 +177,13 @@ def evaluate(pairs: Sequence[Pair], all_choices: Sequence[Choice], jobs: int, ke
                 method = future.result()[0]
                 kept.add(calls[place], method)
                 results[place] = method
-                bar.advance(task)
+                bar.show(len(results))
         except BaseException:
             pool.shutdown(cancel_futures=True)
-            bar.stop()
             if results:
-                print(f"{len(results)} of {len(calls)} evaluations are in {kept.path}; the next run goes on from there")
+                bar.say(
+                    f"{len(results)} of {len(calls)} evaluations are in {kept.path}; the next run goes on from there"
+                )
             raise
     return [[results[i, j] for j in range(len(pairs))] for i in range(len(all_choices))]
 

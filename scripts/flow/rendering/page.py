@@ -4,9 +4,10 @@
 import base64
 import re
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-import jinja2
-from markupsafe import Markup, escape
+if TYPE_CHECKING:
+    from markupsafe import Markup
 
 TEMPLATES = Path(__file__).with_name("templates")
 
@@ -24,8 +25,10 @@ def png_uri(png: bytes) -> str:
     return "data:image/png;base64," + base64.b64encode(png).decode()
 
 
-def cell(text: str) -> Markup:
+def cell(text: str) -> "Markup":
     """A table's cell as the pages in docs/ write it: `code` in back quotes, - for a number that is not known."""
+    from markupsafe import Markup, escape
+
     if text == "-":
         return Markup("–")
     return Markup(re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(text))))
@@ -37,6 +40,8 @@ def is_number(text: str) -> bool:
 
 
 def render(template: str, **values: object) -> str:
+    import jinja2  # here, as most commands render nothing
+
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
         autoescape=True,

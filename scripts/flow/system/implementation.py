@@ -25,10 +25,8 @@ def implement(system: System, seeds: list[int], router: str) -> dict[str, Result
     """{target: result}; prints what it found."""
     find_ghdl()
     yosys.find_yosys()
-    with job.progress_bar() as bar:
-        result, lost = job.implement_target(design(system, seeds, router), TARGETS[TARGET], {}, bar)
-        text = "\n".join(job.area_and_clock(system.entity, TARGET, result))
-        bar.console.print(text, highlight=False, soft_wrap=True)
+    result, lost = job.implement_target(design(system, seeds, router), TARGETS[TARGET], {})
+    print("\n".join(job.area_and_clock(system.entity, TARGET, result)), flush=True)
     if lost:
         raise FlowError(f"{system.entity}: a memory became flip-flops instead of RAM: {', '.join(lost)}", EXIT_MISMATCH)
     return {TARGET: result}
