@@ -14,7 +14,7 @@ import pytest
 
 from flow.base import rtl
 from flow.base.errors import FlowError
-from flow.base.tools import ROOT
+from flow.base.tools import ROOT, find_stereo_hls
 from flow.cosim import regression
 from flow_commands import altered_rtl, call, cosim, random_pair, refused, report
 
@@ -202,7 +202,14 @@ def test_the_inputs_that_count(ghdl, tmp_path, monkeypatch):
     design = tmp_path / "rtl" / "block_matching" / "tiny" / "stereo_core_tiny.vhd"
     design.write_text(design.read_text() + "\n")
     seen.append(digest())
-    assert len(set(seen)) == 4 and digest() == seen[-1]
+    program = shutil.copy(find_stereo_hls(), tmp_path / "stereo_hls")
+    monkeypatch.setenv("STEREO_HLS", str(program))
+    monkeypatch.setenv("STEREO_CORES", str(tmp_path))
+    for name in ("stereo_hls_images.so", "tiny.so", "stereo_hls"):  # what reads the images, the core, the program
+        with (tmp_path / name).open("ab") as file:
+            file.write(b"another")
+        seen.append(digest())
+    assert len(set(seen)) == 7 and digest() == seen[-1]
 
 
 def test_names_and_patterns():

@@ -173,7 +173,8 @@ class Regression:
         sources = [path for folder in folders for path in sorted(folder.iterdir()) if path.is_file()]
         design = [path for path in sorted(rtl.folder(config).iterdir()) if path.suffix in (".vhd", ".vhdl")]
         key = hashlib.sha256(repr((config, list(self.options), SIMULATORS[self.simulator].tools())).encode())
-        for path in [program, core, rtl.MEMORY_CELL, *design, *sources, *self.inputs]:
+        modules = sorted(program.parent.glob(f"{program.name}_*.so"))  # what it loads, as the readers of images
+        for path in [program, *modules, core, rtl.MEMORY_CELL, *design, *sources, *self.inputs]:
             if path.is_file():
                 key.update(hashlib.sha256(path.read_bytes()).digest())
         return key.hexdigest()
