@@ -65,8 +65,11 @@ class Setting(NamedTuple):
 
     name: str
     bits: int
-    largest: int  # it is 0 ... largest; 0: the core has nothing that it sets
+    largest: int  # it is least ... largest; 0: the core has nothing that it sets
     start: int  # what it is after a reset
+    least: int = 0
+    step: int = 1  # it is a multiple of it
+    held: bool = False  # it may change only while the core is reset; else it counts with each start of frame
 
 
 def settings_of(parameters: Mapping[str, Any]) -> tuple[Setting, ...]:
