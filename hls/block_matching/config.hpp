@@ -192,8 +192,8 @@ struct Config : Image, Matching, Structure {
       if (run_time_settings && has_texture_check() && int64_t(prefilter_cap) * window_px * window_px >= 1 << 16)
          return "with run-time settings prefilter_cap * window_px^2 must stay below 2^16";
       if (run_time_size && full_width) return "a run-time size and a map of full width are not built together";
-      if (run_time_size && !has_whole_windows())
-         return "with a run-time size the image must have as many cost columns as the window";
+      if (run_time_size && (!has_whole_windows() || row_groups() < 2))
+         return "with a run-time size the image must have as many cost columns as the window, and two groups of rows";
       if (int64_t(largest_column_cost()) * window_px >= 1 << 26) return "window costs must stay below 2^26";
       if (has_uniqueness_check() && largest_window_cost() >= 1 << 24)
          return "with a uniqueness check window costs must stay below 2^24";
@@ -223,7 +223,7 @@ struct Config : Image, Matching, Structure {
       other.width_px = width;
       other.height_px = height;
       other.run_time_size = false;
-      return other.problem().empty() && other.has_whole_windows();
+      return other.problem().empty() && other.has_whole_windows() && other.row_groups() > 1;
    }
    /// The smallest multiple of `step` up to `largest` that fits; what is larger than one that fits does, too.
    template <class Fits>

@@ -71,6 +71,11 @@ class Setting(NamedTuple):
     step: int = 1  # it is a multiple of it
     held: bool = False  # it may change only while the core is reset; else it counts with each start of frame
 
+    def text(self) -> str:
+        """For the port in the VHDL."""
+        taken = "changes in a reset only" if self.held else "taken over with start_of_frame"
+        return f"{self.least} ... {self.largest}, {taken}"
+
 
 def settings_of(parameters: Mapping[str, Any]) -> tuple[Setting, ...]:
     """Of a configuration, in the order of their ports; none where they are constants."""
@@ -100,7 +105,7 @@ def ports_with(settings: Sequence[Setting]) -> tuple[Port, ...]:
     """All of a core of 8 bits with these settings."""
     first_output = next(place for place, port in enumerate(PORTS) if port.direction == "out")
     taken = [
-        Port(setting.name, "in", None, f"0 ... {setting.largest}, taken over with start_of_frame", setting.bits)
+        Port(setting.name, "in", None, setting.text(), setting.bits)
         for setting in settings
     ]
     return (*PORTS[:first_output], *taken, *PORTS[first_output:])
@@ -156,6 +161,7 @@ SETTINGS_TOPS = {
     "block_matching": "hls/top/settings_top.cpp",
     "semi_global": "hls/top/semi_global_settings_top.cpp",
 }
+SIZE_TOP = "hls/top/size_top.cpp"  # where the size of the images is among them
 # By the folder that stands where a matching core has its family.
 STAGES = {
     "rectification": Kind(
@@ -188,7 +194,10 @@ def kind_of(parameters: Mapping[str, Any]) -> Kind:
     if is_stage(parameters):
         return STAGES[parameters["family"]]
     kind = CORE._replace(ports=ports_of(parameters))
-    return kind._replace(top=SETTINGS_TOPS[parameters["family"]]) if settings_of(parameters) else kind
+    settings = settings_of(parameters)
+    if any(setting.held for setting in settings):
+        return kind._replace(top=SIZE_TOP)
+    return kind._replace(top=SETTINGS_TOPS[parameters["family"]]) if settings else kind
 
 
 def core_entity(config: str) -> str:
