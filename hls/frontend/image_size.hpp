@@ -18,7 +18,6 @@ inline constexpr bool kRunTimeSize = [] {
 /// All frames have the size of the configuration.
 template <const auto& C>
 struct FixedSize {
-
    static constexpr bool kFixed = true;
    static constexpr FixedRaster<C.width_px, C.row_groups(), C.delay_groups()> windows = {};
    static constexpr FixedRaster<C.output_width_px(), C.row_groups(), 1> map = {};

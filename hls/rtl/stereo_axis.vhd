@@ -98,7 +98,7 @@ architecture rtl of stereo_axis is
   signal width_now, height_now : std_logic_vector(15 downto 0);
   signal columns_now : natural range 0 to width_px;
   signal row_groups_now : natural range 0 to height_px / pixels_per_clock;
-  signal gap_groups_now : natural range 0 to gap_groups;
+  signal gap_groups_now : natural range 0 to gap_groups + 1;  -- at least a bit
   signal resizes, resizing, resized, may_begin : std_logic;
   signal beat_flags : std_logic_vector(1 downto 0);  -- start of frame, end of line
   signal beat_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);

@@ -33,7 +33,7 @@ entity stereo_framing is
     reset : in std_logic;
     columns_now : in natural range 0 to columns := columns;
     row_groups_now : in natural range 0 to row_groups := row_groups;
-    gap_groups_now : in natural range 0 to gap_groups := gap_groups;
+    gap_groups_now : in natural range 0 to gap_groups + 1 := gap_groups;  -- at least a bit
     enable : in std_logic;
     halt : in std_logic;
     at_rest : out std_logic;

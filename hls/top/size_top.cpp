@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hardware top of block matching with a run-time size: that of settings_top.cpp, and the ports of the size. Where the
-// thresholds are constants, their ports are there, too, and say nothing.
+// The hardware top of block matching with a run-time size: that of settings_top.cpp, and the ports of the size. Where
+// the thresholds are constants, their ports are there, too, and say nothing.
 //    -DSTEREO_FAMILY=block_matching -DSTEREO_CONFIGURATION=tiny_size
 #define STEREO_TEXT(words) #words
 // clang-format off

@@ -98,7 +98,8 @@ std::vector<SizeChange> growing_sizes(const CoreShape& shape, uint64_t clocks) {
       if (port.held) (std::string_view(port.name) == "image_width" ? least.width_px : least.height_px) = port.least;
    for (int i = 0; i < kSizes; ++i) {
       const int width = least.width_px + (shape.image.width_px - least.width_px) * i / (kSizes - 1);
-      const int groups = least.row_groups() + (shape.image.row_groups() - least.row_groups()) * i * i / ((kSizes - 1) * (kSizes - 1));
+      const int groups =
+          least.row_groups() + (shape.image.row_groups() - least.row_groups()) * i * i / ((kSizes - 1) * (kSizes - 1));
       sizes.push_back({clocks * uint64_t(i) / kSizes, width, groups * shape.image.pixels_per_clock});
    }
    return sizes;

@@ -69,8 +69,8 @@ struct RowRange {
 };
 
 struct StimulusOptions {
-   /// Back to back; odd ones show the pair upside down, so that frames differ. Where the size comes from ports, the first
-   /// two have the configuration's, and each two more a random one, behind a reset.
+   /// Back to back; odd ones show the pair upside down, so that frames differ. Where the size comes from ports, the
+   /// first two have the configuration's, and each two more a random one, behind a reset.
    int frames = 1;
    std::optional<RowRange> rows = std::nullopt;  ///< send only these rows of each frame, as if the first were the top
    int stall_percent = 0;                        ///< chance of a bubble before each clock, 0 ... 95
@@ -135,8 +135,8 @@ Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& c
 bool has_size_ports(const SettingList& ports);
 /// A random size that the ports of a core can bring, its own where it has no such ports.
 Image random_size(const CoreShape& core, Random& random);
-/// What everybody must know of the core while it takes images of another size. The gap is of as many rows; the rest of the
-/// schedule stays that of the largest images.
+/// What everybody must know of the core while it takes images of another size. The gap is of as many rows; the rest of
+/// the schedule stays that of the largest images.
 CoreShape shape_at(CoreShape core, const Image& size);
 /// The left upper part of the images.
 template <class Pixel>

@@ -48,7 +48,8 @@ nlohmann::json common_json(const Entry& entry) {
    for (const Setting& setting : shape.settings) {
       json["settings"].push_back(
           {{"name", setting.name}, {"bits", setting.bits}, {"largest", setting.largest}, {"start", setting.start}});
-      if (setting.held) json["settings"].back().update({{"least", setting.least}, {"step", setting.step}, {"held", true}});
+      if (setting.held)
+         json["settings"].back().update({{"least", setting.least}, {"step", setting.step}, {"held", true}});
    }
    return json;
 }
