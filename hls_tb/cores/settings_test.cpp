@@ -86,8 +86,19 @@ TEST_P(SettingsTest, EachFrameHasTheSettingsOfItsStart) {
    }
 }
 
-TEST_P(SettingsTest, EachResetBringsItsSize) {
-   if (!has_size_ports(core().shape.settings)) GTEST_SKIP() << "the size is that of the configuration";
+/// Those with ports for the size of the images.
+std::vector<std::size_t> sized_ones() {
+   std::vector<std::size_t> places;
+   for (const std::size_t i : settable_ones())
+      if (has_size_ports(configurations()[i].shape.settings)) places.push_back(i);
+   return places;
+}
+
+class SizeTest : public SettingsTest {};
+INSTANTIATE_TEST_SUITE_P(Named, SizeTest, ::testing::ValuesIn(sized_ones()),
+                         [](const auto& test) { return configurations()[test.param].name; });
+
+TEST_P(SizeTest, EachResetBringsItsSize) {
    constexpr int kSizes = 40, kFrames = 3;
    Random random(test_seed());
    HeapMemories memories;

@@ -138,7 +138,7 @@ def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
     words = [line.split() for line in (folder / "stimulus.txt").read_text().splitlines()[1:]]
     expected, latency = vectors.read_expected(folder / "expected.txt")
     sized = _has_sizes(parameters)
-    starts = [clock for clock, (_, start) in enumerate(stimulus) if start][: _frames_of_a_pair(parameters)]
+    starts = [clock for clock, group in enumerate(stimulus) if all(group)][: _frames_of_a_pair(parameters)]
     frames = []
     for number, start in enumerate(starts):
         settings = tuple(int(word, 16) for word in words[start][3:])
