@@ -2,6 +2,7 @@
 """Frames with the disparity maps that the C++ core gives for them."""
 
 import random
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -62,7 +63,9 @@ def make_pool(
     ports, six more of each pair, of three random sizes. `reuse`: the folder was filled by the same call in this run
     already."""
     if reuse:
-        return [frame for number in range(pairs) for frame in _read_frames(folder / f"vectors_{number}", parameters)]
+        return _different(
+            frame for number in range(pairs) for frame in _read_frames(folder / f"vectors_{number}", parameters)
+        )
     folder.mkdir(parents=True, exist_ok=True)
     generator = random.Random(f"pool {seed}")
     frames = []
@@ -89,7 +92,12 @@ def make_pool(
             passes_errors=True,
         )
         frames += _read_frames(out, parameters)
-    return frames
+    return _different(frames)
+
+
+def _different(frames: Iterable[Frame]) -> list[Frame]:
+    """Without those that a pair gives again because a size was drawn twice: the judge knows a frame by its pixels."""
+    return list({frame.groups: frame for frame in frames}.values())
 
 
 def _has_sizes(parameters: Parameters) -> bool:

@@ -42,10 +42,10 @@ FRAMES = {
     "tiny_sgm_settings_full": 200,
     "tiny_settings_all": 200,
     # and its own size
-    "tiny_size": 240,
-    "tiny_size_all": 240,
-    "tiny_size_census_p2": 240,
-    "tiny_size_recursive": 240,
+    "tiny_size": 256,
+    "tiny_size_all": 256,
+    "tiny_size_census_p2": 256,
+    "tiny_size_recursive": 256,
 }
 LARGEST_FOR_CASES = 10000  # groups of a frame: larger ones meet the broken streams in the mixture only
 SHORT_FRAMES = {
@@ -55,7 +55,7 @@ SHORT_FRAMES = {
     "tiny_all_recursive": 20,
     "tiny_all_p4": 20,
     "tiny_settings_all": 200,
-    "tiny_size_all": 240,
+    "tiny_size_all": 256,
 }
 _LANES = ("full_speed", "sink_waits_then_takes_all", "mixture", "reset_at_any_clock")
 _GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
