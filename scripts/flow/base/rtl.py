@@ -22,6 +22,7 @@ class Port(NamedTuple):
     lane_bits: int | None  # of a row, P rows side by side; None: one bit for all
     meaning: str = ""
     bits: int | None = None  # of all rows together, whatever the lanes
+    held: bool = False  # as in Setting
 
     @property
     def is_flag(self) -> bool:
@@ -105,7 +106,7 @@ def ports_with(settings: Sequence[Setting]) -> tuple[Port, ...]:
     """All of a core of 8 bits with these settings."""
     first_output = next(place for place, port in enumerate(PORTS) if port.direction == "out")
     taken = [
-        Port(setting.name, "in", None, setting.text(), setting.bits)
+        Port(setting.name, "in", None, setting.text(), setting.bits, setting.held)
         for setting in settings
     ]
     return (*PORTS[:first_output], *taken, *PORTS[first_output:])
@@ -139,6 +140,11 @@ class Kind(NamedTuple):
 
     def entity(self, config: str) -> str:
         return self.prefix + config
+
+    @property
+    def held(self) -> tuple[str, ...]:
+        """Inputs that change in a reset only."""
+        return tuple(port.name for port in self.ports if port.held)
 
     @property
     def words(self) -> tuple[str, ...]:
