@@ -120,7 +120,22 @@ PENALTY_FAULTS = {
         "expected",
     ),
 }
-FAULTS_OF = {"tiny_settings": SETTING_FAULTS, "tiny_sgm_settings": PENALTY_FAULTS}
+SIZE_FAULTS = {
+    "no least size": ("stereo_registers", ">= settings_least(i)", ">= 0", "register "),
+    "a height of half a group": ("stereo_registers", "mod pixels_per_clock /= 0", "< 0", "register "),
+    "no wait for the frame before": ("stereo_axis", "may_begin <= enable and not resizes", "may_begin <= enable", "frame"),
+    "the rows of the frame before": (
+        "stereo_axis",
+        "row_groups_now <= to_integer(unsigned(height_wanted)) / pixels_per_clock;",
+        "",
+        "frame",
+    ),
+}
+FAULTS_OF = {
+    "tiny_settings": SETTING_FAULTS,
+    "tiny_sgm_settings": PENALTY_FAULTS,
+    "tiny_size_census_p2": SIZE_FAULTS,
+}
 
 
 @pytest.fixture(scope="module")

@@ -19,7 +19,7 @@ from .broken import CASES, beats_of
 from .cocotb_runs import Selection
 from .contract import RESULT_START
 from .judge import judge
-from .pool import Frame, Geometry, make_pool
+from .pool import Frame, Geometry, make_pool, pairs_for
 from .script import Step
 from .verilated import Observation, Verilated
 
@@ -41,6 +41,11 @@ FRAMES = {
     "tiny_sgm_settings": 200,
     "tiny_sgm_settings_full": 200,
     "tiny_settings_all": 200,
+    # and its own size
+    "tiny_size": 256,
+    "tiny_size_all": 256,
+    "tiny_size_census_p2": 256,
+    "tiny_size_recursive": 256,
 }
 LARGEST_FOR_CASES = 10000  # groups of a frame: larger ones meet the broken streams in the mixture only
 SHORT_FRAMES = {
@@ -50,6 +55,7 @@ SHORT_FRAMES = {
     "tiny_all_recursive": 20,
     "tiny_all_p4": 20,
     "tiny_settings_all": 200,
+    "tiny_size_all": 256,
 }
 _LANES = ("full_speed", "sink_waits_then_takes_all", "mixture", "reset_at_any_clock")
 _GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
@@ -159,7 +165,8 @@ class Verification:
         parameters = configuration(config)
         geometry = Geometry.of(parameters)
         suite = f"verilator {config}"
-        frames = make_pool(config, parameters, (count + 1) // 2, self.seed, self.out / suite / "pool")
+        frames = make_pool(config, parameters, pairs_for(parameters, count), self.seed, self.out / suite / "pool")
+        random.Random(f"{self.seed} order").shuffle(frames)
         simulation = Verilated(config, WORK / "verilator" / config)
         self.say(f"{suite}: building ...")
         simulation.build()
