@@ -58,6 +58,25 @@ BROKEN_STREAM_FAULTS = {
 }
 
 
+# The register of the VHDL that each fault makes wrong first. The others leave a range, which stops the simulator.
+FIRST_REGISTERS = {
+    "constant: one row too many": "raster_place_group",
+    "constant: ring one shorter": "delay_ring_read_address",
+    "operator: smaller becomes smaller or equal": "slice0winner1_of_pair_0_0",
+    "register dropped": "slice1window_partial_0_0_2",
+    "register bypassed": "slice0window_tag_end_of_line",
+    "index: the neighbour's pixel": "slice0shift_search_1_0",
+    "condition inverted": "rows_search_rows_write_words_0",
+    "a carry lost": "slice0cost_column_0_1",
+    "one winner's place wrong": "slice2_best_index_0_0",
+    "a start in mid-frame leaves the column": "raster_place_column",
+    "a start in mid-frame leaves the row": "raster_place_group",
+    "a start anywhere in the last row joins": "raster_place_group",
+    "outputs without a start behind a reset": "raster_place_group",
+    "the next frame is never forgotten": "raster_place_group",  # that of the flag is a guess
+}
+
+
 # Faults of settings that come from ports. Each frame of a stimulus has its own.
 SETTING_FAULTS = {
     "the uniqueness of the frame behind": (
@@ -91,6 +110,13 @@ def test_fault_is_caught(ghdl, pair, tmp_path, fault):
         result = report(tmp_path / "out")
         assert result["passed"] is False and result["mismatches"] > 0
         assert "expected" in result["first_mismatch"] or "surplus" in result["first_mismatch"]
+        assert_named(process, result, fault)
+
+
+def assert_named(process, result, fault):
+    """The register that the fault makes wrong is the first one that is told."""
+    assert result["first_registers"][0] == FIRST_REGISTERS[fault], result["first_register"]
+    assert f"first register that differs: {FIRST_REGISTERS[fault]}, clock" in process.stdout
 
 
 @pytest.mark.parametrize("fault", SETTING_FAULTS)
@@ -108,6 +134,8 @@ def test_fault_of_the_control_is_caught(ghdl, pair, tmp_path, fault):
     rtl = altered_rtl(tmp_path / "rtl", "tiny", *BROKEN_STREAM_FAULTS[fault])
     process = cosim("tiny", pair, tmp_path / "out", "--broken", 40, "--rtl", rtl)
     assert process.returncode in (1, 4), f"{fault} was not caught: {process.stdout}"
+    if process.returncode == 1:
+        assert_named(process, report(tmp_path / "out"), fault)
 
 
 def test_failure_is_reported_in_full(ghdl, pair, tmp_path):
@@ -141,6 +169,7 @@ def test_silent_core_is_caught(ghdl, pair, tmp_path):
     process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl)
     assert process.returncode == 1
     assert report(tmp_path / "out")["compared"] == 0
+    assert "first_register" not in report(tmp_path / "out"), "all registers are right: the fault is in an output"
 
 
 ENDLESS = r"disparity_valid <= .*;", "disparity_valid <= '0';\n  process begin loop end loop; end process;"

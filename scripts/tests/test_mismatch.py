@@ -4,15 +4,19 @@
 import io
 import re
 import shutil
+import subprocess
 
 import pytest
 
 from browser import look
 from conftest import need
+from flow.base import rtl
 from flow.base.configurations import configuration
-from flow.cosim import frame_maps, job, mismatch, waveform
+from flow.base.tools import find_stereo_hls
+from flow.cosim import frame_maps, job, mismatch, registers, waveform
 from flow.cosim.vcd import Values, cut
 from flow.rendering import pictures
+from flow.synthesis.lowering.naming import read_trace
 from flow_commands import altered_rtl, call, cosim, random_pair, report
 
 pytest.importorskip("matplotlib", reason="SKIP: python3-matplotlib is not installed")
@@ -127,6 +131,40 @@ def test_stimulus_stands_in_the_wave(tiny):
         assert at == {"valid": flags & 1, "start_of_frame": flags >> 1, "left_pixel": left, "right_pixel": right}
 
 
+def test_the_value_in_cpp_stands_beside_the_vhdls(tiny):
+    """On the page, in the waveform and in the save file; they are those of `stereo_hls trace`, which has no fault."""
+    _, out = tiny
+    name, wave = "slice2_best_index_0_0", mismatch.read(out, configuration("tiny")).wave
+    assert report(out)["first_registers"] == [name]
+    assert wave.groups[0]["title"] == waveform.DIFFER and wave.groups[0]["signals"][0][0] == name
+    values = Values(out / "failure.vcd")
+    shown = dict(wave.groups[0]["signals"])[name]
+    for clock, vhdl, cpp in zip(wave.clocks, shown, wave.cpp[name]):
+        there = values.at(f"cpp.{name}", waveform.start_ns(clock))
+        assert vhdl == str(values.at(waveform.CORE + name, waveform.start_ns(clock)))
+        assert cpp == (str(there) if str(there) != vhdl else None)
+    begin, end = report(out)["wave_clocks"]
+    trace = tmp_trace(out, begin, end)
+    for other in (name, "raster_place_column", "slice0window_sum_0_1"):
+        seen = [values.at(f"cpp.{other}", waveform.start_ns(clock)) for clock in range(begin, end)]
+        assert seen == list(trace[other][: end - begin]) and len(set(seen)) > 1
+    assert '<b class="fail" title="in C++">' in (out / "failure.html").read_text()
+    assert f"\ntb_stereo_core.dut.{name}[31:0]\ncpp.{name}[31:0]\n" in (out / "failure.gtkw").read_text()
+
+
+def tmp_trace(out, begin, end):
+    words = ["trace", "--config", "tiny", "--left", out.parent / "pair" / "left.pgm", "--frames", "2"]
+    words += ["--right", out.parent / "pair" / "right.pgm", "--out", out / "t", "--first-clock", begin]
+    subprocess.run([find_stereo_hls(), *map(str, words), "--clocks", str(end - begin)], check=True, capture_output=True)
+    return read_trace(out / "t" / "trace.txt")
+
+
+def test_registers_that_the_vhdl_resets():
+    text = (rtl.folder("tiny") / "stereo_core_tiny.vhd").read_text()
+    assert {"raster_place_group", "slice2_best_tag_valid"} <= registers.reset_in(text)
+    assert "slice2_best_index_0_0" not in registers.reset_in(text) and registers.reset_in("") == set()
+
+
 def test_save_file_names_signals_of_the_dump(tiny):
     """As GTKWave knows them: with the range of a vector, in groups, and the marker where the clock begins."""
     _, out = tiny
@@ -135,9 +173,12 @@ def test_save_file_names_signals_of_the_dump(tiny):
     inside = dump.partition("$scope module dut $end")[2]
     for name in names:
         assert re.search(rf"\$var reg \d+ \S+ {re.escape(name)} \$end", inside), name
+    for name in [line.removeprefix("cpp.") for line in lines if line.startswith("cpp.")]:
+        assert re.search(rf"\$var reg \d+ \S+ {re.escape(name)} \$end", dump.partition("$scope module cpp $end")[2])
     groups = [line for line in lines if line.startswith("-")]
     assert groups == [group for group in groups[::2] for _ in range(2)], "each group is opened and closed"
-    assert groups[::2][:2] == ["-inputs", "-outputs"] and any(group.startswith("-winner's path") for group in groups)
+    assert groups[0] == "-registers that differ first, VHDL above C++"
+    assert groups[::2][1:3] == ["-inputs", "-outputs"] and any(group.startswith("-winner's path") for group in groups)
     assert {"left_pixel[7:0]", "disparity[7:0]", "slice2_best_index_0_0[31:0]", "slice1_best_cost_0_0[31:0]"} <= set(
         names
     )
@@ -214,9 +255,11 @@ def test_a_surplus_output_has_no_place(ghdl, tmp_path):
 def test_without_matplotlib_the_verdict_stays(ghdl, tmp_path):
     (tmp_path / "modules").mkdir()
     (tmp_path / "modules" / "matplotlib.py").write_text("raise ImportError('none', name='matplotlib')")
-    rtl = altered_rtl(tmp_path / "rtl", "tiny", *WINNER)
+    design = altered_rtl(tmp_path / "rtl", "tiny", *WINNER)
     pair = random_pair(tmp_path / "pair", "tiny", levels=4)
-    process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl, environment={"PYTHONPATH": str(tmp_path / "modules")})
+    process = cosim(
+        "tiny", pair, tmp_path / "out", "--rtl", design, environment={"PYTHONPATH": str(tmp_path / "modules")}
+    )
     assert process.returncode == 1 and process.stderr == ""
     assert "no page of the mismatch: the Python package matplotlib is missing" in process.stdout
     assert not (tmp_path / "out" / "failure.html").exists()

@@ -151,7 +151,9 @@ def test_an_interruption_keeps_what_has_run(stand_ins):
     assert outcomes(summary) == {"good0": "pass", "slow0": "not run", "other0": "not run"}
     assert summary["passed"] is False and summary["exit_code"] == 130
     suite = xml.parse(stand_ins / "junit.xml").getroot()
-    assert suite.get("skipped") == "2" and suite.find("testcase[@name='other0']/skipped").get("message") == "interrupted"
+    assert (
+        suite.get("skipped") == "2" and suite.find("testcase[@name='other0']/skipped").get("message") == "interrupted"
+    )
     assert outcomes(run(stand_ins, "good0", "other0", only_changed=True)[1]) == {"good0": "unchanged", "other0": "pass"}
 
 

@@ -35,11 +35,11 @@ class TextTrace final : public TraceSink {
 
 }  // namespace
 
-void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& sink) {
+void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& sink, uint64_t first) {
    const int pixels = module.shape.image.pixels_per_clock;
    HeapMemories memories;
-   const auto core = module.make(memories);
-   const std::vector<RegisterView> registers = core->registers();
+   auto core = module.make(memories);
+   std::vector<RegisterView> registers = core->registers();
    std::vector<std::string> names{"in_left_pixel",
                                   "in_right_pixel",
                                   "in_start_of_frame",
@@ -54,6 +54,7 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& s
    sink.names(names);
    std::vector<uint32_t> settings(std::size_t(stimulus.ports.count));
    auto change = stimulus.settings.begin();
+   auto reset = stimulus.resets.begin();
    std::vector<TraceSink::Value> values;
    const auto add = [&values](uint64_t word) { values.push_back({word, false}); };
    for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
@@ -72,8 +73,15 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& s
       add(output.end_of_line);
       for (const uint32_t setting : settings) add(setting);
       for (const RegisterView& shown : registers) values.push_back(shown.value());
-      sink.clock(values);
-      core->clock(in);
+      if (clock >= first) sink.clock(values);
+      if (reset != stimulus.resets.end() && *reset == clock) {
+         core = module.make(memories);
+         registers = core->registers();
+         if (change != stimulus.settings.begin()) core->set(settings);
+         ++reset;
+      } else {
+         core->clock(in);
+      }
    }
 }
 
@@ -82,8 +90,8 @@ std::unique_ptr<TraceSink> text_trace(const std::string& config, std::size_t clo
    return std::make_unique<TextTrace>(out);
 }
 
-void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream& out) {
-   trace_core(module, stimulus, *text_trace(stimulus.config, stimulus.clocks.size(), out));
+void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream& out, uint64_t first) {
+   trace_core(module, stimulus, *text_trace(stimulus.config, stimulus.clocks.size() - first, out), first);
 }
 
 namespace {

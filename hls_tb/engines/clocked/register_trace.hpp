@@ -29,10 +29,11 @@ class TraceSink {
 /// -1f for -31.
 std::unique_ptr<TraceSink> text_trace(const std::string& config, std::size_t clocks, std::ostream& out);
 
-void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& sink);
+/// The clocks from `first` on.
+void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& sink, uint64_t first = 0);
 
 /// As text.
-void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream& out);
+void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream& out, uint64_t first = 0);
 
 /// Random pixels with bubbles: a frame that is broken off, then frames as close as they may be, so that what only
 /// happens between frames shows as well where the frames are short enough.

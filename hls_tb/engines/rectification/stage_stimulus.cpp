@@ -104,13 +104,10 @@ std::vector<StageOutput> run_stage(const Stage& stage, const std::vector<StageCl
    return outputs;
 }
 
-void trace_stage(const Stage& stage, int clocks, std::ostream& out) {
-   constexpr uint64_t kSeed = 1;
-   const Stimulus stream = make_trace_stimulus(stage.name, stage.shape, clocks);
-   NodeWriter nodes(stage.config, kSeed);
+void trace_stage(const Stage& stage, const std::vector<StageClock>& clocks, std::ostream& out, uint64_t first) {
    HeapMemories memories;
-   const auto core = stage.make(memories);
-   const std::vector<RegisterView> registers = core->registers();
+   auto core = stage.make(memories);
+   std::vector<RegisterView> registers = core->registers();
    std::vector<std::string> names{"in_left_pixel",
                                   "in_right_pixel",
                                   "in_start_of_frame",
@@ -126,12 +123,12 @@ void trace_stage(const Stage& stage, int clocks, std::ostream& out) {
                                   "out_rectified_start_of_frame",
                                   "out_rectified_valid"};
    for (const RegisterView& shown : registers) names.push_back(shown.name);
-   const std::unique_ptr<TraceSink> sink = text_trace(stage.name, stream.clocks.size(), out);
+   const std::unique_ptr<TraceSink> sink = text_trace(stage.name, clocks.size() - first, out);
    sink->names(names);
    std::vector<TraceSink::Value> values;
    const auto add = [&values](uint64_t word) { values.push_back({word, false}); };
-   for (const WideInput& in : stream.clocks) {
-      const TableWrite node = nodes.percent(80) ? nodes.next() : nodes.none();
+   for (uint64_t clock = 0; clock < clocks.size(); ++clock) {
+      const auto& [in, node, resets] = clocks[clock];
       const StereoInput shown = core->output();
       values.clear();
       for (const uint64_t word :
@@ -141,9 +138,23 @@ void trace_stage(const Stage& stage, int clocks, std::ostream& out) {
             uint64_t(shown.start_of_frame), uint64_t(shown.valid)})
          add(word);
       for (const RegisterView& one : registers) values.push_back(one.value());
-      sink->clock(values);
-      core->clock(in, node);
+      if (clock >= first) sink->clock(values);
+      if (resets) {
+         core = stage.make(memories);
+         registers = core->registers();
+      } else {
+         core->clock(in, node);
+      }
    }
+}
+
+void trace_stage(const Stage& stage, int clocks, std::ostream& out) {
+   constexpr uint64_t kSeed = 1;
+   NodeWriter nodes(stage.config, kSeed);
+   std::vector<StageClock> stream;
+   for (const WideInput& in : make_trace_stimulus(stage.name, stage.shape, clocks).clocks)
+      stream.push_back({in, nodes.percent(80) ? nodes.next() : nodes.none()});
+   trace_stage(stage, stream, out);
 }
 
 }  // namespace stereo

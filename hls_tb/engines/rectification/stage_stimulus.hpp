@@ -32,7 +32,10 @@ std::vector<StageClock> make_stage_stimulus(const Stage& stage, const Stimulus& 
 /// The valid outputs of a core that starts from reset.
 std::vector<StageOutput> run_stage(const Stage& stage, const std::vector<StageClock>& clocks);
 
-/// Traces all ports and registers over so many clocks: random pixels with bubbles, frames as close as they may be, and
+/// Traces all ports and registers, the clocks from `first` on, as trace_core does.
+void trace_stage(const Stage& stage, const std::vector<StageClock>& clocks, std::ostream& out, uint64_t first = 0);
+
+/// The same over so many clocks: random pixels with bubbles, frames as close as they may be, and
 /// nodes that are written again and again.
 void trace_stage(const Stage& stage, int clocks, std::ostream& out);
 

@@ -199,15 +199,39 @@ def test_vectors_of_rows_that_are_no_groups(tmp_path, pair, rows, says):
     fail(tmp_path, "vectors", "--config", "tiny_p4", *pair, "--out", tmp_path / "v", "--rows", rows, says=[rows, says])
 
 
-def trace_columns(tmp_path, config):
-    succeed("trace", "--config", config, "--clocks", 300, "--out", tmp_path / "t")
+def trace_columns(tmp_path, config, *options, clocks=300):
+    succeed("trace", "--config", config, "--clocks", clocks, *options, "--out", tmp_path / "t")
     lines = (tmp_path / "t" / "trace.txt").read_text().splitlines()
-    assert lines[0] == f"stereo-hls trace 1 config={config} clocks=300" and len(lines) == 302
+    assert lines[0] == f"stereo-hls trace 1 config={config} clocks={clocks}" and len(lines) == clocks + 2
     rows = [line.split() for line in lines[2:]]
     names = lines[1].split()
     assert len(set(names)) == len(names)
     assert {len(row) for row in rows} == {len(names)}
     return dict(zip(names, zip(*([int(value, 16) for value in row] for row in rows))))
+
+
+@pytest.mark.parametrize("stream", [["--frames", 2, "--stall-percent", 30], ["--broken", 8, "--seed", 5]])
+def test_trace_of_images_is_of_the_stream_that_vectors_makes(tmp_path, pair, stream):
+    """With resets too; and from any clock on."""
+    stimulus, expected = vectors(tmp_path, pair, *stream)
+    trace = trace_columns(tmp_path, "tiny", *pair, *stream, clocks=len(stimulus) - 1)
+    flags = [int(line[0]) for line in stimulus[1:]]
+    assert list(trace["in_valid"]) == [word & 1 for word in flags]
+    outputs = [(int(line.split()[0]), int(line.split()[4], 16)) for line in expected[1:]]
+    valid = [clock for clock, is_valid in enumerate(trace["out_disparity_valid"]) if is_valid]
+    assert [(clock, trace["out_disparity"][clock]) for clock in valid] == outputs and outputs
+    assert "--broken" not in stream or any(word & 4 for word in flags)
+    first = len(flags) - 100
+    later = trace_columns(tmp_path, "tiny", *pair, *stream, "--first-clock", first, clocks=100)
+    assert later == {name: values[first:] for name, values in trace.items()}
+
+
+def test_wrong_traces_of_images(tmp_path, pair):
+    out = ["trace", "--config", "tiny", "--out", tmp_path / "t"]
+    fail(tmp_path, *out, *pair[:2], says=["--left", "--right"])
+    fail(tmp_path, *out, "--first-clock", 3, says=["--first-clock", "--left"])
+    fail(tmp_path, *out, "--frames", 3, says=["--frames", "--left"])
+    fail(tmp_path, *out, *pair, "--first-clock", 9999, says=["--first-clock 9999", "the images give 436 clocks"])
 
 
 @pytest.mark.parametrize("config, pixels", [("tiny", 1), ("tiny_p2", 2), ("tiny_p4", 4)])

@@ -2,12 +2,15 @@
 #include "program/commands/trace_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
 #include "engines/clocked/core_modules.hpp"
 #include "engines/clocked/register_trace.hpp"
 #include "engines/rectification/stage_stimulus.hpp"
 #include "program/commands/named_matching.hpp"
+#include "program/commands/stream_options.hpp"
+#include "program/errors.hpp"
 #include "program/io/output_folder.hpp"
 
 namespace stereo::app {
@@ -15,16 +18,39 @@ namespace {
 
 struct TraceArguments {
    std::string config, out;
-   int clocks = 1000;
+   int first = 0, clocks = 1000;
+   StreamArguments stream;
 };
+
+/// Leaves what lies behind the last clock that is asked for out of `clocks`, those of the stream.
+template <class Clocks>
+void cut(Clocks& clocks, const TraceArguments& arguments) {
+   const std::size_t first = std::size_t(arguments.first);
+   if (first >= clocks.size())
+      throw InputError("--first-clock " + std::to_string(first) + ": the images give " + std::to_string(clocks.size()) +
+                       " clocks");
+   clocks.resize(std::min(clocks.size(), first + std::size_t(arguments.clocks)));
+}
 
 void trace(const TraceArguments& arguments) {
    std::ostringstream text;
+   const bool has_images = !arguments.stream.left.empty();
+   const uint64_t first = uint64_t(arguments.first);
    if (const Stage* const stage = find_stage(arguments.config)) {
-      trace_stage(*stage, arguments.clocks, text);
+      if (has_images) {
+         const Stimulus stream = make_stream(arguments.stream, stage->name, stage->shape);
+         std::vector<StageClock> clocks = make_stage_stimulus(*stage, stream, arguments.stream.options.seed);
+         cut(clocks, arguments);
+         trace_stage(*stage, clocks, text, first);
+      } else {
+         trace_stage(*stage, arguments.clocks, text);
+      }
    } else {
       const CoreModule& core = core_module(require_configuration(arguments.config).name);
-      trace_core(core, make_trace_stimulus(core.name, core.shape, arguments.clocks), text);
+      Stimulus stimulus = has_images ? make_stream(arguments.stream, core.name, core.shape)
+                                     : make_trace_stimulus(core.name, core.shape, arguments.clocks);
+      if (has_images) cut(stimulus.clocks, arguments);
+      trace_core(core, stimulus, text, first);
    }
    OutputFolder out(arguments.out);
    out.add("trace.txt", text.str());
@@ -35,10 +61,22 @@ void trace(const TraceArguments& arguments) {
 
 void add_trace(CLI::App& app) {
    static TraceArguments arguments;
-   CLI::App* command = app.add_subcommand("trace", "trace all registers of the clocked core: trace.txt");
+   CLI::App* command = app.add_subcommand(
+       "trace",
+       "trace all registers of the clocked core: trace.txt; of random pixels, or of what `vectors` makes of images");
    command->add_option("--config", arguments.config, "configuration")->required();
    command->add_option("--out", arguments.out, "folder for the result")->required();
-   command->add_option("--clocks", arguments.clocks, "length")->check(CLI::Range(10, 1000000))->capture_default_str();
+   command->add_option("--clocks", arguments.clocks, "how many")->check(CLI::Range(10, 1000000))->capture_default_str();
+   CLI::Option* const first = command->add_option("--first-clock", arguments.first, "the first one, with images")
+                                  ->check(CLI::Range(0, 1000000000))
+                                  ->capture_default_str();
+   add_stream_options(*command, arguments.stream);
+   CLI::Option* const left = command->get_option("--left")->required(false);
+   CLI::Option* const right = command->get_option("--right")->required(false);
+   left->needs(right);
+   first->needs(left);
+   for (const char* const name : {"--right", "--fit", "--rows", "--frames", "--broken", "--stall-percent", "--seed"})
+      command->get_option(name)->needs(left);
    command->callback([] { trace(arguments); });
 }
 

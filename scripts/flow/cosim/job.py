@@ -4,6 +4,7 @@
 import dataclasses
 import re
 import shlex
+import tempfile
 import time
 from pathlib import Path
 
@@ -12,9 +13,10 @@ from ..base.configurations import Parameters, configuration, designs
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.facts import facts
 from ..base.tools import ROOT, Word, find_stereo_hls, run
-from ..synthesis import manifest
+from ..synthesis import generate, manifest
 from ..synthesis.bambu import original_files
-from . import checker, mismatch, report, vectors
+from ..synthesis.lowering.naming import Trace, read_trace
+from . import checker, mismatch, registers, report, vectors
 from .report import Report, summary
 from .simulators import SIMULATORS, Clocks, Ghdl, Simulator
 
@@ -86,16 +88,17 @@ def make_vectors(job: Job, directory: Path, parameters: Parameters) -> tuple[Pat
         for path, copy in ((job.stimulus, stimulus), (job.expected, expected)):
             _copy(path, copy)
         return stimulus, expected
-    left, right = _pair(job, directory, parameters)
-    command: list[Word] = [find_stereo_hls(), "vectors", "--config", job.config, "--left", left]
-    command += ["--right", right, "--stall-percent", job.stall_percent]
-    command += ["--broken", job.broken] if job.broken else ["--frames", job.frames]
-    command += ["--seed", job.seed, "--fit", job.fit, "--out", directory]
-    if job.rows is not None:
-        command += ["--rows", job.rows]
-    notices = run(command, passes_errors=True)
-    print(notices, end="")
+    pair = _pair(job, directory, parameters)
+    print(run([find_stereo_hls(), "vectors", *_stream(job, pair), "--out", directory], passes_errors=True), end="")
     return stimulus, expected
+
+
+def _stream(job: Job, pair: tuple[Path, Path]) -> list[Word]:
+    """The words of `vectors` and `trace` that say which stream a pair becomes."""
+    words: list[Word] = ["--config", job.config, "--left", pair[0], "--right", pair[1]]
+    words += ["--stall-percent", job.stall_percent, "--seed", job.seed, "--fit", job.fit]
+    words += ["--broken", job.broken] if job.broken else ["--frames", job.frames]
+    return words + (["--rows", job.rows] if job.rows is not None else [])
 
 
 def _copy(path: Path, copy: Path) -> None:
@@ -106,6 +109,7 @@ def _copy(path: Path, copy: Path) -> None:
 
 
 def _pair(job: Job, directory: Path, parameters: Parameters) -> tuple[Path, Path]:
+    """The images; a generated scene is made."""
     if job.left is not None and job.right is not None:
         return job.left, job.right
     scene = directory / "scene"
@@ -302,5 +306,33 @@ def _explain(job: Job, parameters: Parameters, simulator: Simulator, first: chec
             source.build()
         _rerun(job, source, path, window)
 
-    for line in mismatch.explain(job.out_directory(), parameters, first, clocks, dump):
+    has_names = job.simulator != "original" and not job.stimulus
+    trace = _CppTrace(job, parameters, simulator.vhdl_files) if has_names else None
+    for line in mismatch.explain(job.out_directory(), parameters, first, clocks, dump, trace):
         print(line)
+
+
+@dataclasses.dataclass(frozen=True)
+class _CppTrace:
+    """mismatch.CppTrace of a job."""
+
+    job: Job
+    parameters: Parameters
+    design: list[Path]
+
+    def of(self, clocks: Clocks) -> Trace:
+        first, last = clocks
+        words = _stream(self.job, _pair(self.job, self.job.out_directory(), self.parameters))
+        words += ["--first-clock", first, "--clocks", max(last - first + 1, 10)]
+        with tempfile.TemporaryDirectory() as folder:
+            run([find_stereo_hls(), "trace", *words, "--out", folder], passes_errors=True)
+            return read_trace(Path(folder) / "trace.txt")
+
+    def sure_names(self) -> set[str]:
+        """Those that change in the trace that gave them."""
+        with tempfile.TemporaryDirectory() as folder:
+            trace = generate._cpp_trace(self.job.config, designs()[self.job.config], Path(folder))
+        return {name for name, values in trace.items() if len(set(values)) > 1}
+
+    def reset_names(self) -> set[str]:
+        return set().union(*(registers.reset_in(path.read_text()) for path in self.design))

@@ -79,8 +79,8 @@ class Regression:
     _running: set[subprocess.Popen[bytes]] = field(default_factory=set)
 
     def run(self) -> int:
-        """Returns the exit code: 1 when anything differs, else the highest of all. What an interruption leaves is written
-        before it goes on."""
+        """Returns the exit code: 1 when anything differs, else the highest of all. What an interruption leaves is
+        written before it goes on."""
         self.out.mkdir(parents=True, exist_ok=True)
         with builds.Exclusive(self.out):
             return self._run()

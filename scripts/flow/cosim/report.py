@@ -13,7 +13,6 @@ from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.facts import Facts, facts
 from .checker import Interval
 
-
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
@@ -45,6 +44,8 @@ class Report(TypedDict):
     environment: NotRequired[Facts]
     wave: NotRequired[str]  # the file that --wave asked for
     wave_clocks: NotRequired[tuple[int, int]]  # first and last in failure.vcd
+    first_register: NotRequired[str]  # which register of the VHDL differs first from the C++ core's, and when
+    first_registers: NotRequired[list[str]]  # all that do so in that clock
 
 
 class Error(TypedDict):

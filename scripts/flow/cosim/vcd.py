@@ -6,9 +6,10 @@ was asked for, with the value of every signal, and counts in nanoseconds."""
 
 import bisect
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
+from ..base import files
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from .vectors import Seen
 
@@ -60,6 +61,26 @@ def _viewable(line: str) -> str:
     without."""
     line = re.sub(r"^\$var integer 32 (\S+) (\w+) ", r"$var reg 32 \1 \2[31:0] ", line)
     return re.sub(r"^(\$var reg 1 \S+ \w+)\[\d+:\d+\]", r"\1", line)
+
+
+def add(path: Path, scope: str, signals: Mapping[str, tuple[int, Mapping[int, int]]]) -> None:
+    """Adds a scope of signals to a short dump: {name: (bits, {ns: value})}. Where the dump has no such time, a value is
+    left out."""
+    names = {name: f"{scope}{number}" for number, name in enumerate(signals)}  # short ones, of this file
+    definitions = [f"$scope module {scope} $end"]
+    changes: dict[int, list[str]] = {}
+    for name, (bits, values) in signals.items():
+        ending = f"[{bits - 1}:0]" if bits > 1 else ""
+        definitions.append(f"$var reg {bits} {names[name]} {name}{ending} $end")
+        for time, value in values.items():
+            changes.setdefault(time, []).append(f"b{value % (1 << bits):b} {names[name]}")
+    definitions.append("$upscope $end")
+    lines: list[str] = []
+    for line in path.read_text(encoding="ascii").splitlines():
+        lines += [*definitions, line] if line.startswith("$enddefinitions") else [line]
+        if line.startswith("#"):
+            lines += changes.pop(int(line[1:]), [])
+    files.write(path, "\n".join(lines) + "\n")
 
 
 class Values:

@@ -2,6 +2,7 @@
 """The signals that matter at a mismatch: their groups, a save file for GTKWave, and a table for a page."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple, TypedDict
@@ -10,10 +11,13 @@ from .vcd import Values
 from .vectors import Seen
 
 CORE = "tb_stereo_core.dut."
+CPP = "cpp"  # the scope of the C++ core's registers in a dump
 CLOCK_NS = 10
+INTEGER_BITS = 32
 FIRST_CLOCK_NS = 20  # after two clocks of reset
 CLOCKS_BEFORE = 8  # in a page's table
 CLOCKS_AFTER = 3
+DIFFER = "registers that differ first"
 _ZOOM = "-6.0"  # of GTKWave: some 30 clocks in its window
 _HEXADECIMAL, _DECIMAL, _BINARY = "22", "24", "28"
 _OPEN, _CLOSED = ("@800200", "@1000200"), ("@c00200", "@1401200")
@@ -60,6 +64,7 @@ class Table:
     last: int
     clocks: list[int]
     groups: list[ShownGroup]
+    cpp: dict[str, list[str | None]]  # by name, in each clock: the value in C++ where that differs
     command: str
 
 
@@ -88,8 +93,9 @@ def _natural(name: str) -> list[int | str]:
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
 
 
-def save_file(dump: Path, clock: int) -> str:
-    """The text of a .gtkw for a dump, with a marker where the clock begins."""
+def save_file(dump: Path, clock: int, differ: Sequence[str] = ()) -> str:
+    """The text of a .gtkw for a dump, with a marker where the clock begins; first of all the registers that `differ`,
+    each above its value in C++."""
     values = Values(dump)
     lines = [
         "[*] Made by scripts/cosim.py",
@@ -102,6 +108,12 @@ def save_file(dump: Path, clock: int) -> str:
         "@28",
         f"{CORE}clock",
     ]
+    if differ:
+        lines += [_OPEN[0], f"-{DIFFER}, VHDL above C++"]
+        for name in differ:
+            base = _BINARY if values.bits(CORE + name) == 1 else _DECIMAL
+            lines += [f"@{base}", values.label(CORE + name), values.label(f"{CPP}.{name}")]
+        lines += [_OPEN[1], f"-{DIFFER}, VHDL above C++"]
     for group, names in _groups(values):
         begin, end = _OPEN if group.is_open else _CLOSED
         lines += [begin, f"-{group.title}"]
@@ -113,7 +125,9 @@ def save_file(dump: Path, clock: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-def table(dump: Path, clock: int, simulator: str, command: str, first: int, last: int) -> Table:
+def table(
+    dump: Path, clock: int, simulator: str, command: str, first: int, last: int, differ: Sequence[str] = ()
+) -> Table:
     values = Values(dump)
     clocks = list(range(max(first, clock - CLOCKS_BEFORE), min(last, clock + CLOCKS_AFTER) + 1))
 
@@ -125,7 +139,15 @@ def table(dump: Path, clock: int, simulator: str, command: str, first: int, last
         for group, names in _groups(values)
         if group.on_page
     ]
-    return Table(simulator, clock, first, last, clocks, groups, command)
+    if differ:
+        groups.insert(0, {"title": DIFFER, "signals": [(name, shown(CORE + name)) for name in differ]})
+
+    def other(name: str) -> list[str | None]:
+        vhdl, cpp = shown(CORE + name), shown(f"{CPP}.{name}")
+        return [there if there not in ("", here) else None for here, there in zip(vhdl, cpp)]
+
+    both = [name for group in groups for name, _ in group["signals"] if f"{CPP}.{name}" in values.names]
+    return Table(simulator, clock, first, last, clocks, groups, {name: other(name) for name in both}, command)
 
 
 def _shown(value: Seen | None, bits: int) -> str:

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/stream_options.hpp"
+
+#include <charconv>
+
+#include "program/commands/checks.hpp"
+#include "program/commands/pair_options.hpp"
+#include "program/errors.hpp"
+
+namespace stereo::app {
+namespace {
+
+RowRange parse_rows(const std::string& text) {
+   RowRange rows;
+   const char* const end = text.data() + text.size();
+   const auto first = std::from_chars(text.data(), end, rows.first);
+   if (first.ec == std::errc() && first.ptr != end && *first.ptr == ':') {
+      const auto last = std::from_chars(first.ptr + 1, end, rows.end);
+      if (last.ec == std::errc() && last.ptr == end) return rows;
+   }
+   throw InputError("--rows " + text + ": must be A:B, the first row and the one after the last, such as 10:20");
+}
+
+}  // namespace
+
+Stimulus make_stream(const StreamArguments& arguments, const std::string& config, const CoreShape& shape) {
+   const Image& image = shape.image;
+   StimulusOptions options = arguments.options;
+   if (!arguments.rows.empty()) options.rows = parse_rows(arguments.rows);
+   const auto stream_of = [&](auto loaded) {
+      const auto pair = fit_pair(std::move(loaded), image.width_px, image.height_px, arguments.fit);
+      if (arguments.broken == 0) return make_stimulus(config, shape, pair, options);
+      return make_broken_stimulus(config, shape, pair, arguments.broken, options.stall_percent, options.seed);
+   };
+   if (shape.pixel_bits > 8) return stream_of(load_deep_pair(arguments.left, arguments.right, shape.pixel_bits));
+   return stream_of(load_pair(arguments.left, arguments.right));
+}
+
+void add_stream_options(CLI::App& command, StreamArguments& arguments) {
+   StimulusOptions& options = arguments.options;
+   CLI::Option* const rows = command.add_option("--rows", arguments.rows, "send only image rows A:B, B excluded");
+   CLI::Option* const frames =
+       command.add_option("--frames", options.frames, "frames back to back, odd ones upside down")
+           ->check(CLI::Range(1, 1000))
+           ->capture_default_str();
+   command
+       .add_option("--broken", arguments.broken,
+                   "instead of frames, so many faults of a stream: broken frames, records without start, resets")
+       ->check(CLI::Range(1, 1000))
+       ->excludes(frames)
+       ->excludes(rows);
+   command.add_option("--stall-percent", options.stall_percent, "chance of a bubble before a pixel pair")
+       ->check(CLI::Range(0, 95))
+       ->capture_default_str();
+   command.add_option("--seed", options.seed, "of the bubbles and flush rows")
+       ->capture_default_str()
+       ->check(check_seed);
+   add_pair_options(command, arguments.left, arguments.right, arguments.fit);
+}
+
+}  // namespace stereo::app
