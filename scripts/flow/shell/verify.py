@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass, field
 from itertools import pairwise
 from pathlib import Path
 
-from ..base import rtl
+from ..base import files, rtl
 from ..base.configurations import Parameters, configuration
 from ..base.errors import EXIT_MISMATCH, EXIT_OK
 from ..base.tools import ROOT, Say
@@ -124,6 +124,8 @@ class Verification:
     def __init__(self, seed: int, out: Path, say: Say = print) -> None:
         self.seed, self.out, self.say = seed, out, say
         self.cases: list[Case] = []
+        for name in ("report.json", "junit.xml"):  # a run that breaks off leaves no result of an earlier one
+            (out / name).unlink(missing_ok=True)
 
     def add(self, case: Case) -> None:
         self.cases.append(case)
@@ -235,8 +237,7 @@ class Verification:
             "broken_stream_cases": len(CASES),
             "cases": [asdict(case) for case in self.cases],
         }
-        self.out.mkdir(parents=True, exist_ok=True)
-        (self.out / "report.json").write_text(json.dumps(summary, indent=2) + "\n")
+        files.write(self.out / "report.json", json.dumps(summary, indent=2) + "\n")
         self._write_junit()
         passed = not failed and self.cases
         hangs = sum(case.hangs for case in self.cases)
@@ -259,7 +260,7 @@ class Verification:
                 entry = xml.SubElement(suite, "testcase", classname=name, name=case.name, time=f"{case.seconds:.3f}")
                 if case.problems:
                     xml.SubElement(entry, "failure", message=case.problems[0]).text = "\n".join(case.problems)
-        xml.ElementTree(suites).write(self.out / "junit.xml", encoding="utf-8", xml_declaration=True)
+        files.write(self.out / "junit.xml", xml.tostring(suites, encoding="utf-8", xml_declaration=True))
 
 
 @dataclass(frozen=True)
