@@ -133,7 +133,7 @@ SIZE_FAULTS = {
         "stereo_axis",
         "row_groups_now <= to_integer(unsigned(height_wanted)) / pixels_per_clock;",
         "",
-        "frame",
+        "not taken for ever",
     ),
 }
 FAULTS_OF = {
