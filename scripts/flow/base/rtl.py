@@ -105,10 +105,7 @@ def ports_of(parameters: Mapping[str, Any]) -> tuple[Port, ...]:
 def ports_with(settings: Sequence[Setting]) -> tuple[Port, ...]:
     """All of a core of 8 bits with these settings."""
     first_output = next(place for place, port in enumerate(PORTS) if port.direction == "out")
-    taken = [
-        Port(setting.name, "in", None, setting.text(), setting.bits, setting.held)
-        for setting in settings
-    ]
+    taken = [Port(setting.name, "in", None, setting.text(), setting.bits, setting.held) for setting in settings]
     return (*PORTS[:first_output], *taken, *PORTS[first_output:])
 
 
