@@ -217,7 +217,10 @@ def test_missing_tools(build, tools, variable, name):
     [
         ({"yosys": 'echo "ERROR: no such cell" >&2; exit 1'}, ["failed with exit code 1", "no such cell"]),
         ({"yosys": stand_ins.yosys_body(statistics="{")}, ["no usable statistics"]),
-        ({"nextpnr": stand_ins.nextpnr_body({}, "echo 'ERROR: unable to place' >&2; exit 255")}, ["unable to place", "nextpnr_1.log"]),
+        (
+            {"nextpnr": stand_ins.nextpnr_body({}, "echo 'ERROR: unable to place' >&2; exit 255")},
+            ["unable to place", "nextpnr_1.log"],
+        ),
         ({"nextpnr": stand_ins.nextpnr_body({})}, ["no usable report"]),
         ({"ghdl": "exit 0"}, ["did not write a module"]),
     ],

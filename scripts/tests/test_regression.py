@@ -280,7 +280,9 @@ def test_vectors_of_ones_own(ghdl, pair, tmp_path):
     refused(call("cosim.py", *words, "--rows", "8"), 2, "--stimulus")
     refused(call("cosim.py", "--config", "tiny", "--stimulus", stimulus), 2, "--expected")
     expected.write_text(expected.read_text().replace("config=tiny ", "config=tiny_p2 "))
-    refused(call("cosim.py", *words), 2, "config=tiny_p2, but the core is tiny")
+    refused(call("cosim.py", *words), 2, f"{expected}, line 1", "config=tiny_p2, but the core is tiny")
+    stimulus.write_bytes(b"\xff")
+    refused(call("cosim.py", *words), 2, f"cannot read vector file {stimulus}: not a text file")
 
 
 def test_vhdl_of_another_configuration(pair, tmp_path):
@@ -294,6 +296,28 @@ def test_a_relative_folder_of_vhdl(ghdl, pair, tmp_path):
     words += ["--rtl", copy.name, "--out", "out"]
     process = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True)
     assert process.returncode == 0, process.stderr
+
+
+@pytest.mark.parametrize(
+    "code, left, environment, says",
+    [
+        (2, "none.png", {}, "no such file"),
+        (3, None, {"STEREO_CORES": "/nowhere"}, "the clocked core of tiny is not built"),
+        (3, None, {"GHDL": "/nowhere/ghdl"}, "ghdl not found"),
+    ],
+)
+def test_bad_input_and_missing_tools_leave_a_report(pair, tmp_path, code, left, environment, says):
+    """None of an earlier run."""
+    out = tmp_path / "out"
+    out.mkdir()
+    for name in ("report.json", "junit.xml"):
+        (out / name).write_text("of an earlier run")
+    refused(cosim("tiny", (left or pair[0], pair[1]), out, environment=environment), code, says)
+    error = report(out)["error"]
+    assert error["exit_code"] == code and says in error["message"] and report(out)["passed"] is False
+    suite = xml.parse(out / "junit.xml").getroot()
+    assert [suite.get(key) for key in ("tests", "failures", "errors")] == ["1", "0", "1"]
+    assert says in suite.find("testcase/error").get("message")
 
 
 def test_an_error_leaves_a_report(ghdl, pair, tmp_path):

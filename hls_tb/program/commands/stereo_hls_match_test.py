@@ -17,6 +17,7 @@ from stereo_hls_program import (
     fail,
     gray_as_colour,
     gray_image,
+    png,
     png_depth,
     png_size,
     succeed,
@@ -328,6 +329,18 @@ def test_match_fits_images_and_says_so(tmp_path, match, fit, verb):
 def test_colour_is_converted_and_said(tmp_path, match):
     color = write_image(tmp_path / "color.ppm", channels=3)
     assert f"{color}: colour image converted to grey" in succeed(*changed(match, "--left", color))
+
+
+@pytest.mark.parametrize("channels, is_said", [(1, False), (2, True), (3, False), (4, True)])
+def test_transparency_is_left_out_and_said(tmp_path, match, channels, is_said):
+    """Of grey images too, whose second channel the reader drops."""
+    values = random.Random(channels).randbytes(WIDTH * HEIGHT * channels)
+    path = png(tmp_path / "t.png", channels, values)
+    said = succeed(*changed(match, "--left", path))
+    assert (f"{path}: its transparency is left out\n" in said) == is_said
+    if channels == 2:
+        succeed(*changed(changed(match, "--left", png(tmp_path / "g.png", 1, values[::2])), "--out", tmp_path / "grey"))
+        assert (tmp_path / "out" / "disparity.png").read_bytes() == (tmp_path / "grey" / "disparity.png").read_bytes()
 
 
 def test_missing_and_unreadable_files(tmp_path, match):

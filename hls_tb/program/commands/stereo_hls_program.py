@@ -3,7 +3,9 @@
 
 import os
 import random
+import struct
 import subprocess
+import zlib
 
 PROGRAM = os.environ.get("STEREO_HLS", "") and os.path.abspath(
     os.environ["STEREO_HLS"]
@@ -40,6 +42,20 @@ def write_image(path, width=WIDTH, height=HEIGHT, channels=1, maximum=255, seed=
     kind = b"P5" if channels == 1 else b"P6"
     pixels = random.Random(seed).randbytes(count)
     path.write_bytes(kind + f"\n{width} {height}\n{maximum}\n".encode() + pixels)
+    return path
+
+
+def png(path, channels, values, width=WIDTH, height=HEIGHT):
+    """A PNG of 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha channels of 8 bits."""
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    line = width * channels
+    rows = b"".join(b"\0" + values[line * y : line * (y + 1)] for y in range(height))
+    head = struct.pack(">IIBBBBB", width, height, 8, {1: 0, 2: 4, 3: 2, 4: 6}[channels], 0, 0, 0)
+    parts = chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + parts)
     return path
 
 

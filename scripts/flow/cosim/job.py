@@ -147,9 +147,10 @@ def _run(job: Job, out: Path) -> Report:
     _check_wave(job)
     design, edited = _vhdl_files(job, parameters)
     stimulus_path, expected_path = make_vectors(job, out, parameters)
-    stimulus = vectors.read_stimulus(stimulus_path, kind)
-    expected, _ = vectors.read_expected(expected_path)
-    for path in (stimulus_path, expected_path):
+    given = (job.stimulus or stimulus_path, job.expected or expected_path)  # the user's own name in a message
+    stimulus = vectors.read_stimulus(given[0], kind)
+    expected, _ = vectors.read_expected(given[1])
+    for path in given:
         vectors.check_fits(path, job.config, parameters)
 
     simulator = _simulator(job, design, parameters)
