@@ -73,7 +73,8 @@ stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/name
                       engines/clocked/stimulus_test.cpp engines/rectification/stage_stimulus_test.cpp)
 add_dependencies(cores_named_cores_test cores)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/settings_test.cpp)
-foreach(row tiny_settings tiny_settings_all tiny_settings_left_p2 tiny_settings_recursive
+foreach(row tiny_settings tiny_settings_all tiny_settings_full tiny_settings_left_p2 tiny_settings_recursive
+        tiny_size tiny_size_all tiny_size_census_p2 tiny_size_recursive
         tiny_sgm_settings tiny_sgm_settings_full)
   add_dependencies(cores_settings_test core_${row})
 endforeach()

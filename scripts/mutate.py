@@ -29,6 +29,7 @@ def main() -> int:
     options = parser.parse_args()
     if min(options.core, options.shell) < 0 or options.core + options.shell < 1 or options.jobs < 1:
         raise FlowError("--core and --shell must be 0 or more, together and --jobs 1 or more")
+    (options.out / "report.json").unlink(missing_ok=True)  # a run that breaks off leaves none of an earlier one
     run = Run(options.seed, options.core, options.shell, options.jobs, config=options.config)
     return EXIT_OK if run.run().report(options.out) >= LEAST_SCORE_PERCENT else EXIT_MISMATCH
 

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import python_module
+from flow.base import files, python_module
 from flow.base.errors import EXIT_OK, EXIT_TOOL_FAILED, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import ROOT, run
@@ -51,12 +51,12 @@ def execute(programs: Path, notebook: Path, out: Path) -> dict:
 def write(notebook: dict, stem: Path) -> list[Path]:
     """Writes NAME.ipynb and NAME_1.png ...; gives their paths."""
     paths = [stem.with_suffix(".ipynb")]
-    paths[0].write_text(json.dumps(notebook, indent=1) + "\n")
+    files.write(paths[0], json.dumps(notebook, indent=1) + "\n")
     outputs = [output for cell in notebook["cells"] for output in cell.get("outputs", [])]
     pictures = [output["data"]["image/png"] for output in outputs if "image/png" in output.get("data", {})]
     for number, picture in enumerate(pictures, 1):
         paths.append(stem.with_name(f"{stem.name}_{number}.png"))
-        paths[-1].write_bytes(base64.b64decode(picture))
+        files.write(paths[-1], base64.b64decode(picture))
     return paths
 
 

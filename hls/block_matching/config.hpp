@@ -14,6 +14,7 @@ struct Structure {
    bool sign_memory = false;  ///< of direct SAD sums in 3 clocks: remember which pixel of a pair is the larger one
    int winner_group = 2;      ///< candidates that one clock of the winner-take-all tree compares: 2 ... 16
    bool run_time_settings = false;  ///< thresholds from ports, taken over with each start of frame
+   bool run_time_size = false;  ///< image width and height from ports, up to the configuration's, taken over at a reset
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
@@ -23,6 +24,7 @@ struct Structure {
       visit("sign_memory", self.sign_memory);
       visit("winner_group", self.winner_group, 2, 16, "the number of candidates of a winner group");
       visit("run_time_settings", self.run_time_settings);
+      visit("run_time_size", self.run_time_size);
    }
 };
 
@@ -124,15 +126,34 @@ struct Config : Image, Matching, Structure {
    constexpr bool has_lost_pixels() const { return Matching::has_lost_pixels() || (run_time_settings && full_width); }
    constexpr bool has_check() const { return Matching::has_check() || has_lost_pixels(); }
 
-   /// What the ports of a core with run-time settings set; nothing of a check that the core does not have.
+   /// What the ports of a core with run-time settings or a run-time size set; nothing of a check that the core does not
+   /// have, nor of one whose threshold is a constant.
    template <class Visitor>
    constexpr void settings(Visitor& visit) const {
-      const int texture = has_texture_check() ? prefilter_cap * window_px * window_px : 0;
-      visit("texture_threshold", 16, texture, texture_threshold);
-      visit("uniqueness_percent", 8, has_uniqueness_check() ? 100 : 0, uniqueness_percent);
-      visit("left_right_threshold", 8, has_left_right_check() ? disparities - 1 : 0, at_least_0(left_right_threshold));
-      visit("first_disparity", 8, full_width ? disparities - 1 : 0, first_disparity);
-      visit("last_disparity", 8, full_width ? disparities - 1 : 0, full_width ? last_searched() : 0);
+      const auto set = [&](const char* name, int bits, bool exists, int largest, int start) {
+         const bool is_set = exists && run_time_settings;
+         visit(name, bits, is_set ? largest : 0, is_set ? start : 0);
+      };
+      set("texture_threshold", 16, has_texture_check(), prefilter_cap * window_px * window_px, texture_threshold);
+      set("uniqueness_percent", 8, has_uniqueness_check(), 100, uniqueness_percent);
+      set("left_right_threshold", 8, has_left_right_check(), disparities - 1, left_right_threshold);
+      set("first_disparity", 8, full_width, disparities - 1, first_disparity);
+      set("last_disparity", 8, full_width, disparities - 1, last_searched());
+      if (!run_time_size) return;
+      visit.held("image_width", 16, width_px, least_width_px(), 1);
+      visit.held("image_height", 16, height_px, least_height_px(), pixels_per_clock);
+   }
+
+   /// Smallest images of a core with a run-time size, which takes each width from here on together with each height:
+   /// the narrowest ones of half the height, then the lowest ones of that width.
+   constexpr int least_width_px() const {
+      const int half = (row_groups() + 1) / 2 * pixels_per_clock;
+      const int height = takes_size(width_px, half) ? half : height_px;
+      return least_of(width_px, 1, [&](int width) { return takes_size(width, height); });
+   }
+   constexpr int least_height_px() const {
+      const int width = least_width_px();
+      return least_of(height_px, pixels_per_clock, [&](int height) { return takes_size(width, height); });
    }
 
    template <class Self, class Visitor>
@@ -170,6 +191,9 @@ struct Config : Image, Matching, Structure {
                 "next one";
       if (run_time_settings && has_texture_check() && int64_t(prefilter_cap) * window_px * window_px >= 1 << 16)
          return "with run-time settings prefilter_cap * window_px^2 must stay below 2^16";
+      if (run_time_size && full_width) return "a run-time size and a map of full width are not built together";
+      if (run_time_size && (!has_whole_windows() || row_groups() < 2))
+         return "with a run-time size the image must have as many cost columns as the window, and two groups of rows";
       if (int64_t(largest_column_cost()) * window_px >= 1 << 26) return "window costs must stay below 2^26";
       if (has_uniqueness_check() && largest_window_cost() >= 1 << 24)
          return "with a uniqueness check window costs must stay below 2^24";
@@ -189,6 +213,27 @@ struct Config : Image, Matching, Structure {
    constexpr bool holds_settings() const {
       const int check = has_left_right_check() ? disparities - 1 : 0;
       return groups_to_first_window() + check + clocks_to_last_check() < row_groups() * width_px;
+   }
+   /// Whether some window's columns all are cost columns. In narrower images a column would leave the windows of a row
+   /// after the row's end.
+   constexpr bool has_whole_windows() const { return width_px - first_cost_column() >= window_px; }
+   /// Whether the core would take images of another size.
+   constexpr bool takes_size(int width, int height) const {
+      Config other = *this;
+      other.width_px = width;
+      other.height_px = height;
+      other.run_time_size = false;
+      return other.problem().empty() && other.has_whole_windows() && other.row_groups() > 1;
+   }
+   /// The smallest multiple of `step` up to `largest` that fits; what is larger than one that fits does, too.
+   template <class Fits>
+   static constexpr int least_of(int largest, int step, Fits fits) {
+      int below = 0, fitting = largest / step;
+      while (fitting - below > 1) {
+         const int middle = (below + fitting) / 2;
+         (fits(middle * step) ? fitting : below) = middle;
+      }
+      return fitting * step;
    }
    static constexpr int at_least_0(int value) { return value < 0 ? 0 : value; }
    static constexpr int larger(int a, int b) { return a < b ? b : a; }

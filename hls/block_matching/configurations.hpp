@@ -176,6 +176,12 @@ STEREO_ROW(tiny_settings_all, option, tiny_all, run_time_settings = true);
 STEREO_ROW(tiny_settings_full, option, tiny_full_all, run_time_settings = true);
 STEREO_ROW(tiny_settings_left_p2, option, tiny_all_left_p2, height_px = 16, run_time_settings = true);
 STEREO_ROW(tiny_settings_recursive, option, tiny_all_recursive, run_time_settings = true);
+STEREO_ROW(tiny_size, option, tiny, run_time_size = true);
+STEREO_ROW(tiny_size_all, option, tiny_all, width_px = 40, height_px = 16, run_time_settings = true,
+           run_time_size = true);
+STEREO_ROW(tiny_size_census_p2, option, tiny_census_p2, height_px = 20, median = true, run_time_size = true);
+STEREO_ROW(tiny_size_recursive, option, tiny_all_recursive, width_px = 40, height_px = 24, run_time_settings = true,
+           run_time_size = true);
 // clang-format on
 
 }  // namespace stereo::block_matching::configurations

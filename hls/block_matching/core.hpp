@@ -4,6 +4,7 @@
 #include "block_matching/config.hpp"
 #include "block_matching/disparity_slice.hpp"
 #include "block_matching/texture.hpp"
+#include "frontend/image_size.hpp"
 #include "frontend/line_buffer.hpp"
 #include "frontend/pair_delay.hpp"
 #include "frontend/raster.hpp"
@@ -38,8 +39,9 @@ struct Core {
    /// What makes the map of the winners. Whole disparities without a median are ready as they are.
    using MapBlock = std::conditional_t<C.median, Median<C>, Optional<C.subpixel, MapRegister<C>>>;
    static constexpr bool kHasMapBlock = C.median || C.subpixel;
-   using Settings = CheckSettings;
+   using Settings = std::conditional_t<C.run_time_size, SizedSettings, CheckSettings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
+   using Size = std::conditional_t<C.run_time_size, RunTimeSize<C>, FixedSize<C>>;
 
    //            P pixel pairs
    //                 |
@@ -76,6 +78,7 @@ struct Core {
    static constexpr int kMapMemory = kCheckMemory + CheckBlock::kMemories;
 
    [[no_unique_address]] SettingsBlock settings;
+   [[no_unique_address]] Size size;
    TransformBlock transform;
    Raster<C> raster;
    PairDelay<C> delay;
@@ -103,6 +106,7 @@ struct Core {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       if constexpr (C.run_time_settings) visit.block("settings", settings);
+      if constexpr (C.run_time_size) visit.block("size", size);
       visit.block("transform", transform);
       visit.block("raster", raster);
       visit.block("delay", delay);
@@ -119,29 +123,35 @@ struct Core {
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (kHasMapBlock) map_block.clock(checked());
+      if constexpr (kHasMapBlock) clock_map();
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(slices.last(), texture, settings);
       if constexpr (C.has_texture_check()) texture.clock(rows, settings);
       slices.clock(rows.search, rows.reference, rows.tag, NoRival<C>(), settings, rows.ready.column);
       rows.clock(delay);
-      delay.clock(raster);
+      delay.clock(raster, size);
       if constexpr (C.has_transform()) {
-         raster.clock(transform.output());
-         transform.clock(in);
+         raster.clock(transform.output(), size);
+         transform.clock(in, size);
       } else {
-         raster.clock(grey_values<C>(in));
+         raster.clock(grey_values<C>(in), size);
       }
    }
 
-   /// The same where the configuration has run-time settings. `now`: what the ports show; it counts in the clock of a
-   /// start of frame.
+   /// The same where the configuration has run-time settings. `now`: what the ports show. Thresholds count in the clock
+   /// of a start of frame; the size is that of all frames from one reset to the next.
    HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
       clock(in);
-      settings.clock(in, now);
+      if constexpr (C.run_time_settings) settings.clock(in, now);
+      if constexpr (C.run_time_size) size.clock(now.image_width, now.image_height);
    }
 
   private:
+   HLS_INLINE void clock_map() {
+      if constexpr (C.median) map_block.clock(checked(), size);
+      else map_block.clock(checked());
+   }
+
    HLS_INLINE void check() {
       const auto& other = slices.last().other;
       uint8_t other_winner[C.pixels_per_clock];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "frontend/image_size.hpp"
 #include "frontend/pixel_tag.hpp"
 #include "frontend/raster.hpp"
 #include "frontend/split_rows.hpp"
@@ -53,7 +54,8 @@ struct PairDelay {
    HLS_INLINE Feature<C> search(int p) const { return kDelaysReference ? ahead[p] : Pack::lane(delayed, p); }
    HLS_INLINE Feature<C> reference(int p) const { return kDelaysReference ? Pack::lane(delayed, p) : ahead[p]; }
 
-   HLS_INLINE void clock(const Raster<C>& raster) {
+   template <class Size = FixedSize<C>>
+   HLS_INLINE void clock(const Raster<C>& raster, const Size& size = Size()) {
       const auto& in = raster.features;
       if constexpr (kDelay > 0) {
          Word newest[Pack::kWords];
@@ -70,8 +72,8 @@ struct PairDelay {
       } else {
          column = raster.place.column;
          HLS_UNROLL
-         for (int t = 0; t < kTaps; ++t) row_inside[t] = is_inside(raster.place.group, t);
-         tag_place(raster);
+         for (int t = 0; t < kTaps; ++t) row_inside[t] = is_inside(raster.place.group, t, size);
+         tag_place(raster, size);
       }
    }
 
@@ -83,31 +85,36 @@ struct PairDelay {
    static constexpr int last_group(int t) { return (C.height_px - 1 + C.stored_rows() - C.tap_row(t)) / kPixels; }
 
   private:
-   static HLS_INLINE bool is_inside(uint16_t group, int t) { return group >= first_group(t) && group <= last_group(t); }
+   template <class Size = FixedSize<C>>
+   static HLS_INLINE bool is_inside(uint16_t group, int t, const Size& size = Size()) {
+      if constexpr (Size::kFixed) return group >= first_group(t) && group <= last_group(t);
+      else return (group >= first_group(t)) & is_until<C>(group, last_group(t), size.windows);
+   }
 
    static constexpr int kFirstCost = C.first_cost_column();
    static constexpr int kFirstMap = C.first_map_column();
-   static constexpr int kLastMap = kFirstMap + C.output_width_px() - 1;
 
-   HLS_INLINE void tag_place(const Raster<C>& raster) {
+   template <class Size>
+   HLS_INLINE void tag_place(const Raster<C>& raster, const Size& size) {
       const uint16_t column_now = raster.place.column, group = raster.place.group;
-      const bool output_group = group >= C.delay_groups() && group < decltype(raster.place)::kIdle;
+      const bool output_group = group >= C.delay_groups() && group < size.windows.idle;
+      const int last_map = size.last_map_column;
       tag.valid = raster.features.valid;
       tag.row_start = column_now == 0;
       tag.first_group = group == 0;
       tag.newest_inside = 0;
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p)
-         tag.newest_inside = uint8_t(tag.newest_inside | uint8_t(is_inside(group, kTaps - kPixels + p)) << p);
+         tag.newest_inside = uint8_t(tag.newest_inside | uint8_t(is_inside(group, kTaps - kPixels + p, size)) << p);
       tag.border_column = column_now < kFirstCost;
       tag.first_cost = column_now == kFirstCost;
       tag.leaves_window = column_now >= kFirstCost + C.window_px ||
                           (column_now < C.columns_after() && int(column_now) + C.width_px - C.window_px >= kFirstCost);
-      tag.map_column = column_now >= kFirstMap && column_now <= kLastMap;
+      tag.map_column = column_now >= kFirstMap && column_now <= last_map;
       tag.output_column = output_group && tag.map_column;
       tag.first_column = column_now == kFirstMap;
       tag.start_of_frame = group == C.delay_groups() && column_now == kFirstMap;
-      tag.end_of_line = column_now == kLastMap;
+      tag.end_of_line = column_now == last_map;
    }
 
    /// Whether the reference's column is one of first ... last; the delay is less than a row.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "frontend/features.hpp"
+#include "frontend/image_size.hpp"
 #include "support/raster_counter.hpp"
 
 namespace stereo {
@@ -20,8 +21,9 @@ struct Raster {
       visit("place", place);
    }
 
-   HLS_INLINE void clock(const FeatureGroup<C>& in) {
-      place.clock(in.valid, in.start_of_frame);
+   template <class Size = FixedSize<C>>
+   HLS_INLINE void clock(const FeatureGroup<C>& in, const Size& size = Size()) {
+      place.clock(in.valid, in.start_of_frame, size.windows);
       HLS_UNROLL
       for (int p = 0; p < C.pixels_per_clock; ++p) {
          features.search[p] = in.search[p];

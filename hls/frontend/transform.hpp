@@ -3,6 +3,7 @@
 
 #include "frontend/census.hpp"
 #include "frontend/features.hpp"
+#include "frontend/image_size.hpp"
 #include "frontend/xsobel.hpp"
 #include "support/raster_counter.hpp"
 #include "support/row_buffer.hpp"
@@ -96,7 +97,8 @@ struct Transform {
       return out;
    }
 
-   HLS_INLINE void clock(const CoreInput<C>& in) {
+   template <class Size = FixedSize<C>>
+   HLS_INLINE void clock(const CoreInput<C>& in, const Size& size = Size()) {
       HLS_UNROLL
       for (int j = Filter::kClocks - 1; j > 0; --j) copy(filtering[j], filtering[j - 1]);
       left_filter.clock(columns.valid, left_column, columns.row_inside, filtering[0].column_inside);
@@ -112,8 +114,8 @@ struct Transform {
       right_rows.clock(right, counter.column, ready.valid, write_column);
       write_column = select<uint16_t>(ready.valid, ready.column, write_column);
       copy(ready, read);
-      find_place();
-      counter.clock(in.valid, in.start_of_frame);
+      find_place(size);
+      counter.clock(in.valid, in.start_of_frame, size.transform);
       valid = in.valid;
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
@@ -127,12 +129,18 @@ struct Transform {
    static constexpr int first_group(int r) { return (kStored - r + kPixels - 1) / kPixels; }
    static constexpr int last_group(int r) { return (C.height_px - 1 + kStored - r) / kPixels; }
 
-   HLS_INLINE void find_place() {
+   template <class Size>
+   HLS_INLINE void find_place(const Size& size) {
       read.valid = valid;
       read.column = counter.column;
       HLS_UNROLL
-      for (int r = 0; r < kRows; ++r)
-         read.row_inside[r] = counter.group >= first_group(r) && counter.group <= last_group(r);
+      for (int r = 0; r < kRows; ++r) {
+         if constexpr (Size::kFixed)
+            read.row_inside[r] = counter.group >= first_group(r) && counter.group <= last_group(r);
+         else
+            read.row_inside[r] =
+                (counter.group >= first_group(r)) & is_until<C>(counter.group, last_group(r), size.transform);
+      }
       HLS_UNROLL
       for (int age = 0; age <= 2 * kColumns; ++age)
          read.column_inside[age] = (counter.column >= age) == (counter.column >= kColumns);

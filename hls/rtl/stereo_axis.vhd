@@ -25,6 +25,9 @@
 --                    last disparity leaves it, both counted; a clock after frame_ends
 --   core_reset       two clocks after aresetn or the end of a soft reset, from a register that follows another one: it
 --                    drives the whole core, and a tool that copies it has a clock for the way to the copies
+--   width_wanted     with run_time_size, and height_wanted: of the images from the next start of frame on, within the limits of
+--                    the core. Once the last disparity of the frame before has left it, the core is reset, and then has
+--                    the new size: core_width, core_height. Until then no frame begins
 -- Sizes: input buffer 2 * (2 * lane_bits * P + 2) bits; output queue (latency_clocks + 6) words of (disparity_bits + 1) * P + 3
 -- bits.
 -- Generics: those of the core.
@@ -41,7 +44,8 @@ entity stereo_axis is
     latency_clocks : positive;
     flush_groups : natural;
     gap_groups : natural;
-    lane_bits : positive := 8
+    lane_bits : positive := 8;
+    run_time_size : boolean := false
   );
   port (
     aclk : in std_logic;
@@ -56,6 +60,8 @@ entity stereo_axis is
     m_axis_tdata : out std_logic_vector(disparity_bits * pixels_per_clock + 7 downto 0);
     m_axis_tuser : out std_logic_vector(1 downto 0);
     m_axis_tlast : out std_logic;
+    width_wanted : in std_logic_vector(15 downto 0) := (others => '0');
+    height_wanted : in std_logic_vector(15 downto 0) := (others => '0');
     enable : in std_logic;
     soft_reset : in std_logic;
     soft_reset_done : out std_logic;
@@ -65,6 +71,8 @@ entity stereo_axis is
     frame_ends_broken : out std_logic;
     frame_clocks : out unsigned(31 downto 0);
     core_reset : out std_logic;
+    core_width : out std_logic_vector(15 downto 0);
+    core_height : out std_logic_vector(15 downto 0);
     core_left_pixel : out std_logic_vector(lane_bits * pixels_per_clock - 1 downto 0);
     core_right_pixel : out std_logic_vector(lane_bits * pixels_per_clock - 1 downto 0);
     core_start_of_frame : out std_logic;
@@ -86,6 +94,12 @@ architecture rtl of stereo_axis is
   signal reset, clear, restart : std_logic;
   signal halts : std_logic := '0';  -- soft_reset a clock later: its register is far from the framing
   signal halted : std_logic := '0';  -- no frame has begun in this clock
+  -- the size of the images that the core takes, and whether another one is wanted, in the last clock, too
+  signal width_now, height_now : std_logic_vector(15 downto 0);
+  signal columns_now : natural range 0 to width_px;
+  signal row_groups_now : natural range 0 to height_px / pixels_per_clock;
+  signal gap_groups_now : natural range 0 to gap_groups + 1;  -- at least a bit
+  signal resizes, resizing, resized, may_begin : std_logic;
   signal beat_flags : std_logic_vector(1 downto 0);  -- start of frame, end of line
   signal beat_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
   signal beat_valid, beat_take : std_logic;
@@ -108,6 +122,47 @@ begin
   restart <= soft_reset and halted and at_rest and not in_flight;
   soft_reset_done <= restart;
 
+  -- As for `restart`: no frame has begun in this clock.
+  resized <= resizes and resizing and at_rest and not in_flight;
+  may_begin <= enable and not resizes;
+  core_width <= width_now;
+  core_height <= height_now;
+
+  one_size : if not run_time_size generate
+    width_now <= std_logic_vector(to_unsigned(width_px, 16));
+    height_now <= std_logic_vector(to_unsigned(height_px, 16));
+    columns_now <= width_px;
+    row_groups_now <= height_px / pixels_per_clock;
+    gap_groups_now <= gap_groups;
+    resizes <= '0';
+    resizing <= '0';
+  end generate;
+
+  sizes : if run_time_size generate
+    resizes <= '1' when width_wanted /= width_now or height_wanted /= height_now else '0';
+    process (aclk)
+    begin
+      if rising_edge(aclk) then
+        resizing <= resizes;
+        if resized = '1' then
+          width_now <= width_wanted;
+          height_now <= height_wanted;
+          columns_now <= to_integer(unsigned(width_wanted));
+          row_groups_now <= to_integer(unsigned(height_wanted)) / pixels_per_clock;
+        end if;
+        gap_groups_now <= gap_groups / width_px * columns_now;
+        if reset = '1' then
+          width_now <= std_logic_vector(to_unsigned(width_px, 16));
+          height_now <= std_logic_vector(to_unsigned(height_px, 16));
+          columns_now <= width_px;
+          row_groups_now <= height_px / pixels_per_clock;
+          gap_groups_now <= gap_groups;
+          resizing <= '0';
+        end if;
+      end if;
+    end process;
+  end generate;
+
   input_register : entity work.stream_register
     generic map (flag_bits => 2, data_bits => 2 * pixel_bits)
     port map (
@@ -121,7 +176,8 @@ begin
       columns => width_px, row_groups => height_px / pixels_per_clock,
       flush_groups => flush_groups, gap_groups => gap_groups, data_bits => 2 * pixel_bits)
     port map (
-      clock => aclk, reset => reset, enable => enable, halt => halts, at_rest => at_rest,
+      clock => aclk, reset => reset, columns_now => columns_now, row_groups_now => row_groups_now,
+      gap_groups_now => gap_groups_now, enable => may_begin, halt => halts, at_rest => at_rest,
       in_valid => beat_valid, in_start => beat_flags(1), in_last => beat_flags(0),
       in_data => beat_pixels, in_take => beat_take,
       may_send => may_send, may_start => may_start, sends => sends, starts => starts, breaks => breaks,
@@ -142,7 +198,8 @@ begin
   frames : entity work.stereo_frames
     generic map (row_groups => height_px / pixels_per_clock)
     port map (
-      clock => aclk, reset => clear, starts => starts, breaks => breaks, may_start => may_start,
+      clock => aclk, reset => clear, row_groups_now => row_groups_now,
+      starts => starts, breaks => breaks, may_start => may_start,
       result_valid => result, result_start => core_disparity_start_of_frame, result_last => core_disparity_end_of_line,
       frame_error => frame_error, ends => ends, entering => entering, leaving => leaving);
 
@@ -182,7 +239,7 @@ begin
       queued <=
         frame_error & core_disparity_start_of_frame & core_disparity_end_of_line & core_pixel_valid & core_disparity;
       taken <= word_valid and m_axis_tready and not reset;
-      core_in_reset <= clear & core_in_reset(1);
+      core_in_reset <= (clear or resized) & core_in_reset(1);
       frame_ends <= ends and not clear;
       frame_ends_broken <= ends and frame_error and not clear;
     end if;

@@ -15,11 +15,12 @@ use ieee.std_logic_1164.all;
 
 entity stereo_frames is
   generic (
-    row_groups : positive  -- H/P
+    row_groups : positive  -- H/P, at most
   );
   port (
     clock : in std_logic;
     reset : in std_logic;
+    row_groups_now : in natural range 0 to row_groups := row_groups;  -- may change while no frame is inside
     starts : in std_logic;
     breaks : in std_logic;
     may_start : out std_logic := '1';
@@ -41,7 +42,7 @@ architecture rtl of stereo_frames is
   signal current, frame_leaves : std_logic;
 begin
   current <= oldest xor (result_valid and result_start);
-  frame_leaves <= result_valid and result_last when line_group = row_groups - 1 else '0';
+  frame_leaves <= result_valid and result_last when line_group = row_groups_now - 1 else '0';
   frame_error <= broken(0) when current = '0' else broken(1);
   ends <= frame_leaves;
   entering <= youngest;

@@ -14,14 +14,16 @@
 --                3 group outside a frame
 -- A frame that breaks is filled up with whatever stands at the input. What the stream still brings of it is dropped, up to
 -- the next start of frame, which waits until the filling is done.
+-- columns_now, row_groups_now, gap_groups_now: of a frame, up to the generics; columns and groups of rows from 2 on. They may
+-- change while there is no frame in progress, a clock or more before one begins.
 -- After a frame come flush_groups groups of anything, unless the next frame stands ready when gap_groups of them are sent.
 library ieee;
 use ieee.std_logic_1164.all;
 
 entity stereo_framing is
   generic (
-    columns : positive;  -- W
-    row_groups : positive;  -- H/P
+    columns : positive;  -- W, at most
+    row_groups : positive;  -- H/P, at most
     flush_groups : natural;
     gap_groups : natural;
     data_bits : positive
@@ -29,6 +31,9 @@ entity stereo_framing is
   port (
     clock : in std_logic;
     reset : in std_logic;
+    columns_now : in natural range 0 to columns := columns;
+    row_groups_now : in natural range 0 to row_groups := row_groups;
+    gap_groups_now : in natural range 0 to gap_groups + 1 := gap_groups;  -- at least a bit
     enable : in std_logic;
     halt : in std_logic;
     at_rest : out std_logic;
@@ -65,8 +70,8 @@ architecture rtl of stereo_framing is
   signal column : natural range 0 to columns - 1 := 0;  -- of the next group of the frame
   signal row_group : natural range 0 to row_groups - 1 := 0;
   -- Decoded a clock ahead, for what decides in a clock whether a group is sent.
-  signal line_ends : std_logic := '0';  -- column = columns - 1
-  signal last_line : std_logic := '0';  -- row_group = row_groups - 1
+  signal line_ends : std_logic := '0';  -- column = columns_now - 1
+  signal last_line : std_logic := '0';  -- row_group = row_groups_now - 1
   signal between : std_logic := '1';  -- idle, or flushing with just gap_groups flush groups sent
   signal ready : std_logic := '0';  -- that, and enabled
   signal flushed : natural range 0 to all_flush_groups := 0;  -- flush groups sent since the frame
@@ -109,10 +114,10 @@ begin
       end if;
       if in_frame = '1' then
         column <= column + 1 when line_ends = '0' else 0;
-        line_ends <= '1' when column = columns - 2 else '0';
+        line_ends <= '1' when column = columns_now - 2 else '0';
         if line_ends = '1' then
           row_group <= row_group + 1 when last_line = '0' else 0;
-          last_line <= '1' when row_groups = 1 or row_group = row_groups - 2 else '0';
+          last_line <= '1' when row_groups = 1 or row_group = row_groups_now - 2 else '0';
         end if;
       end if;
 
@@ -127,7 +132,7 @@ begin
         phase <= inside;
         next_between := '0';
       elsif phase = flushing and fills = '1' then
-        next_between := '1' when flushed = gap_groups - 1 else '0';
+        next_between := '1' when flushed = gap_groups_now - 1 else '0';
         if flushed = all_flush_groups - 1 then
           phase <= idle;
           next_between := '1';

@@ -7,7 +7,7 @@ use ieee.std_logic_1164.all;
 package stereo_register_map is
   constant address_bits : positive := 7;  -- of addresses in bytes
   constant id_value : std_logic_vector(31 downto 0) := x"53544552";
-  constant version_value : std_logic_vector(31 downto 0) := x"00010300";
+  constant version_value : std_logic_vector(31 downto 0) := x"00010400";
   constant id_word : natural := 0;
   constant version_word : natural := 1;
   constant control_word : natural := 2;
@@ -63,7 +63,13 @@ package stereo_register_map is
   constant last_disparity_word : natural := 17;
   constant last_disparity_value_bits : positive := 16;
   constant last_disparity_largest_bits : positive := 16;
-  constant setting_count : positive := 6;
+  constant image_width_word : natural := 18;
+  constant image_width_value_bits : positive := 16;
+  constant image_width_largest_bits : positive := 16;
+  constant image_height_word : natural := 19;
+  constant image_height_value_bits : positive := 16;
+  constant image_height_largest_bits : positive := 16;
+  constant setting_count : positive := 8;
   constant first_setting_word : natural := texture_threshold_word;
   type setting_words is array (0 to setting_count - 1) of std_logic_vector(15 downto 0);
   type setting_values is array (0 to setting_count - 1) of natural;

@@ -5,8 +5,9 @@
 --   enable, soft_reset    bits of `control`; soft_reset holds until soft_reset_done, which also clears errors and counters
 --   errors                pulses, set the sticky bits of `status`
 --   settings              the words of the settings, one behind the other, the first in the lowest bits. A write of more
---                         than the largest value is refused and sets an error bit. The core takes them over with each start
---                         of frame. Largest value 0: no such setting
+--                         than the largest value, of less than the least one or of a height that is no multiple of the
+--                         pixels per clock is refused and sets an error bit. The core takes them over with each start of
+--                         frame. Largest value 0: no such setting
 --   irq                   a level, from a register
 --   frame_ends, ..broken  a frame has left the core, and was broken; frame_clocks: how long it took
 -- Size: about 160 register bits, and those of the settings.
@@ -26,7 +27,8 @@ entity stereo_registers is
     core_id : std_logic_vector(31 downto 0);
     enabled_at_reset : boolean;
     settings_largest : setting_values;
-    settings_start : setting_values
+    settings_start : setting_values;
+    settings_least : setting_values
   );
   port (
     aclk : in std_logic;
@@ -138,6 +140,8 @@ begin
     first_setting_word + 3 => setting_word(setting(3), settings_largest(3)),
     first_setting_word + 4 => setting_word(setting(4), settings_largest(4)),
     first_setting_word + 5 => setting_word(setting(5), settings_largest(5)),
+    first_setting_word + 6 => setting_word(setting(6), settings_largest(6)),
+    first_setting_word + 7 => setting_word(setting(7), settings_largest(7)),
     others => (others => '0'));
 
   writes <= have_address and have_data and not bvalid;
@@ -182,8 +186,13 @@ begin
           setting_addressed(i) <= '1';
         end if;
         setting_fits(i) <= '0';
-        if to_integer(unsigned(write_data(15 downto 0))) <= settings_largest(i) then
+        if to_integer(unsigned(write_data(15 downto 0))) <= settings_largest(i) and
+          to_integer(unsigned(write_data(15 downto 0))) >= settings_least(i) then
           setting_fits(i) <= '1';
+        end if;
+        if first_setting_word + i = image_height_word and
+          to_integer(unsigned(write_data(15 downto 0))) mod pixels_per_clock /= 0 then
+          setting_fits(i) <= '0';
         end if;
       end loop;
       if writes = '1' then

@@ -25,6 +25,7 @@ entity stereo_shell is
     -- and the value after a reset
     settings_largest : setting_values := (others => 0);
     settings_start : setting_values := (others => 0);
+    settings_least : setting_values := (others => 0);  -- the smallest value
     -- of a grey value, and of its lane in s_axis_tdata: 8 and 8, or more and 16; further bits of a lane do not count
     pixel_bits : positive := 8;
     lane_bits : positive := 8
@@ -81,6 +82,10 @@ entity stereo_shell is
 end entity;
 
 architecture rtl of stereo_shell is
+  constant width_setting : natural := image_width_word - first_setting_word;
+  constant height_setting : natural := image_height_word - first_setting_word;
+  signal settings : setting_words;  -- as they are written; the core has the size of the frame that is in it
+  signal core_width, core_height : std_logic_vector(15 downto 0);
   signal enable, soft_reset, soft_reset_done, busy, frame_ends, frame_ends_broken : std_logic;
   signal errors : std_logic_vector(4 downto 0);
   signal frame_clocks : unsigned(31 downto 0);
@@ -90,7 +95,7 @@ begin
     generic map (
       width_px => width_px, height_px => height_px, pixels_per_clock => pixels_per_clock, disparity_bits => disparity_bits,
       latency_clocks => latency_clocks, flush_groups => flush_groups, gap_groups => gap_groups,
-      lane_bits => lane_bits)
+      lane_bits => lane_bits, run_time_size => settings_largest(width_setting) > 0)
     port map (
       aclk => aclk, aresetn => aresetn,
       s_axis_tvalid => s_axis_tvalid, s_axis_tready => s_axis_tready, s_axis_tdata => s_axis_tdata,
@@ -99,7 +104,8 @@ begin
       m_axis_tuser => m_axis_tuser, m_axis_tlast => m_axis_tlast,
       enable => enable, soft_reset => soft_reset, soft_reset_done => soft_reset_done, busy => busy, errors => errors,
       frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks,
-      core_reset => core_reset, core_left_pixel => left_lanes, core_right_pixel => right_lanes,
+      width_wanted => settings(width_setting), height_wanted => settings(height_setting),
+      core_reset => core_reset, core_width => core_width, core_height => core_height, core_left_pixel => left_lanes, core_right_pixel => right_lanes,
       core_start_of_frame => core_start_of_frame, core_valid => core_valid,
       core_disparity => core_disparity, core_pixel_valid => core_pixel_valid, core_disparity_valid => core_disparity_valid,
       core_disparity_start_of_frame => core_disparity_start_of_frame,
@@ -110,7 +116,7 @@ begin
       width_px => width_px, height_px => height_px, disparities => disparities, pixels_per_clock => pixels_per_clock,
       output_width_px => output_width_px, disparity_bits => disparity_bits, core_id => core_id,
       enabled_at_reset => enabled_at_reset,
-      settings_largest => settings_largest, settings_start => settings_start)
+      settings_largest => settings_largest, settings_start => settings_start, settings_least => settings_least)
     port map (
       aclk => aclk, aresetn => aresetn,
       s_axil_awaddr => s_axil_awaddr, s_axil_awprot => s_axil_awprot, s_axil_awvalid => s_axil_awvalid,
@@ -122,7 +128,11 @@ begin
       s_axil_rready => s_axil_rready,
       enable => enable, soft_reset => soft_reset, soft_reset_done => soft_reset_done, busy => busy, errors => errors,
       frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks,
-      settings => core_settings, irq => irq);
+      settings => settings, irq => irq);
+
+  words : for i in core_settings'range generate
+    core_settings(i) <= core_width when i = width_setting else core_height when i = height_setting else settings(i);
+  end generate;
 
   pixels : for p in 0 to pixels_per_clock - 1 generate
     core_left_pixel(pixel_bits * (p + 1) - 1 downto pixel_bits * p) <=

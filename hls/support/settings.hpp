@@ -18,12 +18,22 @@ inline constexpr bool kSetAtRunTime = [] {
    else return false;
 }();
 
+/// Whether the core has ports for settings at all.
+template <const auto& C>
+inline constexpr bool kHasSettingPorts = [] {
+   if constexpr (requires { C.run_time_size; }) return C.run_time_size || C.run_time_settings;
+   else return kSetAtRunTime<C>;
+}();
+
 /// One setting of a core, as those around it must know it.
 struct Setting {
-   const char* name;  ///< of the option and of the port
-   int bits;          ///< of the port
-   int largest;       ///< it is 0 ... largest; 0: the core has nothing that it sets
-   int start;         ///< the option in the configuration
+   const char* name;   ///< of the option and of the port
+   int bits;           ///< of the port
+   int largest;        ///< it is least ... largest; 0: the core has nothing that it sets
+   int start;          ///< the option in the configuration
+   int least = 0;      ///< the smallest value
+   int step = 1;       ///< it is a multiple of it: 1, 2 or 4
+   bool held = false;  ///< it may change only while the core is reset; else it counts with each start of frame
 };
 
 /// All of a core, in the order of their ports.
@@ -34,6 +44,9 @@ struct SettingList {
 
    constexpr void operator()(const char* name, int bits, int largest, int start) {
       setting[count++] = {name, bits, largest, start};
+   }
+   constexpr void held(const char* name, int bits, int largest, int least, int step) {
+      setting[count++] = {name, bits, largest, largest, least, step, true};
    }
    constexpr const Setting* begin() const { return setting; }
    constexpr const Setting* end() const { return setting + count; }
@@ -54,6 +67,19 @@ struct CheckSettings {
       visit("left_right_threshold", left_right_threshold);
       visit("first_disparity", first_disparity);
       visit("last_disparity", last_disparity);
+   }
+};
+
+/// The same, and the size of the images.
+struct SizedSettings : CheckSettings {
+   uint16_t image_width = 0;
+   uint16_t image_height = 0;
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      CheckSettings::registers(visit);
+      visit("image_width", image_width);
+      visit("image_height", image_height);
    }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "frontend/image_size.hpp"
 #include "support/raster_counter.hpp"
 #include "support/row_buffer.hpp"
 #include "winner/map_group.hpp"
@@ -128,7 +129,8 @@ struct Median {
       visit("out", out);
    }
 
-   HLS_INLINE void clock(const Winners<C>& in) {
+   template <class Size = FixedSize<C>>
+   HLS_INLINE void clock(const Winners<C>& in, const Size& size = Size()) {
       finish();
       sort_window();
       add_column();
@@ -143,16 +145,17 @@ struct Median {
       read.arrives = arrives;
       read.behind = behind;
       read.top = counter.group == 1;
-      read.bottom = counter.group == kRowGroups;
-      read.output = counter.group >= 1 && counter.group <= kRowGroups;
-      take(in);
+      read.bottom = counter.group == size.map.groups;
+      read.output = counter.group >= 1 && counter.group <= size.map.groups;
+      take(in, size);
    }
 
   private:
-   HLS_INLINE void take(const Winners<C>& in) {
+   template <class Size>
+   HLS_INLINE void take(const Winners<C>& in, const Size& size) {
       const MapGroup<C> group = map_group<C>(in);
       const bool comes = in.tag.valid && in.tag.map_column;
-      counter.clock(comes, in.tag.start_of_frame);
+      counter.clock(comes, in.tag.start_of_frame, size.map);
       arrives = comes;
       behind = in.tag.valid && line_ended;
       line_ended = select<bool>(in.tag.valid, in.tag.map_column && in.tag.end_of_line, line_ended);

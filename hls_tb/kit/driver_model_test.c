@@ -10,7 +10,7 @@
 #define CLOCKS_OF_A_RESET 3 /* counted in reads */
 /* The words of the settings; their names are those of the family. */
 #define FIRST_SETTING 0x30u
-#define LAST_SETTING 0x44u
+#define LAST_SETTING 0x4cu
 
 typedef struct {
    uint32_t word[WORDS];

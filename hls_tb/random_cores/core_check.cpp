@@ -95,6 +95,30 @@ class Checker {
       compare({last}, of_last, "a frame behind " + std::to_string(sent) + " records of another");
    }
 
+   /// Frames of a smaller size behind a reset, where the core takes the size from ports, and then of one more.
+   void frames_of_other_sizes() {
+      HeapMemories memories;
+      for (int i = 0; i < 2; ++i) {
+         const Image size = random_size(core_.shape, random_);
+         StimulusWriter stream = writer(i == 0 ? 0 : 30);
+         stream.reset_to_size(1 + random_.below(2), size.width_px, size.height_px);
+         std::vector<DeepPair> sent;
+         for (int frame = 0; frame < 3; ++frame) {
+            if (frame > 0) stream.gap(shape_at(core_.shape, size).schedule);
+            sent.push_back(random_pair(size));
+            send(stream, sent.back());
+         }
+         stream.flush(schedule_);
+         stream.drain(schedule_);
+         // Broken off anywhere: the next size finds what that has left in the memories.
+         compare(sent, run(stream, memories), "3 frames of " + text(size), shape_at(core_.shape, size));
+         StimulusWriter broken = writer(0);
+         broken.reset_to_size(1, size.width_px, size.height_px);
+         send_part(broken, 1 + random_.below(size.width_px * size.row_groups()), size);
+         run(broken, memories);
+      }
+   }
+
    /// A reset keeps the memories as they were.
    void frame_after_a_reset() {
       HeapMemories memories;
@@ -123,11 +147,15 @@ class Checker {
    StimulusWriter writer(int stall_percent) {
       return StimulusWriter(image_.pixels_per_clock, stall_percent, random_.bits(), core_.shape.pixel_bits);
    }
-   void send(StimulusWriter& to, const DeepPair& pair) const { to.rows(pair, {0, image_.height_px}); }
+   static std::string text(const Image& size) {
+      return std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
+   }
+   void send(StimulusWriter& to, const DeepPair& pair) const { to.rows(pair, {0, pair.left.height}); }
    /// The first records of a frame, and records without start behind them.
-   void send_part(StimulusWriter& to, int records) {
+   void send_part(StimulusWriter& to, int records) { send_part(to, records, image_); }
+   void send_part(StimulusWriter& to, int records, const Image& size) {
       StimulusWriter whole = writer(0);
-      send(whole, random_pair());
+      send(whole, random_pair(size));
       const int of_frame = std::min(records, int(whole.clocks.size()));
       for (int i = 0; i < of_frame; ++i) to.record(whole.clocks[std::size_t(i)]);
       to.random_records(records - of_frame);
@@ -135,12 +163,13 @@ class Checker {
    /// Each frame with settings of its own, where the core takes any.
    std::vector<CoreOutput> run(StimulusWriter& stream, HeapMemories& memories) {
       stream.drain(schedule_);
-      Stimulus stimulus{core_.name, image_.pixels_per_clock, stream.clocks};
+      Stimulus stimulus{core_.name, image_.pixels_per_clock, stream.clocks, stream.resets};
       chosen_.clear();
-      set_frames(stimulus, core_.shape.settings, random_, [&] {
+      const auto next = [&] {
          chosen_.push_back(random_settings(core_.shape.settings, random_));
          return chosen_.back();
-      });
+      };
+      set_frames(stimulus, core_.shape.settings, random_, next, stream.sizes);
       return run_core(core_, stimulus, memories);
    }
 
@@ -149,27 +178,32 @@ class Checker {
       std::shared_ptr<const Algorithm> algorithm = algorithm_;
       const SettingList& ports = core_.shape.settings;
       for (int i = 0; i < ports.count; ++i)
-         if (ports.setting[i].largest > 0)
+         if (ports.setting[i].largest > 0 && !ports.setting[i].held)
             algorithm = algorithm->with(ports.setting[i].name,
                                         std::to_string(chosen_.at(chosen_.size() - 1 - from_last)[std::size_t(i)]));
       return algorithm;
    }
 
    /// Few grey levels, far apart or close together: ties, extremes, sums that differ by little.
-   DeepPair random_pair() {
+   DeepPair random_pair() { return random_pair(image_); }
+   DeepPair random_pair(const Image& size) {
       const int range = 1 << core_.shape.pixel_bits;
       const int levels = random_.percent(50) ? 2 + random_.below(6) : range;
       const int step = random_.percent(50) ? (range - 1) / (levels - 1) : 1;
-      DeepPair pair{DeepImage(image_.width_px, image_.height_px), DeepImage(image_.width_px, image_.height_px)};
+      DeepPair pair{DeepImage(size.width_px, size.height_px), DeepImage(size.width_px, size.height_px)};
       for (DeepImage* side : {&pair.left, &pair.right})
          for (uint16_t& pixel : side->pixels) pixel = uint16_t(random_.below(levels) * step);
       return pair;
    }
 
    void compare(const std::vector<DeepPair>& sent, const std::vector<CoreOutput>& outputs, const std::string& what) {
+      compare(sent, outputs, what, core_.shape);
+   }
+   void compare(const std::vector<DeepPair>& sent, const std::vector<CoreOutput>& outputs, const std::string& what,
+                const CoreShape& shape) {
       std::vector<DisparityMap> got;
       try {
-         got = collect_frames(outputs, core_.shape);
+         got = collect_frames(outputs, shape);
       } catch (const std::runtime_error& problem) {
          throw Difference(what + ": " + problem.what());
       }
@@ -236,6 +270,7 @@ CoreCheck check_core(const CoreModule& core, uint64_t seed) {
       for (const int frames : {2, 3})
          for (const int stall_percent : {0, 40}) checker.frames_in_a_row(frames, stall_percent, false);
       checker.frames_in_a_row(2, 20, true);
+      if (has_size_ports(core.shape.settings)) checker.frames_of_other_sizes();
       for (int i = 0; i < 4; ++i) {
          checker.frame_after_a_broken_one();
          checker.frame_after_a_reset();

@@ -120,15 +120,36 @@ PENALTY_FAULTS = {
         "expected",
     ),
 }
-FAULTS_OF = {"tiny_settings": SETTING_FAULTS, "tiny_sgm_settings": PENALTY_FAULTS}
+SIZE_FAULTS = {
+    "no least size": ("stereo_registers", ">= settings_least(i)", ">= 0", "register "),
+    "a height of half a group": ("stereo_registers", "mod pixels_per_clock /= 0", "< 0", "register "),
+    "no wait for the frame before": (
+        "stereo_axis",
+        "may_begin <= enable and not resizes",
+        "may_begin <= enable",
+        "frame",
+    ),
+    "the rows of the frame before": (
+        "stereo_axis",
+        "row_groups_now <= to_integer(unsigned(height_wanted)) / pixels_per_clock;",
+        "",
+        "not taken for ever",
+    ),
+}
+FAULTS_OF = {
+    "tiny_settings": SETTING_FAULTS,
+    "tiny_sgm_settings": PENALTY_FAULTS,
+    "tiny_size_census_p2": SIZE_FAULTS,
+}
 
 
 @pytest.fixture(scope="module")
 def settings_frames(tmp_path_factory):
     """{configuration: its frames}. Ten are too few for some seeds: none has the settings that show the fault."""
+    rows = {config: configuration(config) for config in FAULTS_OF}
     return {
-        config: pool.make_pool(config, configuration(config), 60, 1, tmp_path_factory.mktemp(config))
-        for config in FAULTS_OF
+        config: pool.make_pool(config, row, pool.pairs_for(row, 120), 1, tmp_path_factory.mktemp(config))
+        for config, row in rows.items()
     }
 
 

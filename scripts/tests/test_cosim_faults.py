@@ -89,6 +89,16 @@ SETTING_FAULTS = {
         "sums_right_p2 <= settings_p2",
         "sums_right_p2 <= in_p2 mod 32",
     ),
+    "the rows of the largest images": (
+        "tiny_size",
+        "size_windows_groups <= in_image_height mod 16",
+        "size_windows_groups <= size_windows_groups",
+    ),
+    "the columns of the largest images": (
+        "tiny_size",
+        r"size_last_map_column <= .*;",
+        "size_last_map_column <= size_last_map_column;",
+    ),
     "P1 stays": ("tiny_sgm_settings", "forward_above_p1 <= settings_p1", "forward_above_p1 <= forward_above_p1"),
 }
 

@@ -137,6 +137,20 @@ def test_verdicts_are_remembered(blind):
     assert Blind.count == judged
 
 
+def test_a_verdict_that_was_broken_off_is_given_again(blind):
+    """By Ctrl-C or a full disk, in the middle of a line."""
+    run.Run(1, 5, 5, jobs=1, say=lambda line: None).run()
+    [kept] = (blind / "work").glob("verdicts_*.jsonl")
+    text = kept.read_text()
+    kept.write_text(text[: len(text) - 20])
+    judged, said = Blind.count, []
+    run.Run(1, 5, 5, jobs=1, say=said.append).run().report(blind)
+    assert Blind.count - judged in (1, 2) and json.loads((blind / "report.json").read_text())["mutants"] == 10
+    judged = Blind.count
+    run.Run(1, 5, 5, jobs=1, say=said.append).run()
+    assert Blind.count == judged, "the one behind it is whole"
+
+
 def test_what_a_test_notices_is_not_proved(blind, monkeypatch):
     monkeypatch.setattr(Blind, "noticed", lambda self, *files_and_folder: "a test")
     monkeypatch.setattr(Believer, "objection", lambda self, *files_and_folder: pytest.fail("asked for a proof"))

@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from flow.base import errors, progress
-from flow.base.tools import ROOT
+from flow.base.tools import ROOT, run
 from flow_commands import call
 
 STEPS = "from flow.base import progress\nwith progress.bar('cores', 3, 'clocks') as bar:\n"
@@ -59,3 +59,13 @@ def test_a_missing_package_is_one_sentence(tmp_path):
     assert process.returncode == errors.EXIT_MISSING_TOOL
     assert process.stderr.count("\n") == 1 and "the Python package rich is missing for /" in process.stderr
     assert "apt-get install python3-rich" in process.stderr
+
+
+def test_a_log_grows_while_its_program_runs(tmp_path):
+    """On standard output and on stderr, where nextpnr says how far it is; what is returned is standard output alone."""
+    log, seen = tmp_path / "tool.log", tmp_path / "seen"
+    wait = f"for i in $(seq 100); do [ -s {log} ] && break; sleep 0.05; done; cp {log} {seen}"
+    for stream in ("1", "2"):
+        output = run(["sh", "-c", f"echo far >&{stream}; {wait}; echo further"], log=log)
+        assert seen.read_text() == "far\n" and log.read_text() == "far\nfurther\n"
+        assert output == ("far\nfurther\n" if stream == "1" else "further\n")

@@ -4,6 +4,8 @@
 import re
 from dataclasses import replace
 
+import pytest
+
 from conftest import where_reachable
 from flow.base import ghdl as ghdl_flow, rtl
 from flow.base.configurations import designs
@@ -14,7 +16,7 @@ from flow.synthesis import manifest
 
 TARGET = replace(TARGETS["ecp5"], device=None)  # area only
 # All settings of block matching. Those of semi-global matching cost more: its paths must hold what ports may bring.
-WITH_PORTS, WITHOUT = "tiny_settings_full", "tiny_full_all"
+PAIRS = [("tiny_settings_full", "tiny_full_all"), ("tiny_size", "tiny")]
 LARGEST_PERCENT = 2.0
 
 
@@ -38,15 +40,16 @@ def top_of(verilog, entity, tied):
     return f"\nmodule {TOP}({outer});\n  inner core({inner});\nendmodule\n"
 
 
-def test_tied_settings_cost_nothing(ghdl, tmp_path):
+@pytest.mark.parametrize("with_ports, without", PAIRS)
+def test_tied_settings_cost_nothing(ghdl, tmp_path, with_ports, without):
     where_reachable(yosys_flow.find_yosys)
-    settings = rtl.settings_of(designs()[WITH_PORTS])
+    settings = rtl.settings_of(designs()[with_ports])
     assert any(setting.largest > 0 for setting in settings)
     tied = [(setting.name, f"{setting.bits}'d{setting.start}") for setting in settings]
-    luts, ffs = area(WITH_PORTS, tmp_path / "tied", tied)
-    plain_luts, plain_ffs = area(WITHOUT, tmp_path / "plain")
+    luts, ffs = area(with_ports, tmp_path / "tied", tied)
+    plain_luts, plain_ffs = area(without, tmp_path / "plain")
     more, more_ffs = (100 * (a / b - 1) for a, b in ((luts, plain_luts), (ffs, plain_ffs)))
-    print(f"{WITH_PORTS}, tied: {luts} LUT4 ({more:+.1f} %), {ffs} flip-flops ({more_ffs:+.1f} %)")
+    print(f"{with_ports}, tied: {luts} LUT4 ({more:+.1f} %), {ffs} flip-flops ({more_ffs:+.1f} %)")
     assert max(more, more_ffs) <= LARGEST_PERCENT
-    free_luts, free_ffs = area(WITH_PORTS, tmp_path / "free")
+    free_luts, free_ffs = area(with_ports, tmp_path / "free")
     assert free_luts > plain_luts and free_ffs > plain_ffs, "the ports do nothing"

@@ -68,8 +68,8 @@ begin
       gap_groups => 0,
       core_id => x"40ad4e96",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (0, 100, 7, 0, 0, 0),
-      settings_start => (0, 15, 2, 0, 0, 0))
+      settings_largest => (0, 100, 7, 0, 0, 0, 0, 0),
+      settings_start => (0, 15, 2, 0, 0, 0, 0, 0))
     port map (
       aclk => aclk,
       aresetn => aresetn,

@@ -68,8 +68,8 @@ begin
       gap_groups => 0,
       core_id => x"c27bdcd2",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (279, 100, 7, 0, 0, 0),
-      settings_start => (30, 10, 1, 0, 0, 0))
+      settings_largest => (279, 100, 7, 0, 0, 0, 0, 0),
+      settings_start => (30, 10, 1, 0, 0, 0, 0, 0))
     port map (
       aclk => aclk,
       aresetn => aresetn,

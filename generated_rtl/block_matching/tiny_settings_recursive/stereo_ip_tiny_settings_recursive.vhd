@@ -68,8 +68,8 @@ begin
       gap_groups => 96,
       core_id => x"0c618599",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (1519, 100, 7, 0, 0, 0),
-      settings_start => (100, 10, 1, 0, 0, 0))
+      settings_largest => (1519, 100, 7, 0, 0, 0, 0, 0),
+      settings_start => (100, 10, 1, 0, 0, 0, 0, 0))
     port map (
       aclk => aclk,
       aresetn => aresetn,

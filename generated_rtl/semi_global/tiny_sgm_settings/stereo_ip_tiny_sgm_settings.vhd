@@ -68,8 +68,8 @@ begin
       gap_groups => 0,
       core_id => x"063929a7",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (7, 198, 11, 31, 0, 0),
-      settings_start => (5, 3, 1, 22, 0, 0))
+      settings_largest => (7, 198, 11, 31, 0, 0, 0, 0),
+      settings_start => (5, 3, 1, 22, 0, 0, 0, 0))
     port map (
       aclk => aclk,
       aresetn => aresetn,

@@ -68,8 +68,8 @@ begin
       gap_groups => 0,
       core_id => x"9acaa198",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (7, 198, 11, 31, 11, 11),
-      settings_start => (5, 3, 1, 22, 0, 11))
+      settings_largest => (7, 198, 11, 31, 11, 11, 0, 0),
+      settings_start => (5, 3, 1, 22, 0, 11, 0, 0))
     port map (
       aclk => aclk,
       aresetn => aresetn,

@@ -104,6 +104,27 @@ TEST(BlockMatchingConfig, SaysWhichPixelsItDoesNotTake) {
              std::string("with run-time settings prefilter_cap * window_px^2 must stay below 2^16"));
 }
 
+TEST(BlockMatchingConfig, SaysWhichSizesARunTimeSizeCanHave) {
+   block_matching::Config config{
+       {.width_px = 640, .height_px = 480, .pixels_per_clock = 2}, {.disparities = 64, .window_px = 9}, {}};
+   config.run_time_size = true;
+   EXPECT_EQ(config.problem().text, std::string());
+   EXPECT_EQ(config.least_width_px(), 63 + 9);
+   EXPECT_EQ(config.least_height_px(), 10);
+   for (const auto& [width, height] : {std::pair(63 + 9, 10), std::pair(640, 10), std::pair(63 + 9, 480)}) {
+      block_matching::Config smaller = config;
+      smaller.width_px = width;
+      smaller.height_px = height;
+      EXPECT_EQ(smaller.problem().text, std::string()) << width << "x" << height;
+   }
+   config.width_px = 63 + 8;
+   EXPECT_EQ(config.problem().text, std::string("with a run-time size the image must have as many cost columns as the "
+                                                "window, and two groups of rows"));
+   config.width_px = 640;
+   config.full_width = true;
+   EXPECT_EQ(config.problem().text, std::string("a run-time size and a map of full width are not built together"));
+}
+
 TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {
    block_matching::Config config{{.width_px = 20, .height_px = 30}, {.disparities = 10, .full_width = true}, {}};
    EXPECT_EQ(config.problem().text, std::string());

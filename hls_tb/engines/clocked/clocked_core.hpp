@@ -70,7 +70,7 @@ class ClockedCoreOf final : public ClockedCore {
    const Core& core() const { return core_; }
 
   private:
-   static constexpr bool kHasSettings = kSetAtRunTime<Core::kConfig>;
+   static constexpr bool kHasSettings = kHasSettingPorts<Core::kConfig>;
    struct None {};
    template <class C>
    struct SettingsOf {

@@ -22,7 +22,7 @@ struct CoreShape {
 template <class Core>
 constexpr CoreShape core_shape() {
    SettingList settings;
-   if constexpr (kSetAtRunTime<Core::kConfig>) Core::kConfig.settings(settings);
+   if constexpr (kHasSettingPorts<Core::kConfig>) Core::kConfig.settings(settings);
    return {Core::kConfig,
            Core::kConfig.output_width_px(),
            Core::kConfig.disparity_bits(),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/clocked/register_trace.hpp"
 
+#include <string_view>
+
 #include "engines/clocked/lane_word.hpp"
 
 namespace stereo {
@@ -92,6 +94,27 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream
    trace_core(module, stimulus, *text_trace(stimulus.config, stimulus.clocks.size() - first, out), first);
 }
 
+namespace {
+
+/// Without resets the size of the images may only grow: a counter that has passed the last column of a smaller image
+/// would leave the memories.
+std::vector<SizeChange> growing_sizes(const CoreShape& shape, uint64_t clocks) {
+   std::vector<SizeChange> sizes;
+   constexpr int kSizes = 8;
+   Image least = shape.image;
+   for (const Setting& port : shape.settings)
+      if (port.held) (std::string_view(port.name) == "image_width" ? least.width_px : least.height_px) = port.least;
+   for (int i = 0; i < kSizes; ++i) {
+      const int width = least.width_px + (shape.image.width_px - least.width_px) * i / (kSizes - 1);
+      const int groups =
+          least.row_groups() + (shape.image.row_groups() - least.row_groups()) * i * i / ((kSizes - 1) * (kSizes - 1));
+      sizes.push_back({clocks * uint64_t(i) / kSizes, width, groups * shape.image.pixels_per_clock});
+   }
+   return sizes;
+}
+
+}  // namespace
+
 Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, int clocks) {
    constexpr int kStallPercent = 20;
    constexpr uint64_t kSeed = 1;
@@ -111,7 +134,8 @@ Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, 
    Stimulus stimulus{config, image.pixels_per_clock, std::move(writer.clocks)};
    const SettingList& ports = shape.settings;
    Random random(kSeed);
-   set_frames(stimulus, ports, random, [&] { return random_settings(ports, random); });
+   const auto next = [&] { return random_settings(ports, random); };
+   set_frames(stimulus, ports, random, next, growing_sizes(shape, stimulus.clocks.size()));
    return stimulus;
 }
 

@@ -43,16 +43,24 @@ void check(const std::string& name, const CoreShape& core, const PairOf<Pixel>& 
 }
 
 /// The first frame has the settings of the row, the others random ones.
-void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t seed) {
+void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t seed,
+                       const std::vector<SizeChange>& sizes) {
    Random random(seed ^ 0x5e77);
    bool first = true;
-   set_frames(stimulus, ports, random, [&] {
+   const auto next = [&] {
       std::vector<uint32_t> values = random_settings(ports, random);
       if (first)
          for (int i = 0; i < ports.count; ++i) values[std::size_t(i)] = uint32_t(ports.setting[i].start);
       first = false;
       return values;
-   });
+   };
+   set_frames(stimulus, ports, random, next, sizes);
+}
+
+const Setting* held_setting(const SettingList& ports, std::string_view name) {
+   for (const Setting& port : ports)
+      if (port.held && port.name == name) return &port;
+   return nullptr;
 }
 
 }  // namespace
@@ -61,6 +69,10 @@ std::vector<uint32_t> random_settings(const SettingList& ports, Random& random) 
    std::vector<uint32_t> values;
    // Small values are the likely ones; both ends must come.
    for (const Setting& port : ports) {
+      if (port.held) {
+         values.push_back(uint32_t(port.start));
+         continue;
+      }
       const int most = random.percent(50) ? port.largest : std::min(port.largest, 1 + port.largest / 8);
       const uint32_t value = random.percent(15) ? 0 : uint32_t(random.below(most + 1));
       // Of the last disparity the large ones: most frames shall search something.
@@ -68,6 +80,74 @@ std::vector<uint32_t> random_settings(const SettingList& ports, Random& random) 
       values.push_back(from_top ? uint32_t(port.largest) - value : value);
    }
    return values;
+}
+
+bool has_size_ports(const SettingList& ports) { return held_setting(ports, "image_width") != nullptr; }
+
+Image random_size(const CoreShape& core, Random& random) {
+   Image size = core.image;
+   const auto draw = [&](const char* name, int& value) {
+      const Setting* const port = held_setting(core.settings, name);
+      if (port == nullptr) return;
+      const int most = (port->largest - port->least) / port->step;
+      value = port->least + port->step * (random.percent(25) ? 0 : random.below(most + 1));
+   };
+   draw("image_width", size.width_px);
+   draw("image_height", size.height_px);
+   return size;
+}
+
+CoreShape shape_at(CoreShape core, const Image& size) {
+   core.output_width_px -= core.image.width_px - size.width_px;
+   core.schedule.gap_groups = core.schedule.gap_groups / core.image.width_px * size.width_px;
+   core.image = size;
+   return core;
+}
+
+template <class Pixel>
+PairOf<Pixel> cropped(const PairOf<Pixel>& pair, int width, int height) {
+   PairOf<Pixel> part{RasterImage<Pixel>(width, height), RasterImage<Pixel>(width, height)};
+   for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+         part.left.at(x, y) = pair.left.at(x, y);
+         part.right.at(x, y) = pair.right.at(x, y);
+      }
+   return part;
+}
+
+template ImagePair cropped(const ImagePair&, int, int);
+template DeepPair cropped(const DeepPair&, int, int);
+
+void set_sizes(Stimulus& stimulus, const std::vector<SizeChange>& sizes) {
+   if (!has_size_ports(stimulus.ports)) return;
+   const auto set = [&](std::vector<uint32_t>& values, const SizeChange& size) {
+      for (int i = 0; i < stimulus.ports.count; ++i) {
+         const std::string_view name = stimulus.ports.setting[i].name;
+         if (name == "image_width") values[std::size_t(i)] = uint32_t(size.width);
+         if (name == "image_height") values[std::size_t(i)] = uint32_t(size.height);
+      }
+   };
+   std::vector<SettingsChange> all;
+   SizeChange now{0, held_setting(stimulus.ports, "image_width")->start,
+                  held_setting(stimulus.ports, "image_height")->start};
+   auto change = stimulus.settings.begin();
+   const auto changes_before = [&](uint64_t clock) {
+      for (; change != stimulus.settings.end() && change->clock < clock; ++change) {
+         all.push_back(*change);
+         set(all.back().values, now);
+      }
+   };
+   for (const SizeChange& size : sizes) {
+      changes_before(size.clock);
+      now = size;
+      if (change != stimulus.settings.end() && change->clock == size.clock) continue;
+      std::vector<uint32_t> values;
+      for (const Setting& port : stimulus.ports) values.push_back(uint32_t(port.start));
+      all.push_back({size.clock, all.empty() ? values : all.back().values});
+      set(all.back().values, now);
+   }
+   changes_before(stimulus.clocks.size());
+   stimulus.settings = std::move(all);
 }
 
 void StimulusWriter::record(const WideInput& in) {
@@ -110,6 +190,11 @@ void StimulusWriter::reset(int count) {
    }
 }
 
+void StimulusWriter::reset_to_size(int count, int width, int height) {
+   sizes.push_back({clocks.size(), width, height});
+   reset(count);
+}
+
 void StimulusWriter::bubbles(int count) {
    for (int i = 0; i < count; ++i) {
       WideInput in = garbage();
@@ -136,30 +221,48 @@ Stimulus whole_frames(const std::string& config_name, const CoreShape& core, con
    const RowRange rows = options.rows.value_or(RowRange{0, core.image.height_px});
    check(config_name, core, pair, options, rows);
    StimulusWriter writer(core.image.pixels_per_clock, options.stall_percent, options.seed, core.pixel_bits);
+   const bool sized = has_size_ports(core.settings) && !options.rows;
+   Random random(options.seed ^ 0x512e);
+   PairOf<Pixel> shown = pair;
+   RowRange shown_rows = rows;
+   Schedule schedule = core.schedule;
    for (int frame = 0; frame < options.frames; ++frame) {
-      if (frame > 0) writer.gap(core.schedule);
-      writer.rows(pair, rows, frame % 2 == 1);
+      if (sized && frame > 0 && frame % 2 == 0) {
+         writer.flush(core.schedule);
+         writer.drain(core.schedule);
+         const Image size = random_size(core, random);
+         writer.reset_to_size(1 + random.below(2), size.width_px, size.height_px);
+         shown = cropped(pair, size.width_px, size.height_px);
+         shown_rows = {0, size.height_px};
+         schedule = shape_at(core, size).schedule;
+      } else if (frame > 0) {
+         writer.gap(schedule);
+      }
+      writer.rows(shown, shown_rows, frame % 2 == 1);
    }
    if (rows.end - rows.first == core.image.height_px) writer.flush(core.schedule);
    writer.drain(core.schedule);
-   Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks)};
+   Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
    stimulus.pixel_bits = core.pixel_bits;
-   set_random_frames(stimulus, core.settings, options.seed);
+   set_random_frames(stimulus, core.settings, options.seed, writer.sizes);
    return stimulus;
 }
 
 template <class Pixel>
 Stimulus broken_frames(const std::string& config_name, const CoreShape& core, const PairOf<Pixel>& pair, int count,
                        int stall_percent, uint64_t seed) {
-   const RowRange all{0, core.image.height_px};
+   RowRange all{0, core.image.height_px};
    check(config_name, core, pair, {.stall_percent = stall_percent}, all);
-   const int width = core.image.width_px, frame = width * core.image.row_groups();
+   const int width = core.image.width_px;
+   Image size = core.image;
+   PairOf<Pixel> shown = pair;
    Random random(seed ^ 0x5eed);  // what happens; the writer's is for bubbles and garbage
    StimulusWriter writer(core.image.pixels_per_clock, stall_percent, seed, core.pixel_bits);
-   const auto whole_frame = [&] { writer.rows(pair, all, random.percent(50)); };
+   const auto whole_frame = [&] { writer.rows(shown, all, random.percent(50)); };
    const auto part_of_a_frame = [&] {
+      const int frame = size.width_px * size.row_groups();
       StimulusWriter whole(core.image.pixels_per_clock, 0, random.bits());
-      whole.rows(pair, all, random.percent(50));
+      whole.rows(shown, all, random.percent(50));
       const int near_the_end = frame - random.below(std::min(frame, 2 * width));
       const int records = random.percent(60) ? near_the_end : 1 + random.below(frame);
       for (int i = 0; i < records; ++i) writer.record(whole.clocks[std::size_t(i)]);
@@ -171,12 +274,19 @@ Stimulus broken_frames(const std::string& config_name, const CoreShape& core, co
             break;
          case 1:
             part_of_a_frame();
-            writer.reset(1 + random.below(3));
+            if (has_size_ports(core.settings)) {
+               size = random_size(core, random);
+               shown = cropped(pair, size.width_px, size.height_px);
+               all = {0, size.height_px};
+               writer.reset_to_size(1 + random.below(3), size.width_px, size.height_px);
+            } else {
+               writer.reset(1 + random.below(3));
+            }
             writer.random_records(random.below(2 * width));
             break;
          case 2:
             whole_frame();
-            writer.gap(core.schedule);
+            writer.gap(shape_at(core, size).schedule);
             break;
          default:
             whole_frame();
@@ -187,7 +297,7 @@ Stimulus broken_frames(const std::string& config_name, const CoreShape& core, co
    writer.drain(core.schedule);
    Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
    stimulus.pixel_bits = core.pixel_bits;
-   set_random_frames(stimulus, core.settings, seed);
+   set_random_frames(stimulus, core.settings, seed, writer.sizes);
    return stimulus;
 }
 
@@ -231,7 +341,7 @@ CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {
    return located;
 }
 
-std::vector<DisparityMap> collect_frames(const std::vector<CoreOutput>& outputs, const CoreShape& core) {
+std::vector<DisparityMap> collect_frames(std::span<const CoreOutput> outputs, const CoreShape& core) {
    const Image& image = core.image;
    const int width = core.output_width_px, height = image.height_px;
    const std::size_t columns = std::size_t(width), frame_size = columns * std::size_t(image.row_groups());

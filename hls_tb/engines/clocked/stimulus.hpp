@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,12 @@ namespace stereo {
 struct SettingsChange {
    uint64_t clock;
    std::vector<uint32_t> values;  ///< in the order of CoreShape::settings
+};
+
+/// The size of the images from a clock with reset on, of a core that takes it from ports.
+struct SizeChange {
+   uint64_t clock;
+   int width, height;
 };
 
 /// The inputs of a core, one record a clock.
@@ -62,7 +69,9 @@ struct RowRange {
 };
 
 struct StimulusOptions {
-   int frames = 1;  ///< back to back; odd ones show the pair upside down, so that frames differ
+   /// Back to back; odd ones show the pair upside down, so that frames differ. Where the size comes from ports, the
+   /// first two have the configuration's, and each two more a random one, behind a reset.
+   int frames = 1;
    std::optional<RowRange> rows = std::nullopt;  ///< send only these rows of each frame, as if the first were the top
    int stall_percent = 0;                        ///< chance of a bubble before each clock, 0 ... 95
    uint64_t seed = 1;                            ///< of the bubbles, of their garbage and of the flush rows
@@ -90,9 +99,12 @@ class StimulusWriter {
    void drain(const Schedule& schedule) { bubbles(schedule.latency_clocks + 4); }
    /// Clocks with reset and garbage.
    void reset(int count);
+   /// The same; from the first of them on the images have another size.
+   void reset_to_size(int count, int width, int height);
 
    std::vector<WideInput> clocks;
    std::vector<uint64_t> resets;  ///< the clocks with reset
+   std::vector<SizeChange> sizes;
 
   private:
    WideInput garbage();
@@ -119,13 +131,28 @@ Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& c
 Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const DeepPair& pair, int count,
                               int stall_percent, uint64_t seed);
 
-/// Random settings within their limits.
+/// Whether the size of the images comes from ports.
+bool has_size_ports(const SettingList& ports);
+/// A random size that the ports of a core can bring, its own where it has no such ports.
+Image random_size(const CoreShape& core, Random& random);
+/// What everybody must know of the core while it takes images of another size. The gap is of as many rows; the rest of
+/// the schedule stays that of the largest images.
+CoreShape shape_at(CoreShape core, const Image& size);
+/// The left upper part of the images.
+template <class Pixel>
+PairOf<Pixel> cropped(const PairOf<Pixel>& pair, int width, int height);
+
+/// Random settings within their limits; what is held, as the size is, stays what the configuration says.
 std::vector<uint32_t> random_settings(const SettingList& ports, Random& random);
 
+/// Lets the ports of the size show these from their clocks on, and the configuration's size before.
+void set_sizes(Stimulus& stimulus, const std::vector<SizeChange>& sizes);
+
 /// Gives each frame of the stimulus settings of its own, in the clock of its start only: in all others the ports show
-/// garbage. `next()`: those of the next frame. Nothing where the core has no such ports.
+/// garbage. `next()`: those of the next frame; `sizes`: of the images. Nothing where the core has no such ports.
 template <class Next>
-void set_frames(Stimulus& stimulus, const SettingList& ports, Random& random, Next next) {
+void set_frames(Stimulus& stimulus, const SettingList& ports, Random& random, Next next,
+                const std::vector<SizeChange>& sizes = {}) {
    stimulus.ports = ports;
    if (ports.count == 0) return;
    for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
@@ -141,6 +168,7 @@ void set_frames(Stimulus& stimulus, const SettingList& ports, Random& random, Ne
          stimulus.settings.push_back({clock, std::move(garbage)});
       }
    }
+   set_sizes(stimulus, sizes);
 }
 
 /// Gives the outputs of a core their places, in the order in which they come.
@@ -156,6 +184,6 @@ class OutputLocator {
 
 /// One disparity map a frame. Throws std::runtime_error unless every frame has each pixel exactly once, in raster
 /// order.
-std::vector<DisparityMap> collect_frames(const std::vector<CoreOutput>& outputs, const CoreShape& core);
+std::vector<DisparityMap> collect_frames(std::span<const CoreOutput> outputs, const CoreShape& core);
 
 }  // namespace stereo

@@ -45,9 +45,12 @@ nlohmann::json common_json(const Entry& entry) {
                 {"groups_to_first_output", shape.schedule.groups_to_first_output},
                 {"flush_groups", shape.schedule.flush_groups},
                 {"gap_groups", shape.schedule.gap_groups}});
-   for (const Setting& setting : shape.settings)
+   for (const Setting& setting : shape.settings) {
       json["settings"].push_back(
           {{"name", setting.name}, {"bits", setting.bits}, {"largest", setting.largest}, {"start", setting.start}});
+      if (setting.held)
+         json["settings"].back().update({{"least", setting.least}, {"step", setting.step}, {"held", true}});
+   }
    return json;
 }
 

@@ -68,10 +68,10 @@ std::optional<DisparityImage> load_truth(const std::string& option, const std::s
 /// Of the grey values that every named configuration takes.
 int least_pixel_bits(const Arguments& arguments) {
    if (arguments.configs.empty()) return 8;
-   std::vector<int> bits;
+   int least = 16;
    for (const std::string& name : arguments.configs)
-      bits.push_back(named_algorithm(name, arguments.settings)->pixel_bits());
-   return *std::min_element(bits.begin(), bits.end());
+      least = std::min(least, named_algorithm(name, arguments.settings)->pixel_bits());
+   return least;
 }
 
 GroundTruth load(const Arguments& arguments) {

@@ -118,10 +118,20 @@ namespace {
 
 /// A file in grey; stdout says what of it is left out.
 cv::Mat load_camera_image(const std::string& path, int bits) {
-   const cv::Mat mat = read_camera_image(path, bits);
+   cv::Mat mat = read_camera_image(path, bits);
    if (mat.channels() > 1) std::cout << path << ": colour image converted to grey\n";
    if (mat.channels() == 4 || is_gray_with_alpha(path)) std::cout << path << ": its transparency is left out\n";
    return mat;
+}
+
+struct CameraPair {
+   cv::Mat left, right;
+};
+
+CameraPair load_camera_pair(const std::string& left_path, const std::string& right_path, int bits) {
+   CameraPair pair{load_camera_image(left_path, bits), load_camera_image(right_path, bits)};
+   require_same_size<InputError>(left_path, pair.left.size(), right_path, pair.right.size());
+   return pair;
 }
 
 template <class Pair>
@@ -147,13 +157,13 @@ Pair fitted(Pair pair, int width, int height, Fit fit) {
 GrayImage load_gray(const std::string& path) { return gray_of_any(load_camera_image(path, 8)); }
 
 ImagePair load_pair(const std::string& left_path, const std::string& right_path) {
-   return std::get<ImagePair>(load_any_pair(left_path, right_path, 8));
+   const CameraPair pair = load_camera_pair(left_path, right_path, 8);
+   return {gray_of_any(pair.left), gray_of_any(pair.right)};
 }
 
 AnyPair load_any_pair(const std::string& left_path, const std::string& right_path, int bits) {
-   const cv::Mat left = load_camera_image(left_path, bits), right = load_camera_image(right_path, bits);
-   require_same_size<InputError>(left_path, left.size(), right_path, right.size());
-   return gray_pair(left, right);
+   const CameraPair pair = load_camera_pair(left_path, right_path, bits);
+   return gray_pair(pair.left, pair.right);
 }
 
 DeepPair load_deep_pair(const std::string& left_path, const std::string& right_path, int bits) {

@@ -3,11 +3,12 @@
 
 import fcntl
 import os
+import re
 from pathlib import Path
 
 from . import venv
 from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
-from .tools import ROOT, Say, Word, run
+from .tools import ROOT, Say, Word, find_stereo_hls, run
 
 REQUIREMENTS = ROOT / "scripts" / "requirements-python.txt"
 _HEADER = "import sysconfig; print(sysconfig.get_path('include') + '/Python.h')"
@@ -30,6 +31,7 @@ def install(say: Say = print) -> Path:
         "--disable-pip-version-check",
         "--no-build-isolation",
         "--no-deps",
+        f"--config-settings=cmake.define.STEREO_WERROR={_warnings_are_errors()}",
         ROOT,
     ]
     with (ROOT / "build" / "python-module.lock").open("w") as lock:
@@ -39,6 +41,16 @@ def install(say: Say = print) -> Path:
         except FlowError:
             raise FlowError(f"the Python module cannot be built; see {log}", EXIT_TOOL_FAILED) from None
     return programs
+
+
+def _warnings_are_errors() -> str:
+    """As in the native build: with the same options, the compiler cache has most objects from there."""
+    try:
+        cache = Path(find_stereo_hls()).with_name("CMakeCache.txt").read_text()
+    except (FlowError, OSError):  # the module does not need that build
+        return "OFF"
+    found = re.search(r"^STEREO_WERROR:BOOL=(\w+)$", cache, re.MULTILINE)
+    return found[1] if found else "OFF"
 
 
 def site_packages(programs: Path) -> Path:

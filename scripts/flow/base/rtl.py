@@ -22,6 +22,7 @@ class Port(NamedTuple):
     lane_bits: int | None  # of a row, P rows side by side; None: one bit for all
     meaning: str = ""
     bits: int | None = None  # of all rows together, whatever the lanes
+    held: bool = False  # as in Setting
 
     @property
     def is_flag(self) -> bool:
@@ -65,8 +66,16 @@ class Setting(NamedTuple):
 
     name: str
     bits: int
-    largest: int  # it is 0 ... largest; 0: the core has nothing that it sets
+    largest: int  # it is least ... largest; 0: the core has nothing that it sets
     start: int  # what it is after a reset
+    least: int = 0
+    step: int = 1  # it is a multiple of it
+    held: bool = False  # it may change only while the core is reset; else it counts with each start of frame
+
+    def text(self) -> str:
+        """For the port in the VHDL."""
+        taken = "changes in a reset only" if self.held else "taken over with start_of_frame"
+        return f"{self.least} ... {self.largest}, {taken}"
 
 
 def settings_of(parameters: Mapping[str, Any]) -> tuple[Setting, ...]:
@@ -96,10 +105,7 @@ def ports_of(parameters: Mapping[str, Any]) -> tuple[Port, ...]:
 def ports_with(settings: Sequence[Setting]) -> tuple[Port, ...]:
     """All of a core of 8 bits with these settings."""
     first_output = next(place for place, port in enumerate(PORTS) if port.direction == "out")
-    taken = [
-        Port(setting.name, "in", None, f"0 ... {setting.largest}, taken over with start_of_frame", setting.bits)
-        for setting in settings
-    ]
+    taken = [Port(setting.name, "in", None, setting.text(), setting.bits, setting.held) for setting in settings]
     return (*PORTS[:first_output], *taken, *PORTS[first_output:])
 
 
@@ -133,6 +139,11 @@ class Kind(NamedTuple):
         return self.prefix + config
 
     @property
+    def held(self) -> tuple[str, ...]:
+        """Inputs that change in a reset only."""
+        return tuple(port.name for port in self.ports if port.held)
+
+    @property
     def words(self) -> tuple[str, ...]:
         """Outputs that are more than a flag."""
         return tuple(port.name for port in self.ports if port.direction == "out" and not port.is_flag)
@@ -153,6 +164,7 @@ SETTINGS_TOPS = {
     "block_matching": "hls/top/settings_top.cpp",
     "semi_global": "hls/top/semi_global_settings_top.cpp",
 }
+SIZE_TOP = "hls/top/size_top.cpp"  # where the size of the images is among them
 # By the folder that stands where a matching core has its family.
 STAGES = {
     "rectification": Kind(
@@ -185,7 +197,10 @@ def kind_of(parameters: Mapping[str, Any]) -> Kind:
     if is_stage(parameters):
         return STAGES[parameters["family"]]
     kind = CORE._replace(ports=ports_of(parameters))
-    return kind._replace(top=SETTINGS_TOPS[parameters["family"]]) if settings_of(parameters) else kind
+    settings = settings_of(parameters)
+    if any(setting.held for setting in settings):
+        return kind._replace(top=SIZE_TOP)
+    return kind._replace(top=SETTINGS_TOPS[parameters["family"]]) if settings else kind
 
 
 def core_entity(config: str) -> str:

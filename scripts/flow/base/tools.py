@@ -6,11 +6,13 @@ import re
 import selectors
 import shutil
 import subprocess
-import tempfile
 import time
 from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import nullcontext
 from functools import cache
 from pathlib import Path
+from typing import IO
 
 from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, EXIT_USAGE, FlowError
 
@@ -88,35 +90,49 @@ def first_error(lines: Iterable[str]) -> str | None:
     return next((line.strip() for line in lines if sign.search(line) and "warning" not in line.lower()), None)
 
 
+def _read(stream: IO[str], copy: IO[str] | None) -> str:
+    """All that comes, and at once into `copy`."""
+    lines = []
+    for line in stream:
+        lines.append(line)
+        if copy:
+            copy.write(line)
+            copy.flush()
+    return "".join(lines)
+
+
 def run(command: Iterable[Word], cwd: Path | None = None, log: Path | None = None, passes_errors: bool = False) -> str:
     """Runs a program to its end and returns its standard output.
 
-    With `log`, everything it prints goes to that file, its standard output as it comes, so that one can see how far a
-    long run is. With `passes_errors`, the program is one of ours: its own sentence on stderr becomes ours, and so does
-    its exit code, unless it broke off.
+    With `log`, everything it prints goes to that file as it comes, so that one can see how far a long run is. With
+    `passes_errors`, the program is one of ours: its own sentence on stderr becomes ours, and so does its exit code,
+    unless it broke off.
     """
     words = [str(word) for word in command]
-    with log.open("w+", errors="replace") if log else tempfile.TemporaryFile("w+", errors="replace") as said_to:
-        result = subprocess.run(
-            words,
-            cwd=cwd,
-            text=True,
-            errors="replace",
-            stdout=said_to,
-            stderr=subprocess.PIPE,
-            stdin=subprocess.DEVNULL,
-        )
-        said_to.seek(0)
-        output = said_to.read()
-        said_to.write(result.stderr)
-    if result.returncode != 0:
-        lines = (result.stderr or output).strip().splitlines() or ["no message"]
+    pipe = subprocess.PIPE
+    with (
+        log.open("w", errors="replace") if log else nullcontext() as copy,
+        subprocess.Popen(
+            words, cwd=cwd, text=True, errors="replace", stdin=subprocess.DEVNULL, stdout=pipe, stderr=pipe
+        ) as process,
+        ThreadPoolExecutor(2) as readers,
+    ):
+        assert process.stdout and process.stderr  # they are pipes
+        try:
+            parts = [readers.submit(_read, stream, copy) for stream in (process.stdout, process.stderr)]
+            output, said = (part.result() for part in parts)
+            code = process.wait()
+        except BaseException:  # of an interruption, too
+            process.kill()
+            raise
+    if code != 0:
+        lines = (said or output).strip().splitlines() or ["no message"]
         if passes_errors:
-            ours = result.returncode in (EXIT_USAGE, EXIT_MISSING_TOOL)
-            raise FlowError(lines[-1].removeprefix("stereo_hls: "), result.returncode if ours else EXIT_TOOL_FAILED)
-        name, said = Path(words[0]).name, first_error(lines) or lines[-1]
+            ours = code in (EXIT_USAGE, EXIT_MISSING_TOOL)
+            raise FlowError(lines[-1].removeprefix("stereo_hls: "), code if ours else EXIT_TOOL_FAILED)
+        name, why = Path(words[0]).name, first_error(lines) or lines[-1]
         where = f"; see {log}" if log is not None else ""
-        raise FlowError(f"{name} failed with exit code {result.returncode}: {said}{where}", EXIT_TOOL_FAILED)
+        raise FlowError(f"{name} failed with exit code {code}: {why}{where}", EXIT_TOOL_FAILED)
     return output
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..base import aiger, ghdl
+from ..base import aiger, files, ghdl, json_lines
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say
 from ..cosim import checker, simulators, vectors
@@ -49,8 +49,8 @@ class EarlierVerdicts:
         digest = hashlib.sha256(b"".join(path.read_bytes() for path in self._sources(config))).hexdigest()[:16]
         WORK.mkdir(parents=True, exist_ok=True)
         self.path = WORK / f"verdicts_{digest}.jsonl"
-        lines = self.path.read_text().splitlines() if self.path.is_file() else []
-        self.known: dict[str, dict[str, Any]] = {entry["key"]: entry for entry in map(json.loads, lines)}
+        kept = {entry.get("key", ""): entry for entry in json_lines.read(self.path)}
+        self.known = {key: entry for key, entry in kept.items() if {"outcome", "by", "seconds"} <= entry.keys()}
 
     @staticmethod
     def _sources(config: str) -> list[Path]:
@@ -72,8 +72,7 @@ class EarlierVerdicts:
         return Verdict(mutant, entry["outcome"], entry["by"], entry["seconds"]) if entry else None
 
     def keep(self, verdict: Verdict) -> None:
-        with self.path.open("a") as file:
-            file.write(json.dumps(verdict.entry()) + "\n")
+        json_lines.append(self.path, verdict.entry())
 
 
 class Run:
@@ -150,11 +149,11 @@ class Run:
             self.say(f"{len(self.verdicts)} of {sum(self.counts)} mutants, {time.monotonic() - self.began:.0f} s ...")
 
     def run(self) -> "Run":
-        for is_core, files, count in (
+        for is_core, sources, count in (
             (True, self.core_files, self.counts[0]),
             (False, design.shell_files(), self.counts[1]),
         ):
-            stream = mutants.shuffled(files, self.seed)
+            stream = mutants.shuffled(sources, self.seed)
             with ThreadPoolExecutor(self.jobs) as workers:
                 for future in [workers.submit(self._next, stream, is_core, count) for _ in range(self.jobs)]:
                     future.result()
@@ -184,8 +183,7 @@ class Run:
             "kinds": {kind: kinds.count(kind) for kind in sorted(set(kinds))},
             "verdicts": [verdict.entry() for verdict in self.verdicts],
         }
-        out.mkdir(parents=True, exist_ok=True)
-        (out / "report.json").write_text(json.dumps(result, indent=2) + "\n")
+        files.write(out / "report.json", json.dumps(result, indent=2) + "\n")
         self.say(
             f"{self.config}, seed {self.seed}: {len(self.verdicts)} mutants, {killed} killed, "
             f"{equivalent} proved equivalent, {survived} survived: score {score:.2f} %, {seconds:.0f} s; "

@@ -3,12 +3,12 @@
 them."""
 
 import hashlib
-import json
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from typing import cast
 
+from ..base import json_lines
 from ..base.errors import FlowError
 from ..base.tools import Word, find_stereo_hls
 from .evaluation import Method
@@ -35,23 +35,12 @@ class Kept:
     def __init__(self, path: Path) -> None:
         self.path = path
         self._methods: dict[str, Method] = {}
-        for line in path.read_text(errors="replace").splitlines() if path.is_file() else ():
-            try:
-                entry = json.loads(line)
+        for entry in json_lines.read(path):
+            if isinstance(entry.get("key"), str) and isinstance(entry.get("method"), dict):
                 self._methods[entry["key"]] = cast(Method, entry["method"])
-            except (ValueError, KeyError, TypeError):
-                pass  # broken off in the middle: it is evaluated again
 
     def find(self, words: Iterable[Word]) -> Method | None:
         return self._methods.get(key(words))
 
     def add(self, words: Iterable[Word], method: Method) -> None:
-        # The line begins with its end: what was broken off before does not spoil it.
-        line = "\n" + json.dumps({"key": key(words), "method": method}) + "\n"
-        try:
-            with self.path.open("a") as file:
-                file.write(line)
-        except OSError as error:
-            if self.path.is_file() and self.path.stat().st_size == 0:
-                self.path.unlink()  # on a full disk
-            raise FlowError(f"cannot write {self.path}: {error.strerror}") from None
+        json_lines.append(self.path, {"key": key(words), "method": method})

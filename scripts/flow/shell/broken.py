@@ -12,8 +12,8 @@ Change = Callable[[int], int]  # of flags
 
 
 def beats_of(frame: Frame, geometry: Geometry) -> list[Beat]:
-    """A frame as correct beats."""
-    columns = geometry.columns
+    """A frame as correct beats. `geometry`: of one that has no size of its own."""
+    columns = (frame.geometry or geometry).columns
     return [
         (data, (START if i == 0 else 0) | (LAST if i % columns == columns - 1 else 0))
         for i, data in enumerate(frame.groups)

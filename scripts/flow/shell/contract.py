@@ -20,6 +20,7 @@ RESULT_START, RESULT_ERROR, RESULT_LAST = 1, 2, 4
 class Incoming:
     """A frame as the stream brought it."""
 
+    geometry: Geometry
     groups: list[int] = field(default_factory=list)
     whole: bool = False
     broken: bool = False
@@ -31,8 +32,9 @@ class Expectation:
     errors: set[str]
 
 
-def expect(beats: Iterable[Beat], geometry: Geometry) -> Expectation:
-    """What must become of a stream, from the definition of its framing."""
+def expect(beats: Iterable[Beat], geometry: Geometry, sizes: Sequence[Geometry] = ()) -> Expectation:
+    """What must become of a stream, from the definition of its framing. `sizes`: of the first frames, where they differ
+    from that of all others."""
     frames: list[Incoming] = []
     errors: set[str] = set()
     current: Incoming | None = None
@@ -42,18 +44,18 @@ def expect(beats: Iterable[Beat], geometry: Geometry) -> Expectation:
             if current is not None:
                 current.broken = True
                 errors.add("early_start")
-            current, lost = Incoming(), False
+            current, lost = Incoming(sizes[len(frames)] if len(frames) < len(sizes) else geometry), False
             frames.append(current)
         elif current is None:
             if not lost:
                 errors.add("outside_frame")
             continue
-        at_end = len(current.groups) % geometry.columns == geometry.columns - 1
+        at_end = len(current.groups) % current.geometry.columns == current.geometry.columns - 1
         current.groups.append(data)
         if bool(flags & LAST) != at_end:
             errors.add("late_line_end" if at_end else "early_line_end")
             current.broken, lost = True, True
-        current.whole = not current.broken and len(current.groups) == geometry.groups
+        current.whole = not current.broken and len(current.groups) == current.geometry.groups
         if current.broken or current.whole:
             current = None
     return Expectation(frames, errors)
@@ -71,20 +73,27 @@ class Judge:
         self.compared = 0
         self.problems: list[str] = []
 
-    def judge(self, beats: Iterable[Beat], results: Sequence[Beat], complete: bool = True) -> Expectation:
+    def judge(
+        self,
+        beats: Iterable[Beat],
+        results: Sequence[Beat],
+        complete: bool = True,
+        sizes: Sequence[Geometry] = (),
+    ) -> Expectation:
         """`beats` were taken from s_axis since a reset, `results` given on m_axis. `complete`: the simulation waited
-        until nothing more came; otherwise (a reset) the results may end anywhere."""
-        expectation = expect(beats, self.geometry)
-        size = self.geometry.results
+        until nothing more came; otherwise (a reset) the results may end anywhere. `sizes`: see expect."""
+        expectation = expect(beats, self.geometry, sizes)
         frames = [frame for frame in expectation.frames if frame.whole or frame.broken or not complete]
-        due = size * len(frames)
+        due = sum(frame.geometry.results for frame in frames)
         if complete and len(results) < due and not self._ends_in_open_frame(expectation):
             self._problem(f"{len(results)} beats came out, {due} were due")
-        if len(results) > size * len(expectation.frames):
-            self._problem(f"{len(results) - size * len(expectation.frames)} beats more came out than all frames have")
+        most = sum(frame.geometry.results for frame in expectation.frames)
+        if len(results) > most:
+            self._problem(f"{len(results) - most} beats more came out than all frames have")
+        first = 0
         for number, frame in enumerate(expectation.frames):
-            part = results[number * size : (number + 1) * size]
-            self._judge_frame(number, frame, part)
+            self._judge_frame(number, frame, results[first : first + frame.geometry.results])
+            first += frame.geometry.results
         return expectation
 
     @staticmethod
@@ -103,7 +112,7 @@ class Judge:
         same = self._same_groups(frame, source)
         for place, beat in enumerate(part):
             self._judge_beat(f"frame {number}, beat {place}", frame, source, same, place, beat)
-        if len(part) == self.geometry.results:
+        if len(part) == frame.geometry.results:
             self.exact_frames += frame.whole
             self.broken_frames += frame.broken
             if frame.broken and not part[-1][1] & RESULT_ERROR:
@@ -112,7 +121,7 @@ class Judge:
     def _judge_beat(self, where: str, frame: Incoming, source: Frame, same: int, place: int, beat: Beat) -> None:
         """`same`: how many groups are those of the source."""
         data, flags = beat
-        columns = self.geometry.result_columns
+        columns = frame.geometry.result_columns
         framing = (RESULT_START if place == 0 else 0) | (RESULT_LAST if place % columns == columns - 1 else 0)
         if flags & ~RESULT_ERROR != framing:
             self._problem(f"{where}: start and end of line are {flags & ~RESULT_ERROR}, expected {framing}")

@@ -10,7 +10,8 @@ from .verilated import Observation
 
 
 def judge(steps: Sequence[Step], observation: Observation, geometry: Geometry, pool: Sequence[Frame]) -> Judge:
-    """A Judge that has seen every segment between resets."""
+    """A Judge that has seen every segment between resets. Frames with sizes of their own are sent in their order."""
+    sizes = [frame.geometry for frame in pool if frame.geometry is not None]
     verdict = Judge(geometry, pool)
     verdict.problems += observation.breaches
     parts = segments(steps)
@@ -22,7 +23,8 @@ def judge(steps: Sequence[Step], observation: Observation, geometry: Geometry, p
         return verdict
     for number, (beats, results) in enumerate(zip(parts, observation.segments)):
         before = len(verdict.problems)
-        verdict.judge(beats, [(data, flags) for data, flags, _ in results], complete=number == len(parts) - 1)
+        seen = [(data, flags) for data, flags, _ in results]
+        verdict.judge(beats, seen, complete=number == len(parts) - 1, sizes=sizes)
         verdict.problems[before:] = [f"after reset {number}: {sentence}" for sentence in verdict.problems[before:]]
     if verdict.compared == 0:
         verdict.problems.append("nothing was compared")

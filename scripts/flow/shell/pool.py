@@ -2,6 +2,7 @@
 """Frames with the disparity maps that the C++ core gives for them."""
 
 import random
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,6 +26,7 @@ class Frame:
     results: tuple[int, ...]  # m_axis
     needs: tuple[int, ...]  # for each result: how many of the groups it depends on
     settings: tuple[int, ...] = ()  # of a core that takes them from ports, in their order
+    geometry: "Geometry | None" = None  # where the core takes it from ports, too
 
 
 @dataclass(frozen=True)
@@ -41,6 +43,10 @@ class Geometry:
             parameters["output_width_px"],
         )
 
+    def with_size(self, width: int, row_groups: int) -> "Geometry":
+        """Of images of another size."""
+        return Geometry(width, row_groups, self.result_columns - (self.columns - width))
+
     @property
     def groups(self) -> int:
         return self.columns * self.row_groups
@@ -53,10 +59,13 @@ class Geometry:
 def make_pool(
     config: str, parameters: Parameters, pairs: int, seed: int, folder: Path, reuse: bool = False
 ) -> list[Frame]:
-    """2 * pairs different frames of noise: each pair upright and upside down. `reuse`: the folder was filled by the
-    same call in this run already."""
+    """2 * pairs different frames of noise: each pair upright and upside down. Where the size of the images comes from
+    ports, six more of each pair, of three random sizes. `reuse`: the folder was filled by the same call in this run
+    already."""
     if reuse:
-        return [frame for number in range(pairs) for frame in _read_frames(folder / f"vectors_{number}", parameters)]
+        return _different(
+            frame for number in range(pairs) for frame in _read_frames(folder / f"vectors_{number}", parameters)
+        )
     folder.mkdir(parents=True, exist_ok=True)
     generator = random.Random(f"pool {seed}")
     frames = []
@@ -74,7 +83,7 @@ def make_pool(
                 config,
                 *images,
                 "--frames",
-                2,
+                _frames_of_a_pair(parameters),
                 "--seed",
                 number + 1,
                 "--out",
@@ -83,7 +92,25 @@ def make_pool(
             passes_errors=True,
         )
         frames += _read_frames(out, parameters)
-    return frames
+    return _different(frames)
+
+
+def _different(frames: Iterable[Frame]) -> list[Frame]:
+    """Without those that a pair gives again because a size was drawn twice: the judge knows a frame by its pixels."""
+    return list({frame.groups: frame for frame in frames}.values())
+
+
+def _has_sizes(parameters: Parameters) -> bool:
+    return any(setting.held for setting in rtl.settings_of(parameters))
+
+
+def _frames_of_a_pair(parameters: Parameters) -> int:
+    return 8 if _has_sizes(parameters) else 2
+
+
+def pairs_for(parameters: Parameters, frames: int) -> int:
+    """How many give so many frames."""
+    return -(-frames // _frames_of_a_pair(parameters))
 
 
 def write_noise(path: Path, parameters: Parameters, generator: random.Random, levels: int, distance: int) -> None:
@@ -95,6 +122,13 @@ def write_noise(path: Path, parameters: Parameters, generator: random.Random, le
         path.write_bytes(files.deep_pgm(width, height, [p << more | generator.randrange(1 << more) for p in pixels]))
     else:
         path.write_bytes(files.pgm(width, height, bytes(pixels)))
+
+
+def _geometry_of(parameters: Parameters, settings: tuple[int, ...]) -> Geometry:
+    """Of a frame with the size that is among its settings."""
+    names = [setting.name for setting in rtl.settings_of(parameters)]
+    width, height = (settings[names.index(name)] for name in ("image_width", "image_height"))
+    return Geometry.of(parameters).with_size(width, height // parameters["pixels_per_clock"])
 
 
 def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
@@ -111,18 +145,21 @@ def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
     stimulus = vectors.read_stimulus(folder / "stimulus.txt", rtl.kind_of(parameters))
     words = [line.split() for line in (folder / "stimulus.txt").read_text().splitlines()[1:]]
     expected, latency = vectors.read_expected(folder / "expected.txt")
-    starts = [clock for clock, (_, start) in enumerate(stimulus) if start][:2]
+    sized = _has_sizes(parameters)
+    starts = [clock for clock, group in enumerate(stimulus) if all(group)][: _frames_of_a_pair(parameters)]
     frames = []
     for number, start in enumerate(starts):
+        settings = tuple(int(word, 16) for word in words[start][3:])
+        own = _geometry_of(parameters, settings) if sized else None
+        size = own or geometry
         groups = tuple(
             lanes_of(int(words[start + i][2], 16)) << lane * lanes | lanes_of(int(words[start + i][1], 16))
-            for i in range(geometry.groups)
+            for i in range(size.groups)
         )
         outputs = [output for output in expected if output.frame == number]
-        if len(outputs) != geometry.results:
-            raise FlowError(f"the C++ core gave {len(outputs)} outputs instead of {geometry.results}", EXIT_TOOL_FAILED)
+        if len(outputs) != size.results:
+            raise FlowError(f"the C++ core gave {len(outputs)} outputs instead of {size.results}", EXIT_TOOL_FAILED)
         results = tuple((output.flags >> 2) << map_bits | output.disparity for output in outputs)
-        needs = tuple(min(output.clock - latency - start + 1, geometry.groups) for output in outputs)
-        settings = tuple(int(word, 16) for word in words[start][3:])
-        frames.append(Frame(groups, results, needs, settings))
+        needs = tuple(min(output.clock - latency - start + 1, size.groups) for output in outputs)
+        frames.append(Frame(groups, results, needs, settings, own))
     return frames

@@ -14,7 +14,7 @@ PACKAGE = ROOT / "hls" / "rtl" / "stereo_register_map.vhd"
 DOCUMENT = ROOT / "docs" / "integration.md"
 TABLE_BEGIN, TABLE_END = "<!-- registers: made by scripts/registers.py -->", "<!-- end of registers -->"
 ID = 0x53544552  # "STER"
-VERSION = (1, 3, 0)
+VERSION = (1, 4, 0)
 PLAIN = "block_matching"  # whose names the settings have in a family without any
 
 

@@ -92,6 +92,16 @@ def mixture(rng: Random, pool: Sequence[Frame], geometry: Geometry, count: int) 
     return steps
 
 
+def _refused(rng: Random, setting: Setting) -> list[int]:
+    """Values beyond the limits of a setting."""
+    values = [setting.largest + 1, 0xFFFF, rng.randrange(setting.largest + 1, 0x10000)]
+    if setting.least:
+        values += [0, setting.least - 1]
+    if setting.step > 1:
+        values += [setting.largest - 1]
+    return values
+
+
 def changed_settings(rng: Random, pool: Sequence[Frame], geometry: Geometry, settings: Sequence[Setting]) -> list[Step]:
     """Each frame of the pool with its own settings, which are written while the frame before it comes in. Some writes
     are beyond the limits: the old value stays. Begins and ends with the interrupts."""
@@ -109,7 +119,7 @@ def changed_settings(rng: Random, pool: Sequence[Frame], geometry: Geometry, set
             whole = setting.largest << largest_low | value
             steps: list[Step] = [("write", offset[setting.name], value)]
             if rng.random() < 0.3:
-                beyond = rng.choice((setting.largest + 1, 0xFFFF, rng.randrange(setting.largest + 1, 0x10000)))
+                beyond = rng.choice(_refused(rng, setting))
                 steps += [("write", offset[setting.name], beyond), ("query", status, refused, refused)]
                 steps += [("write", status, refused), ("query", status, 0, refused)]
             lists.append([*steps, ("query", offset[setting.name], whole, 0xFFFFFFFF)])

@@ -82,6 +82,7 @@ def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None 
         "core_id": f'x"{core_id(entry)}"',
         "enabled_at_reset": "enabled_at_reset",
         **({f"settings_{what}": _values(settings, what) for what in ("largest", "start")} if settings else {}),
+        **({"settings_least": _values(settings, "least")} if any(setting.least for setting in settings) else {}),
         **({"pixel_bits": pixel_bits, "lane_bits": lane_bits(pixel_bits)} if pixel_bits > 8 else {}),
         **(of_the_shell or {}),
     }

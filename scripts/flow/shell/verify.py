@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass, field
 from itertools import pairwise
 from pathlib import Path
 
-from ..base import rtl
+from ..base import files, rtl
 from ..base.configurations import Parameters, configuration
 from ..base.errors import EXIT_MISMATCH, EXIT_OK
 from ..base.tools import ROOT, Say
@@ -19,7 +19,7 @@ from .broken import CASES, beats_of
 from .cocotb_runs import Selection
 from .contract import RESULT_START
 from .judge import judge
-from .pool import Frame, Geometry, make_pool
+from .pool import Frame, Geometry, make_pool, pairs_for
 from .script import Step
 from .verilated import Observation, Verilated
 
@@ -41,6 +41,11 @@ FRAMES = {
     "tiny_sgm_settings": 200,
     "tiny_sgm_settings_full": 200,
     "tiny_settings_all": 200,
+    # and its own size
+    "tiny_size": 256,
+    "tiny_size_all": 256,
+    "tiny_size_census_p2": 256,
+    "tiny_size_recursive": 256,
 }
 LARGEST_FOR_CASES = 10000  # groups of a frame: larger ones meet the broken streams in the mixture only
 SHORT_FRAMES = {
@@ -50,6 +55,7 @@ SHORT_FRAMES = {
     "tiny_all_recursive": 20,
     "tiny_all_p4": 20,
     "tiny_settings_all": 200,
+    "tiny_size_all": 256,
 }
 _LANES = ("full_speed", "sink_waits_then_takes_all", "mixture", "reset_at_any_clock")
 _GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
@@ -118,6 +124,8 @@ class Verification:
     def __init__(self, seed: int, out: Path, say: Say = print) -> None:
         self.seed, self.out, self.say = seed, out, say
         self.cases: list[Case] = []
+        for name in ("report.json", "junit.xml"):  # a run that breaks off leaves no result of an earlier one
+            (out / name).unlink(missing_ok=True)
 
     def add(self, case: Case) -> None:
         self.cases.append(case)
@@ -159,7 +167,8 @@ class Verification:
         parameters = configuration(config)
         geometry = Geometry.of(parameters)
         suite = f"verilator {config}"
-        frames = make_pool(config, parameters, (count + 1) // 2, self.seed, self.out / suite / "pool")
+        frames = make_pool(config, parameters, pairs_for(parameters, count), self.seed, self.out / suite / "pool")
+        random.Random(f"{self.seed} order").shuffle(frames)
         simulation = Verilated(config, WORK / "verilator" / config)
         self.say(f"{suite}: building ...")
         simulation.build()
@@ -228,8 +237,7 @@ class Verification:
             "broken_stream_cases": len(CASES),
             "cases": [asdict(case) for case in self.cases],
         }
-        self.out.mkdir(parents=True, exist_ok=True)
-        (self.out / "report.json").write_text(json.dumps(summary, indent=2) + "\n")
+        files.write(self.out / "report.json", json.dumps(summary, indent=2) + "\n")
         self._write_junit()
         passed = not failed and self.cases
         hangs = sum(case.hangs for case in self.cases)
@@ -252,7 +260,7 @@ class Verification:
                 entry = xml.SubElement(suite, "testcase", classname=name, name=case.name, time=f"{case.seconds:.3f}")
                 if case.problems:
                     xml.SubElement(entry, "failure", message=case.problems[0]).text = "\n".join(case.problems)
-        xml.ElementTree(suites).write(self.out / "junit.xml", encoding="utf-8", xml_declaration=True)
+        files.write(self.out / "junit.xml", xml.tostring(suites, encoding="utf-8", xml_declaration=True))
 
 
 @dataclass(frozen=True)

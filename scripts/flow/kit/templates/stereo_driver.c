@@ -97,7 +97,7 @@ uint32_t stereo_setting(const stereo_device *device, uint32_t offset) { return g
 int stereo_set(const stereo_device *device, uint32_t offset, uint32_t value) {
    if (value > stereo_largest(device, offset)) return 0;
    set(device, offset, value);
-   return 1;
+   return stereo_setting(device, offset) == value;
 }
 
 void stereo_interrupts(const stereo_device *device, uint32_t mask) {

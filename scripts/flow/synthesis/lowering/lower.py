@@ -58,6 +58,7 @@ class _Lowering:
             [memory for memory, _ in memories],
             self.kind.words,
             self.kind.valid,
+            self.kind.held,
         )
 
     # --- expressions --------------------------------------------------------------------------------------------------

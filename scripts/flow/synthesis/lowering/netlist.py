@@ -39,6 +39,7 @@ class Netlist:
     # Outputs that are words count only where another one says valid.
     words: tuple[str, ...] = rtl.CORE.words
     valid: str = rtl.CORE.valid
+    held: tuple[str, ...] = ()  # inputs that change in a reset only
 
     def roots(self) -> Iterator[Node]:
         """Every expression that leads somewhere."""

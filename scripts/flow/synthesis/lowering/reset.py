@@ -65,8 +65,9 @@ def control_registers(netlist: Netlist) -> dict[int, Register]:
 
 
 def _follow_from_words(netlist: Netlist) -> set[int]:
-    """The values that an input of more than one bit reaches, through registers and memories. {id}"""
-    reached = {id(node) for node in netlist.inputs.values() if node.high > 1}
+    """The values that an input of more than one bit reaches, through registers and memories. {id} Not those of a size
+    that is held: the counters of columns follow from it."""
+    reached = {id(node) for name, node in netlist.inputs.items() if node.high > 1 and name not in netlist.held}
     steps = [(r.value, [r.next]) for r in netlist.registers]
     steps += [(m.data, [m.read_address, m.write_address, m.write_data]) for m in netlist.memories]
     waiting = [(value, {id(node) for node in walk(roots)}) for value, roots in steps]
