@@ -177,9 +177,8 @@ class Verification:
             random.Random(f"{self.seed} {config}"), frames, geometry, rtl.settings_of(parameters)
         )
         player.play("settings", steps, self.seed)
-        if frames[0].geometry and not any(
-            setting.largest for setting in rtl.settings_of(parameters) if not setting.held
-        ):
+        of_a_frame = [setting for setting in rtl.settings_of(parameters) if not setting.held]
+        if frames[0].geometry and not any(setting.largest for setting in of_a_frame):
             self._broken_smaller_frames(player, parameters)
         self._summarise(suite, self.cases[first:])
 
