@@ -92,6 +92,15 @@ def mixture(rng: Random, pool: Sequence[Frame], geometry: Geometry, count: int) 
     return steps
 
 
+def with_size(geometry: Geometry, pixels_per_clock: int) -> list[Step]:
+    """Writes the size of the images that follow."""
+    map_ = registers.by_name()
+    return [
+        ("write", map_["image_width"]["offset"], geometry.columns),
+        ("write", map_["image_height"]["offset"], geometry.row_groups * pixels_per_clock),
+    ]
+
+
 def _refused(rng: Random, setting: Setting) -> list[int]:
     """Values beyond the limits of a setting."""
     values = [setting.largest + 1, 0xFFFF, rng.randrange(setting.largest + 1, 0x10000)]

@@ -5,8 +5,9 @@ import json
 import random
 import time
 import xml.etree.ElementTree as xml
+from collections import Counter
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -178,7 +179,22 @@ class Verification:
             random.Random(f"{self.seed} {config}"), frames, geometry, rtl.settings_of(parameters)
         )
         player.play("settings", steps, self.seed)
+        of_a_frame = [setting for setting in rtl.settings_of(parameters) if not setting.held]
+        if frames[0].geometry and not any(setting.largest for setting in of_a_frame):
+            self._broken_smaller_frames(player, parameters)
         self._summarise(suite, self.cases[first:])
+
+    def _broken_smaller_frames(self, player: "_Player", parameters: Parameters) -> None:
+        """All broken streams at the size, below the largest, of which there are the most frames."""
+        sizes = Counter(frame.geometry for frame in player.frames if frame.geometry != player.geometry)
+        geometry = sizes.most_common(1)[0][0]
+        assert geometry is not None
+        same = [replace(frame, geometry=None) for frame in player.frames if frame.geometry == geometry]
+        smaller = replace(player, geometry=geometry, frames=same)
+        before = script.with_size(geometry, parameters["pixels_per_clock"])
+        for name in CASES:
+            rng = random.Random(f"{self.seed} {player.suite} {name}")
+            smaller.play(f"smaller {name}", [*before, *script.broken(rng, same, geometry, name, 3)], self.seed)
 
     def _full_speed(self, player: "_Player", parameters: Parameters) -> None:
         geometry = player.geometry
