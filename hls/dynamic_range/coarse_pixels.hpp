@@ -3,27 +3,27 @@
 
 #include "dynamic_range/config.hpp"
 #include "support/memory_bank.hpp"
-#include "support/ports.hpp"
+#include "support/pixel_bits.hpp"
 #include "support/registers.hpp"
 
 namespace stereo::dynamic_range {
 
 /// The coarse images: means of 4x4 pixels, each row followed by repetitions of its last pixel. A coarse pixel comes
-/// kClocks after the last of its sixteen, a repetition in each clock after that. Memory: W/4 x 24 bits.
+/// kClocks after the last of its sixteen, a repetition in each clock after that. Memory: W/4 x 2 kSumBits bits.
 template <const Config& C>
 struct CoarsePixels {
    static constexpr int kClocks = 5;
    static constexpr int kSide = Config::kCoarse;
    static constexpr int kColumns = C.coarse_columns();
    static constexpr int kRepetitions = C.coarse_disparities();
-   static constexpr int kSumBits = 12;
+   static constexpr int kSumBits = kPixelBits<C> + bits_for(kSide * kSide - 1);
    using Word = uint32_t;
    using Memory = MemoryBank<Word, kColumns, 1>;
    static constexpr int kMemories = Memory::kMemories;
 
    Memory memory;
    // clock 1
-   uint8_t left, right;
+   Pixel<C> left, right;
    bool valid;
    uint16_t column;    ///< 0 ... W/4-1
    uint8_t part, row;  ///< 0 ... 3: within a coarse pixel
@@ -42,7 +42,7 @@ struct CoarsePixels {
    uint16_t total_column;
    // clock 5
    uint16_t repetition;  ///< of a row's last pixel: kRepetitions behind the last one
-   StereoInput out;
+   CoreInput<C> out;
 
    template <class Source, int First>
    HLS_INLINE CoarsePixels(Source& memories, MemoryId<First> first) : memory(memories, first) {
@@ -85,7 +85,7 @@ struct CoarsePixels {
       visit("out_valid", out.valid);
    }
 
-   HLS_INLINE void clock(const StereoInput& in) {
+   HLS_INLINE void clock(const CoreInput<C>& in) {
       Word stored[1];
       memory.read(sum_column, stored);
       const Word totals[1] = {total};
@@ -112,22 +112,33 @@ struct CoarsePixels {
       repetition = select<uint16_t>(comes & (total_column == kColumns - 1), 0, next);
       out.valid = comes | repeats;
       out.start_of_frame = comes & total_starts & (total_column == 0);
-      out.left[0] = select<uint8_t>(comes, mean(total), out.left[0]);
-      out.right[0] = select<uint8_t>(comes, mean(total >> kSumBits), out.right[0]);
+      out.left[0] = select<Pixel<C>>(comes, mean(total), out.left[0]);
+      out.right[0] = select<Pixel<C>>(comes, mean(total >> kSumBits), out.right[0]);
    }
-   static HLS_INLINE uint8_t mean(Word sums) {
+   static HLS_INLINE Pixel<C> mean(Word sums) {
       constexpr unsigned kPixels = unsigned(kSide * kSide);
-      return uint8_t(((sums & ((1u << kSumBits) - 1)) + kPixels / 2) / kPixels);
+      return Pixel<C>(((sums & ((1u << kSumBits) - 1)) + kPixels / 2) / kPixels);
    }
 
    HLS_INLINE void add_rows() {
       const Word above = select<Word>(read_is_first, 0, read_word[0]);
-      const Word sums = Word((above + (Word(left_read) | Word(right_read) << kSumBits)) & ((1u << 2 * kSumBits) - 1));
+      const Word sums = sums_with(above);
       total = select<Word>(read_ends, sums, total);
       total_column = select<uint16_t>(read_ends, read_column, total_column);
       total_ends = read_ends;
       total_is_last = read_is_last;
       total_starts = read_starts;
+   }
+
+   /// Both images in one addition, where the tool has one of so many bits.
+   HLS_INLINE Word sums_with(Word above) const {
+      if constexpr (2 * kSumBits < 32) {
+         return Word((above + (Word(left_read) | Word(right_read) << kSumBits)) & ((1u << 2 * kSumBits) - 1));
+      } else {
+         const uint16_t left_sums = uint16_t(uint16_t(above) + left_read);
+         const uint16_t right_sums = uint16_t(uint16_t(above >> kSumBits) + right_read);
+         return Word(left_sums) | Word(right_sums) << kSumBits;
+      }
    }
 
    HLS_INLINE void add_columns() {
@@ -142,7 +153,7 @@ struct CoarsePixels {
       sum_column = column;
    }
 
-   HLS_INLINE void count(const StereoInput& in) {
+   HLS_INLINE void count(const CoreInput<C>& in) {
       const bool starts = in.valid & in.start_of_frame;
       const bool part_ends = part == kSide - 1, line_ends = part_ends & (column == kColumns - 1);
       const uint8_t next_part = select<uint8_t>(part_ends, 0, uint8_t(part + 1));

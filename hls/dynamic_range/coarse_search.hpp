@@ -7,6 +7,7 @@
 #include "dynamic_range/config.hpp"
 #include "phase_correlation/core.hpp"
 #include "support/memory_bank.hpp"
+#include "support/pixel_bits.hpp"
 
 namespace stereo::dynamic_range {
 
@@ -48,7 +49,7 @@ struct CoarseSearch {
    }
 
    HLS_INLINE StereoOutput output() const { return core.output(); }
-   HLS_INLINE void clock(const StereoInput& in) { core.clock(in); }
+   HLS_INLINE void clock(const CoreInput<C>& in) { core.clock(in); }
 
   private:
    template <class Memories>

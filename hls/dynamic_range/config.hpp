@@ -47,6 +47,7 @@ struct Config : Image, Matching, Structure {
    // What each search window does, as if it stood still: D disparities with recursive sums.
    constexpr phase_correlation::Config window_phase_config() const {
       phase_correlation::Matching matching{.disparities = window_disparities, .window_px = window_px};
+      matching.pixel_bits = pixel_bits;
       matching.phase_scales = phase_scales;
       matching.subpixel = subpixel;
       phase_correlation::Structure structure;
@@ -57,6 +58,7 @@ struct Config : Image, Matching, Structure {
    }
    constexpr block_matching::Config window_census_config() const {
       block_matching::Matching matching{.disparities = window_disparities, .window_px = window_px};
+      matching.pixel_bits = pixel_bits;
       matching.cost = Cost::census;
       matching.census_width_px = census_width_px;
       matching.census_height_px = census_height_px;

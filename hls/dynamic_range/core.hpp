@@ -18,6 +18,7 @@
 #include "frontend/transform.hpp"
 #include "phase_correlation/phase_distance.hpp"
 #include "phase_correlation/phase_transform.hpp"
+#include "support/pixel_bits.hpp"
 #include "support/schedule.hpp"
 #include "winner/map_group.hpp"
 #include "winner/refinement.hpp"
@@ -80,7 +81,7 @@ struct Core {
 
    static constexpr int kHeldBack = Timing<C>::kFirstTargets - Transform::kLagGroups - C.ahead_groups();
    static_assert(kHeldBack > 0);
-   using HoldBack = StreamDelay<16, kHeldBack>;
+   using HoldBack = StreamDelay<2 * kPixelBits<C>, kHeldBack>;
    using Ahead = StreamDelay<kWindow.feature_bits(), C.ahead_groups()>;
 
    //            a pixel pair
@@ -194,7 +195,7 @@ struct Core {
    HLS_INLINE StereoOutput output() const { return shown(map); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
-   HLS_INLINE void clock(const StereoInput& in) {
+   HLS_INLINE void clock(const CoreInput<C>& in) {
       show();
       refinement.clock(choice, NoTexture());
       const auto &low_root = low.winner.root(), &high_root = high.winner.root();
@@ -212,7 +213,7 @@ struct Core {
       raster.clock(behind());
       ahead.clock(newest.reference[0], newest.start_of_frame, newest.valid);
       transform.clock(held_back());
-      hold_back.clock(uint16_t(in.left[0] | in.right[0] << 8), in.start_of_frame, in.valid);
+      hold_back.clock(typename HoldBack::Data(in.left[0] | in.right[0] << kPixelBits<C>), in.start_of_frame, in.valid);
       targets.clock(ranges);
       ranges.clock(coarse.output());
       coarse.clock(coarse_pixels.out);
@@ -238,10 +239,10 @@ struct Core {
       return seen;
    }
 
-   HLS_INLINE StereoInput held_back() const {
-      StereoInput in;
-      in.left[0] = uint8_t(hold_back.data());
-      in.right[0] = uint8_t(hold_back.data() >> 8);
+   HLS_INLINE CoreInput<C> held_back() const {
+      CoreInput<C> in;
+      in.left[0] = pixel_of<C>(hold_back.data(), 0);
+      in.right[0] = pixel_of<C>(hold_back.data(), 1);
       in.start_of_frame = hold_back.start_of_frame();
       in.valid = hold_back.valid();
       return in;

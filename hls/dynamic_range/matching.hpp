@@ -16,6 +16,7 @@ struct Matching {
    int disparities = 128;  ///< total range T: 0 <= disparity < T, 32 ... 256, a multiple of 4, below the image width
    int window_disparities = 16;  ///< D, of each of the two search windows, 16 ... 64, a multiple of 8, at most T - 8
    int window_px = 9;            ///< side B of the square matching window, 3 ... 31, odd
+   int pixel_bits = 8;           ///< grey values are 0 ... 2^pixel_bits - 1; 8, 10 or 12
    Codes codes = Codes::phase;
    int phase_scales = 2;      ///< S, 1 ... 3: scales whose phases are compared
    int census_width_px = 5;   ///< 3 ... 9, odd
@@ -43,6 +44,7 @@ struct Matching {
    constexpr phase_correlation::Matching coarse_phase() const {
       return {.disparities = coarse_disparities(),
               .window_px = kCoarseWindow,
+              .pixel_bits = pixel_bits,
               .phase_scales = 1,
               .left_right_threshold = 1};
    }
@@ -50,6 +52,7 @@ struct Matching {
    constexpr block_matching::Matching coarse_census() const {
       return {.disparities = coarse_disparities(),
               .window_px = kCoarseWindow,
+              .pixel_bits = pixel_bits,
               .cost = Cost::census,
               .census_width_px = census_width_px,
               .census_height_px = census_height_px,
@@ -61,6 +64,7 @@ struct Matching {
       visit("disparities", self.disparities, 32, 256, "the disparity range");
       visit("window_disparities", self.window_disparities, 16, 64, "the number of disparities of a search window");
       visit("window_px", self.window_px, 3, 31, "the window side");
+      visit("pixel_bits", self.pixel_bits, 8, 12, "the number of bits of a pixel");
       visit("codes", self.codes);
       visit("phase_scales", self.phase_scales, 1, 3, "the number of phase scales");
       visit("census_width_px", self.census_width_px, 3, 9, "the census window's width");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "phase_correlation/config.hpp"
+#include "support/pixel_bits.hpp"
 #include "support/registers.hpp"
 
 namespace stereo::phase_correlation {
@@ -24,15 +25,19 @@ struct ColumnFilter {
    static constexpr int kCentre = C.largest_reach().above;
    static constexpr int kTaps = 5;
    static constexpr int kParts = kStep > 1 ? kStep / 2 : 1;
-   static constexpr int kEvenBias = 2 * 255 * kStep, kOddBias = 3 * 255 * kStep;
+   static constexpr int kEvenBias = 2 * C.largest_pixel() * kStep, kOddBias = 3 * C.largest_pixel() * kStep;
    static constexpr int kBits = bits_for(2 * kOddBias);
+   /// 16 bits are enough for any pixel. A difference in a word of 32 bits would be more than the lowering has numbers
+   /// for, and the front end drops a mask on what is only added and cut.
+   using Part = uint_of_bits<bits_for(kOddBias)>;
+   using Value = uint_of_bits<kBits>;
 
-   uint16_t box[kBoxClocks > 0 ? kBoxClocks : 1][kTaps][kParts];  ///< [clock][tap]: parts that are still apart
-   uint16_t centre, near;                                         ///< box 0, boxes -1 and 1
-   uint16_t outer;                                                ///< kEvenBias less boxes -2 and 2
-   uint16_t upper;               ///< kOddBias less boxes -2 and -1, the nearer one twice
-   uint16_t lower;               ///< boxes 2 and 1, the nearer one twice
-   uint16_t response[kFilters];  ///< L, E + kEvenBias, O + kOddBias
+   Part box[kBoxClocks > 0 ? kBoxClocks : 1][kTaps][kParts];  ///< [clock][tap]: parts that are still apart
+   Part centre, near;                                         ///< box 0, boxes -1 and 1
+   Part outer;                                                ///< kEvenBias less boxes -2 and 2
+   Part upper;                                                ///< kOddBias less boxes -2 and -1, the nearer one twice
+   Part lower;                                                ///< boxes 2 and 1, the nearer one twice
+   Value response[kFilters];                                  ///< L, E + kEvenBias, O + kOddBias
 
    HLS_INLINE ColumnFilter() { start(*this); }
 
@@ -47,22 +52,22 @@ struct ColumnFilter {
       visit("response", response);
    }
 
-   HLS_INLINE void clock(const uint8_t (&column)[kRows]) {
-      constexpr uint16_t kMask = uint16_t((1u << kBits) - 1);
-      response[0] = uint16_t(near + 2 * centre) & kMask;
-      response[1] = uint16_t(2 * centre + outer) & kMask;
-      response[2] = uint16_t(lower + upper) & kMask;
-      uint16_t tap[kTaps];
+   HLS_INLINE void clock(const Pixel<C> (&column)[kRows]) {
+      constexpr Value kMask = Value((1u << kBits) - 1);
+      response[0] = Value(near + 2 * centre) & kMask;
+      response[1] = Value(2 * centre + outer) & kMask;
+      response[2] = Value(lower + upper) & kMask;
+      Part tap[kTaps];
       HLS_UNROLL
       for (int n = 0; n < kTaps; ++n) {
          if constexpr (kBoxClocks > 0) tap[n] = box[kBoxClocks - 1][n][0];
          else tap[n] = column[kCentre + (n - 2) * kStep];
       }
       centre = tap[2];
-      near = uint16_t(tap[1] + tap[3]);
-      outer = uint16_t(kEvenBias - tap[0] - tap[4]);
-      upper = uint16_t(kOddBias - tap[0] - 2 * tap[1]);
-      lower = uint16_t(tap[4] + 2 * tap[3]);
+      near = Part(tap[1] + tap[3]);
+      outer = Part(kEvenBias - tap[0] - tap[4]);
+      upper = Part(kOddBias - tap[0] - 2 * tap[1]);
+      lower = Part(tap[4] + 2 * tap[3]);
       if constexpr (kBoxClocks > 0) add_boxes<kBoxClocks - 1>(column);
    }
 
@@ -70,7 +75,7 @@ struct ColumnFilter {
    // Clocks J, J-1, ... of the boxes. Recursion instead of a loop: what a clock adds depends on its number, and the
    // front end does not unroll a loop of which it has led each turn its own way.
    template <int J>
-   HLS_INLINE void add_boxes(const uint8_t (&column)[kRows]) {
+   HLS_INLINE void add_boxes(const Pixel<C> (&column)[kRows]) {
       constexpr int kPairs = (kStep >> J) / 2;
       HLS_UNROLL
       for (int n = 0; n < kTaps; ++n) {
@@ -79,7 +84,7 @@ struct ColumnFilter {
          } else {
             HLS_UNROLL
             for (int i = 0; i < kPairs; ++i)
-               box[J][n][i] = uint16_t(part<J>(column, n, 2 * i) + part<J>(column, n, 2 * i + 1));
+               box[J][n][i] = Part(part<J>(column, n, 2 * i) + part<J>(column, n, 2 * i + 1));
          }
       }
       if constexpr (J > 0) add_boxes<J - 1>(column);
@@ -87,7 +92,7 @@ struct ColumnFilter {
 
    /// Part `i`, counted upward from the last row, of the box of tap `n`: as the clock before J left it.
    template <int J>
-   HLS_INLINE uint16_t part(const uint8_t (&column)[kRows], int n, int i) const {
+   HLS_INLINE Part part(const Pixel<C> (&column)[kRows], int n, int i) const {
       if constexpr (J > 0) return box[J - 1][n][i];
       else return column[kCentre + (n - 2) * kStep - i];
    }

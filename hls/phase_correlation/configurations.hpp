@@ -24,6 +24,8 @@ STEREO_ROW(tiny_phase_left, option, tiny_phase, reference = Reference::left);
 STEREO_ROW(tiny_phase_recursive, option, tiny_phase, window_px = 7, aggregation = Aggregation::recursive);
 STEREO_ROW(tiny_phase_checks, option, tiny_phase, window_px = 4, min_disparity = 2, reference = Reference::left,
            left_right_threshold = 1, uniqueness_percent = 10, median = true);
+STEREO_ROW(tiny_phase_10bit, option, tiny_phase, pixel_bits = 10);
+STEREO_ROW(tiny_phase_12bit, option, tiny_phase_three_scales, pixel_bits = 12);
 // clang-format on
 
 }  // namespace stereo::phase_correlation::configurations

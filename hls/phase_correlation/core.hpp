@@ -9,6 +9,7 @@
 #include "phase_correlation/phase_distance.hpp"
 #include "phase_correlation/phase_transform.hpp"
 #include "support/optional_block.hpp"
+#include "support/pixel_bits.hpp"
 #include "support/schedule.hpp"
 #include "winner/left_right_check.hpp"
 #include "winner/map_group.hpp"
@@ -109,7 +110,7 @@ struct Core {
    HLS_INLINE StereoOutput output() const { return shown(map()); }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
-   HLS_INLINE void clock(const StereoInput& in) {
+   HLS_INLINE void clock(const CoreInput<C>& in) {
       if constexpr (kHasMapBlock) map_block.clock(checked());
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(slices.last(), texture);

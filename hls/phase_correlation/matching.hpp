@@ -13,6 +13,7 @@ struct Matching {
    int disparities = 64;   ///< disparity range D: 0 <= d < D, 1 ... 256 and below the image width
    int window_px = 9;      ///< side B of the square window of the local weighting, 1 or more, odd or even
    int min_disparity = 0;  ///< m: disparity d stands for m + d pixels
+   int pixel_bits = 8;     ///< grey values are 0 ... 2^pixel_bits - 1; 8, 10 or 12
    Reference reference = Reference::right;
    int phase_scales = 2;  ///< S, 1 ... 3: scales whose phases are compared
    Ties ties = Ties::smallest;
@@ -31,6 +32,7 @@ struct Matching {
       return {.disparities = disparities,
               .window_px = window_px,
               .min_disparity = min_disparity,
+              .pixel_bits = pixel_bits,
               .reference = reference,
               .cost = Cost::census,
               .census_width_px = 5,
@@ -47,6 +49,7 @@ struct Matching {
       visit("disparities", self.disparities, 1, 256, "the disparity range");
       visit("window_px", self.window_px, 1, kUnlimited, "the window side");
       visit("min_disparity", self.min_disparity, -kUnlimited - 1, kUnlimited, "the smallest disparity");
+      visit("pixel_bits", self.pixel_bits, 8, 12, "the number of bits of a pixel");
       visit("reference", self.reference);
       visit("phase_scales", self.phase_scales, 1, 3, "the number of phase scales");
       visit("ties", self.ties);

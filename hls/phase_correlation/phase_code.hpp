@@ -40,7 +40,7 @@ struct PhaseCode {
 
    /// tags[j]: beside what the filters have made in their clock j.
    template <class Tag>
-   HLS_INLINE void clock(const uint8_t (&column)[Column::kRows], const Tag (&tags)[kClocks]) {
+   HLS_INLINE void clock(const Pixel<C> (&column)[Column::kRows], const Tag (&tags)[kClocks]) {
       next.clock(column, tags);
       const Tag& tag = tags[kClocks - 2];
       const uint8_t shown = kWaits > 0 ? earlier[kWaits > 0 ? kWaits - 1 : 0] : along_row.signs;

@@ -8,12 +8,12 @@
 namespace stereo::phase_correlation {
 
 /// Replaces the pixels of both images by their phase codes. The codes come out transform_groups() rows and
-/// transform_columns() columns later. Memory: two times W x 8 x kStored bits.
+/// transform_columns() columns later. Memory: two times W x pixel bits x kStored.
 template <const auto& C>
 struct PhaseTransform {
    static constexpr int kStored = C.largest_reach().above + C.largest_reach().below;
    static constexpr int kRows = kStored + 1;
-   using Rows = RowBuffer<8, 1, kStored, C.width_px>;
+   using Rows = RowBuffer<kPixelBits<C>, 1, kStored, C.width_px>;
    using Code = PhaseCode<C>;
    using Counter = RasterCounter<C.width_px, C.row_groups(), C.transform_groups(), true>;
    /// Input 1, row buffers, whole columns 1, filters.
@@ -46,15 +46,15 @@ struct PhaseTransform {
       }
    };
 
-   uint8_t left[1], right[1];  // clock 1
+   Pixel<C> left[1], right[1];  // clock 1
    bool valid;
    Counter counter;
    Rows left_rows, right_rows;  // clocks 2 and 3
    Start read, ready;
    uint16_t read_column, ready_column, write_column;
-   uint16_t centre_column, centre_group;             // clock 2: which pixel is the centre
-   bool from_first[C.scales], up_to_last[C.scales];  // clock 3: [scale]: within two sides of the image each
-   uint8_t left_column[kRows], right_column[kRows];  // clock 4
+   uint16_t centre_column, centre_group;              // clock 2: which pixel is the centre
+   bool from_first[C.scales], up_to_last[C.scales];   // clock 3: [scale]: within two sides of the image each
+   Pixel<C> left_column[kRows], right_column[kRows];  // clock 4
    Tag columns;
    Code left_code, right_code;    // from clock 5 on
    Tag filtering[Code::kClocks];  ///< [j]: beside what the filters make in their clock j
@@ -101,7 +101,7 @@ struct PhaseTransform {
       return out;
    }
 
-   HLS_INLINE void clock(const StereoInput& in) {
+   HLS_INLINE void clock(const CoreInput<C>& in) {
       left_code.clock(left_column, filtering);
       right_code.clock(right_column, filtering);
       HLS_UNROLL

@@ -16,11 +16,12 @@ struct RowFilter {
    static constexpr int kStep = 1 << Scale;
    static constexpr int kBoxClocks = C.scales - 1;
    static constexpr int kClocks = kBoxClocks + 3;
-   static constexpr int kBits = 14 + 2 * Scale;
-   static_assert(1 << (kBits - 1) > 26 * 255 * kStep * kStep, "the largest sum of two products");
+   static constexpr int kBits = C.pixel_bits + 6 + 2 * Scale;
+   static_assert(1 << (kBits - 1) > 26 * C.largest_pixel() * kStep * kStep, "the largest sum of two products");
    static constexpr int kColumns = 4 * kStep;
    static constexpr int kLag = kStep > 1 ? kStep / 2 : 1;
    using Value = uint_of_bits<kBits>;
+   using AlongColumn = typename ColumnFilter<C, Scale>::Value;
    static constexpr Value kMask = Value((uint64_t(1) << kBits) - 1);
 
    Value earlier[kBoxClocks > 0 ? kBoxClocks : 1][kFilters][kLag];  ///< [clock][filter][columns before]
@@ -49,7 +50,7 @@ struct RowFilter {
 
    /// tags[j].valid: what the boxes take in their clock j, and behind the last box the taps, are pixels.
    template <class Tag>
-   HLS_INLINE void clock(const uint16_t (&response)[kFilters], const Tag* tags) {
+   HLS_INLINE void clock(const AlongColumn (&response)[kFilters], const Tag* tags) {
       find_signs();
       HLS_UNROLL
       for (int f = 0; f < kFilters; ++f) {
@@ -69,7 +70,7 @@ struct RowFilter {
                       above_0(Value(odd[1] - even[2])) << 5);
    }
 
-   HLS_INLINE void take_taps(const uint16_t (&response)[kFilters], bool move) {
+   HLS_INLINE void take_taps(const AlongColumn (&response)[kFilters], bool move) {
       HLS_UNROLL
       for (int f = 0; f < kFilters; ++f) {
          Value newest;
@@ -87,7 +88,7 @@ struct RowFilter {
 
    /// Clocks J, J-1, ... of the boxes; recursion as in ColumnFilter.
    template <int J, class Tag>
-   HLS_INLINE void add_boxes(const uint16_t (&response)[kFilters], const Tag* tags) {
+   HLS_INLINE void add_boxes(const AlongColumn (&response)[kFilters], const Tag* tags) {
       constexpr int kColumnsBefore = 1 << J;
       HLS_UNROLL
       for (int f = 0; f < kFilters; ++f) {

@@ -67,3 +67,20 @@ def test_options_stand_beside_the_plain_core(folders):
 def test_the_page_of_a_missing_result_is_refused(folders):
     shutil.rmtree(folders / "study_lr")
     assert "| `study` |" in features.options_table()
+
+
+def test_deeper_pixels_stand_beside_those_of_8_bits(monkeypatch):
+    monkeypatch.setattr(features, "DEEPER", [("tiny", "tiny_10bit"), ("tiny", "tiny_of_no_folder")])
+    [line] = rows(features.pixel_bits_table())[1:]
+    narrow, deep = (manifest.read(rtl.folder(name))["tool_report"] for name in ("tiny", "tiny_10bit"))
+    for kind in ("register_bits", "memory_bits"):
+        share = f"{100 * (deep[kind] / narrow[kind] - 1):+.1f} %"
+        assert f"| {deep[kind]:,} | {narrow[kind]:,} | {share} |" in line
+    assert line.startswith("| block_matching | 10 |") and line.endswith("| `tiny_10bit` | `tiny` |")
+
+
+def test_pairs_of_pixels_differ_in_their_bits_alone():
+    for names in features.DEEPER:
+        rows_of = [configurations()[name] for name in names]
+        differ = {key for key in rows_of[0] if rows_of[0][key] != rows_of[1][key]}
+        assert "pixel_bits" in differ and differ <= {"pixel_bits", "options", "description", "use"}, names

@@ -18,9 +18,9 @@ namespace {
 
 using PhaseConfig = phase_correlation::Config;
 
-constexpr PhaseConfig config(int width, int height, int scales, Reference reference) {
+constexpr PhaseConfig config(int width, int height, int scales, Reference reference, int bits = 8) {
    return {{.width_px = width, .height_px = height},
-           {.disparities = 4, .window_px = 2, .reference = reference, .phase_scales = scales},
+           {.disparities = 4, .window_px = 2, .pixel_bits = bits, .reference = reference, .phase_scales = scales},
            {}};
 }
 
@@ -28,11 +28,15 @@ constexpr PhaseConfig config(int width, int height, int scales, Reference refere
 constexpr PhaseConfig kOne = config(11, 9, 1, Reference::right), kOneLeft = config(12, 8, 1, Reference::left),
                       kTwo = config(17, 14, 2, Reference::right), kTwoLeft = config(18, 13, 2, Reference::left),
                       kThree = config(27, 25, 3, Reference::right), kThreeLeft = config(26, 24, 3, Reference::left),
-                      kNarrow = config(9, 9, 3, Reference::right), kLow = config(13, 5, 2, Reference::left);
+                      kNarrow = config(9, 9, 3, Reference::right), kLow = config(13, 5, 2, Reference::left),
+                      kOneDeep = config(12, 8, 1, Reference::left, 12),
+                      kTwoDeep = config(17, 14, 2, Reference::right, 10),
+                      kThreeDeep = config(27, 25, 3, Reference::right, 12);
 
 using Codes = std::vector<uint64_t>;
 
-Codes model_codes(const GrayImage& image, const PhaseConfig& c) {
+template <class Image>
+Codes model_codes(const Image& image, const PhaseConfig& c) {
    if (c.reference == Reference::right) return phase_correlation::phase_codes(image, c.phase_scales).bits;
    Codes codes = phase_correlation::phase_codes(mirrored(image), c.phase_scales).bits;
    mirror_rows(codes, image.width);
@@ -64,13 +68,16 @@ struct CodeFrames {
 };
 
 template <const PhaseConfig& C>
-void expect_codes(const std::vector<ImagePair>& pairs, StimulusWriter& writer) {
+using Pair = PairOf<Pixel<C>>;
+
+template <const PhaseConfig& C>
+void expect_codes(const std::vector<Pair<C>>& pairs, StimulusWriter& writer) {
    using Block = phase_correlation::PhaseTransform<phase_correlation::kCodeConfig<C>>;
    HeapMemories memories;
    Block block(memories, MemoryId<0>());
    CodeFrames frames{C.width_px * C.height_px, {}, {}};
    writer.bubbles(Block::kClocks);
-   for (const StereoInput in : writer.clocks) {
+   for (const CoreInput<C> in : writer.clocks) {
       block.clock(in);
       frames.take(block.output(), C.reference == Reference::right);
    }
@@ -87,22 +94,27 @@ template <const PhaseConfig& C>
 constexpr int kWaits = phase_correlation::PhaseTransform<phase_correlation::kCodeConfig<C>>::kLagGroups;
 
 template <const PhaseConfig& C>
-std::vector<ImagePair> some_pairs(int count) {
-   std::vector<ImagePair> pairs;
+std::vector<Pair<C>> some_pairs(int count) {
+   std::vector<Pair<C>> pairs;
+   const int range = 1 << C.pixel_bits;
    for (int i = 0; i < count; ++i) {
-      pairs.push_back(random_pair(C.width_px, C.height_px, test_seed() + uint64_t(i), i % 3 == 2 ? 3 : 256));
+      const uint64_t seed = test_seed() + uint64_t(i);
+      const int levels = i % 3 == 2 ? 3 : range;
+      if constexpr (C.pixel_bits > 8)
+         pairs.push_back(random_deep_pair(C.width_px, C.height_px, seed, C.pixel_bits, levels));
+      else pairs.push_back(random_pair(C.width_px, C.height_px, seed, levels));
       // Extremes drive the responses to their bounds.
       if (i % 3 == 1)
-         for (uint8_t& pixel : pairs.back().left.pixels) pixel = pixel < 128 ? 0 : 255;
+         for (Pixel<C>& pixel : pairs.back().left.pixels) pixel = Pixel<C>(pixel < range / 2 ? 0 : range - 1);
    }
    return pairs;
 }
 
 template <const PhaseConfig& C>
 void frames_back_to_back_and_apart() {
-   const std::vector<ImagePair> pairs = some_pairs<C>(7);
+   const std::vector<Pair<C>> pairs = some_pairs<C>(7);
    for (const int stall_percent : {0, 30}) {
-      StimulusWriter writer(1, stall_percent, test_seed());
+      StimulusWriter writer(1, stall_percent, test_seed(), C.pixel_bits);
       for (std::size_t i = 0; i < pairs.size(); ++i) {
          writer.rows(pairs[i], {0, C.height_px});
          const int lengths[] = {0, 0, kWaits<C>, 5 * kWaits<C> + 1};
@@ -115,12 +127,12 @@ void frames_back_to_back_and_apart() {
 
 template <const PhaseConfig& C>
 void a_start_of_frame_restarts_at_any_place() {
-   const std::vector<ImagePair> pairs = some_pairs<C>(2);
+   const std::vector<Pair<C>> pairs = some_pairs<C>(2);
    Random random(test_seed());
-   StimulusWriter cut(1, 0, test_seed());
+   StimulusWriter cut(1, 0, test_seed(), C.pixel_bits);
    cut.rows(pairs[0], {0, C.height_px});
    for (int round = 0; round < 20; ++round) {
-      StimulusWriter writer(1, 20, test_seed() + uint64_t(round));
+      StimulusWriter writer(1, 20, test_seed() + uint64_t(round), C.pixel_bits);
       const int sent = 1 + random.below(int(cut.clocks.size()) - 1);
       for (int i = 0; i < sent; ++i) writer.record(cut.clocks[std::size_t(i)]);
       writer.rows(pairs[1], {0, C.height_px});
@@ -132,7 +144,8 @@ void a_start_of_frame_restarts_at_any_place() {
 
 template <const PhaseConfig& C>
 void expect_all() {
-   SCOPED_TRACE(size_text(C.width_px, C.height_px) + ", scales " + std::to_string(C.phase_scales));
+   SCOPED_TRACE(size_text(C.width_px, C.height_px) + ", scales " + std::to_string(C.phase_scales) + ", bits " +
+                std::to_string(C.pixel_bits));
    frames_back_to_back_and_apart<C>();
    a_start_of_frame_restarts_at_any_place<C>();
 }
@@ -147,6 +160,12 @@ TEST(PhaseTransform, LeftReference) {
    expect_all<kOneLeft>();
    expect_all<kTwoLeft>();
    expect_all<kThreeLeft>();
+}
+
+TEST(PhaseTransform, PixelsOf10And12Bits) {
+   expect_all<kOneDeep>();
+   expect_all<kTwoDeep>();
+   expect_all<kThreeDeep>();
 }
 
 TEST(PhaseTransform, ImagesSmallerThanTheFilters) {

@@ -3,12 +3,18 @@
 
 #include <stdexcept>
 
+#include "definition/pixel_range.hpp"
+
 namespace stereo::dynamic_range {
 
-void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
-   const auto require = [](bool condition, const std::string& sentence) {
-      if (!condition) throw std::invalid_argument(sentence);
-   };
+namespace {
+
+void require(bool condition, const std::string& sentence) {
+   if (!condition) throw std::invalid_argument(sentence);
+}
+
+template <class Image>
+void check_input(const Image& left, const Image& right, const Matching& matching) {
    const Sentence problem = matching.problem();
    require(problem.empty(), problem.text);
    require(left.width == right.width && left.height == right.height, "left and right image differ in size");
@@ -17,6 +23,22 @@ void check_matching_input(const GrayImage& left, const GrayImage& right, const M
    require(left.width > matching.disparities, "the image width is " + std::to_string(left.width) +
                                                   " but must exceed the disparity range " +
                                                   std::to_string(matching.disparities));
+}
+
+void check_range(const std::string& name, const DeepImage& image, int bits) {
+   const std::string problem = beyond_range(image, bits);
+   require(problem.empty(), "the " + name + " image " + problem);
+}
+
+}  // namespace
+
+void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_input(left, right, matching);
+}
+void check_matching_input(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   check_input(left, right, matching);
+   check_range("left", left, matching.pixel_bits);
+   check_range("right", right, matching.pixel_bits);
 }
 
 MapGeometry map_geometry(const Matching& matching, int image_width) {

@@ -13,6 +13,7 @@ namespace stereo::dynamic_range {
 
 /// Throws std::invalid_argument with one sentence when the pair cannot be matched with these options.
 void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching);
+void check_matching_input(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
 /// The map has all columns but as many as a search window has disparities.
 MapGeometry map_geometry(const Matching& matching, int image_width);

@@ -39,22 +39,17 @@ Track follow(const CensusImage& left, const CensusImage& right, const Blocks<int
    return track;
 }
 
-}  // namespace
-
-CensusImage codes_of(const GrayImage& image, const Matching& matching) {
+template <class Image>
+CensusImage any_codes(const Image& image, const Matching& matching) {
    return matching.codes == Codes::phase ? phase_correlation::phase_codes(image, matching.phase_scales)
                                          : census_transform(image, matching.census_width_px, matching.census_height_px);
 }
 
-int code_cost(uint64_t a, uint64_t b, const Matching& matching) {
-   return matching.codes == Codes::phase ? phase_correlation::code_cost(a, b, matching.phase_scales)
-                                         : std::popcount(a ^ b);
-}
-
-DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+template <class Image>
+DisparityMap match(const Image& left, const Image& right, const Matching& matching) {
    check_matching_input(left, right, matching);
    const Targets targets = search_targets(block_ranges(coarse_map(left, right, matching)), matching);
-   const CensusImage l = codes_of(left, matching), r = codes_of(right, matching);
+   const CensusImage l = any_codes(left, matching), r = any_codes(right, matching);
    const Track low = follow(l, r, targets.low, matching), high = follow(l, r, targets.high, matching);
    DisparityMap map(low.best.width, low.best.height, 0, matching.subpixel);
    for (int y = 0; y < map.height; ++y)
@@ -64,6 +59,23 @@ DisparityMap match_reference(const GrayImage& left, const GrayImage& right, cons
          map.at(x, y) = uint16_t(map.steps_per_pixel() * track.bases.at(x, y) + track.refined.at(x, y));
       }
    return map;
+}
+
+}  // namespace
+
+CensusImage codes_of(const GrayImage& image, const Matching& matching) { return any_codes(image, matching); }
+CensusImage codes_of(const DeepImage& image, const Matching& matching) { return any_codes(image, matching); }
+
+int code_cost(uint64_t a, uint64_t b, const Matching& matching) {
+   return matching.codes == Codes::phase ? phase_correlation::code_cost(a, b, matching.phase_scales)
+                                         : std::popcount(a ^ b);
+}
+
+DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   return match(left, right, matching);
+}
+DisparityMap match_reference(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   return match(left, right, matching);
 }
 
 }  // namespace stereo::dynamic_range

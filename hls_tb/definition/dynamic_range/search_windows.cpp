@@ -26,28 +26,42 @@ void join(std::optional<Range>& all, const Range& one) {
    all = all ? Range{std::min(all->low, one.low), std::max(all->high, one.high)} : one;
 }
 
-}  // namespace
-
-GrayImage coarse_image(const GrayImage& image, int more_columns) {
+/// Y1, of either kind of image.
+template <class Pixel>
+RasterImage<Pixel> means(const RasterImage<Pixel>& image, int more_columns) {
    constexpr int kSide = Matching::kCoarse;
-   GrayImage coarse(image.width / kSide + more_columns, image.height / kSide);
+   RasterImage<Pixel> coarse(image.width / kSide + more_columns, image.height / kSide);
    for (int y = 0; y < coarse.height; ++y)
       for (int x = 0; x < coarse.width; ++x) {
          const int column = std::min(x, image.width / kSide - 1);
          int sum = 0;
          for (int j = 0; j < kSide; ++j)
             for (int i = 0; i < kSide; ++i) sum += image.at(kSide * column + i, kSide * y + j);
-         coarse.at(x, y) = uint8_t((sum + kSide * kSide / 2) / (kSide * kSide));
+         coarse.at(x, y) = Pixel((sum + kSide * kSide / 2) / (kSide * kSide));
       }
    return coarse;
 }
 
-DisparityMap coarse_map(const GrayImage& left, const GrayImage& right, const Matching& matching) {
-   const GrayImage coarse_left = coarse_image(left, matching.coarse_disparities());
-   const GrayImage coarse_right = coarse_image(right, matching.coarse_disparities());
+/// Y2, likewise.
+template <class Image>
+DisparityMap whole_range(const Image& left, const Image& right, const Matching& matching) {
+   const Image coarse_left = means(left, matching.coarse_disparities());
+   const Image coarse_right = means(right, matching.coarse_disparities());
    return matching.codes == Codes::phase
               ? phase_correlation::match_reference(coarse_left, coarse_right, matching.coarse_phase())
               : block_matching::match_reference(coarse_left, coarse_right, matching.coarse_census());
+}
+
+}  // namespace
+
+GrayImage coarse_image(const GrayImage& image, int more_columns) { return means(image, more_columns); }
+DeepImage coarse_image(const DeepImage& image, int more_columns) { return means(image, more_columns); }
+
+DisparityMap coarse_map(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   return whole_range(left, right, matching);
+}
+DisparityMap coarse_map(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   return whole_range(left, right, matching);
 }
 
 Blocks<std::optional<Range>> block_ranges(const DisparityMap& coarse) {

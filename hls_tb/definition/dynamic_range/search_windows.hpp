@@ -37,9 +37,11 @@ struct Range {
 
 /// Y1. The means of 4x4 pixels; the last column stands `more_columns` times more.
 GrayImage coarse_image(const GrayImage& image, int more_columns);
+DeepImage coarse_image(const DeepImage& image, int more_columns);
 
 /// Y2. The map of the coarse images, whole range, with its left/right check. As wide as the image by 4.
 DisparityMap coarse_map(const GrayImage& left, const GrayImage& right, const Matching& matching);
+DisparityMap coarse_map(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
 /// Y3. What is known of each block.
 Blocks<std::optional<Range>> block_ranges(const DisparityMap& coarse);

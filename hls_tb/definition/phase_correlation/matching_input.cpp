@@ -7,9 +7,21 @@
 
 namespace stereo::phase_correlation {
 
-void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+namespace {
+
+template <class Image>
+void check_input(const Image& left, const Image& right, const Matching& matching) {
    if (const Sentence problem = matching.problem(); !problem.empty()) throw std::invalid_argument(problem.text);
    block_matching::check_matching_input(left, right, matching.block_matching());
+}
+
+}  // namespace
+
+void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_input(left, right, matching);
+}
+void check_matching_input(const DeepImage& left, const DeepImage& right, const Matching& matching) {
+   check_input(left, right, matching);
 }
 
 MapGeometry map_geometry(const Matching& matching, int image_width) {

@@ -12,6 +12,7 @@ namespace stereo::phase_correlation {
 
 /// Throws std::invalid_argument with one sentence when the pair cannot be matched with these options.
 void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching);
+void check_matching_input(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
 /// The map is that of block matching.
 MapGeometry map_geometry(const Matching& matching, int image_width);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <type_traits>
 
 #include "scene/random.hpp"
 #include "testing/seed.hpp"
@@ -41,20 +42,38 @@ TEST(PhaseCorrelation, ResponsesByHand) {
    EXPECT_EQ(responses(beside, 6, 6, 1), (std::array<int, 6>{400, 0, 400, 0, 400, 0}));
 }
 
-TEST(PhaseCorrelation, ResponsesStayWithinTheirRanges) {
+/// Of images of black and white.
+template <class Image>
+void expect_ranges(int white) {
    for (int scale = 0; scale < 3; ++scale) {
       const int before = phase_correlation::reach_before(scale),
                 side = before + phase_correlation::reach_after(scale) + 1;
       const int pixels = 1 << 2 * scale;
       Random random(test_seed());
       for (int i = 0; i < 200; ++i) {
-         GrayImage image(side, side);
-         for (uint8_t& pixel : image.pixels) pixel = random.percent(50) ? 255 : 0;
+         Image image(side, side);
+         for (auto& pixel : image.pixels)
+            pixel = std::remove_reference_t<decltype(pixel)>(random.percent(50) ? white : 0);
          const std::array<int, 6> parts = responses(image, before, before, scale);
          for (std::size_t bit = 0; bit < parts.size(); ++bit)
-            ASSERT_LE(std::abs(parts[bit]), (bit == 0 ? 2040 : bit == 1 ? 3060 : 6630) * pixels);
+            ASSERT_LE(std::abs(parts[bit]), (bit == 0 ? 8 : bit == 1 ? 12 : 26) * white * pixels);
       }
    }
+}
+
+TEST(PhaseCorrelation, ResponsesStayWithinTheirRanges) {
+   expect_ranges<GrayImage>(255);
+   expect_ranges<DeepImage>(1023);
+   expect_ranges<DeepImage>(4095);
+}
+
+TEST(PhaseCorrelation, CodesSeeTheLowestBitsOfDeepImages) {
+   // 4095 and 4094 are one white for 8 bits.
+   const GrayImage low = random_pair(30, 26, test_seed(), 2).left;
+   DeepImage bright(low.width, low.height);
+   for (std::size_t i = 0; i < low.pixels.size(); ++i) bright.pixels[i] = low.pixels[i] != 0 ? 4095 : 4094;
+   EXPECT_EQ(phase_correlation::phase_codes(bright, 3).bits, phase_correlation::phase_codes(low, 3).bits);
+   EXPECT_EQ(phase_correlation::phase_codes(widened(low), 3).bits, phase_correlation::phase_codes(low, 3).bits);
 }
 
 TEST(PhaseCorrelation, CodesAre0WhereTheFiltersReachOutside) {

@@ -9,29 +9,33 @@ import pytest
 from stereo_hls_program import HEIGHT, WIDTH, changed, deep_image, fail, gray_image, png_depth, succeed
 
 
-def deep_pair(tmp_path, bits, width=WIDTH):
+def deep_pair(tmp_path, bits, width=WIDTH, height=HEIGHT):
     """Noise over the whole range. The left image is moved by 3 pixels, and a third of its pixels are others."""
     noise = random.Random(bits)
-    values = [[noise.randrange(1 << bits) for _ in range(width + 3)] for _ in range(HEIGHT)]
+    values = [[noise.randrange(1 << bits) for _ in range(width + 3)] for _ in range(height)]
     values[0][3], values[0][4] = 0, (1 << bits) - 1
     others = [[value if noise.random() < 2 / 3 else noise.randrange(1 << bits) for value in row] for row in values]
-    left = deep_image(tmp_path / "deep_l.pgm", lambda x, y: others[y][x], width)
-    right = deep_image(tmp_path / "deep_r.pgm", lambda x, y: values[y][x + 3], width)
+    left = deep_image(tmp_path / "deep_l.pgm", lambda x, y: others[y][x], width, height)
+    right = deep_image(tmp_path / "deep_r.pgm", lambda x, y: values[y][x + 3], width, height)
     return ["--left", left, "--right", right]
 
 
 @pytest.mark.parametrize(
-    "config,bits,width",
+    "config,bits,width,height",
     [
-        ("tiny_10bit", 10, WIDTH),
-        ("tiny_12bit_all", 12, WIDTH),
-        ("tiny_sgm_10bit", 10, 40),
-        ("tiny_sgm_12bit_all", 12, 40),
-        ("tiny_trellis_12bit", 12, 40),
+        ("tiny_10bit", 10, WIDTH, HEIGHT),
+        ("tiny_12bit_all", 12, WIDTH, HEIGHT),
+        ("tiny_sgm_10bit", 10, 40, HEIGHT),
+        ("tiny_sgm_12bit_all", 12, 40, HEIGHT),
+        ("tiny_trellis_12bit", 12, 40, HEIGHT),
+        ("tiny_phase_10bit", 10, 40, 18),
+        ("tiny_phase_12bit", 12, 40, 26),
+        ("tiny_dynamic_10bit", 10, 64, 32),
+        ("tiny_dynamic_12bit", 12, 64, 32),
     ],
 )
-def test_match_of_pixels_of_more_bits(tmp_path, config, bits, width):
-    pair = deep_pair(tmp_path, bits, width)
+def test_match_of_pixels_of_more_bits(tmp_path, config, bits, width, height):
+    pair = deep_pair(tmp_path, bits, width, height)
     for engine in ("fast", "clocked"):
         succeed("match", "--config", config, "--engine", engine, *pair, "--out", tmp_path / engine)
     maps = [(tmp_path / engine / "disparity.png").read_bytes() for engine in ("fast", "clocked")]
@@ -70,7 +74,7 @@ def test_refuses_pixels_beyond_the_range(tmp_path):
         *out,
         says=["11 but must be 8, 10 or 12"],
     )
-    fail(tmp_path, "match", "--config", "tiny_phase", "--set", "pixel_bits=10", *pair, *out, says=["no such option"])
+    fail(tmp_path, "match", "--config", "example", "--set", "pixel_bits=10", *pair, *out, says=["no such option"])
 
 
 def test_scene_fills_the_range_of_its_configuration(tmp_path):

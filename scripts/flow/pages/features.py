@@ -46,6 +46,15 @@ OPTIONS = [
     ("after the winner", [("study_subpixel", "subpixel"), ("study_median", "median 3x3")]),
     ("together", [("study_all", "x-Sobel, all checks, subpixel, median")]),
 ]
+# Pairs that differ in the bits of a pixel alone: (configuration of 8 bits, the deeper one)
+DEEPER = [
+    ("tiny", "tiny_10bit"),
+    ("tiny_sgm", "tiny_sgm_10bit"),
+    ("tiny_phase", "tiny_phase_10bit"),
+    ("tiny_phase_three_scales", "tiny_phase_12bit"),
+    ("tiny_dynamic_census", "tiny_dynamic_10bit"),
+    ("tiny_dynamic", "tiny_dynamic_12bit"),
+]
 DEPTHS = ["study", "study_cost2", "study_cost1", "study_group4", "study_slice4", "study_slice16"]
 
 
@@ -53,7 +62,11 @@ def page() -> str:
     p = Configuration(BASE).parameters
     size = f"{p['width_px']}x{p['height_px']}, D = {p['disparities']}"
     return TEXT.read_text().format(
-        size=size, options=options_table(), crossover="\n" + crossover(), depths=depths_table()
+        size=size,
+        options=options_table(),
+        crossover="\n" + crossover(),
+        pixel_bits=pixel_bits_table(),
+        depths=depths_table(),
     )
 
 
@@ -102,6 +115,22 @@ def options_table() -> str:
                 ]
             )
     return table([*head, "MHz", "configuration", "slowest path"], rows)
+
+
+def pixel_bits_table() -> str:
+    """Of rows that are too small to be placed and routed: what their VHDL holds."""
+    rows = []
+    for names in DEEPER:
+        if not all(map(_known, names)):
+            continue
+        narrow, deep = (Configuration(name) for name in names)
+        cells = [deep.parameters["family"], str(rtl.pixel_bits_of(deep.parameters))]
+        for kind in ("register_bits", "memory_bits"):
+            before, now = (c.manifest["tool_report"][kind] for c in (narrow, deep))
+            cells += [number(now), number(before), f"{100 * (now / before - 1):+.1f} %"]
+        rows.append([*cells, code(names[1]), code(names[0])])
+    head = ["family", "bits of a pixel", "register bits", "before", "more", "memory bits", "before", "more"]
+    return table([*head, "configuration", "before: 8 bits"], rows)
 
 
 def depths_table() -> str:

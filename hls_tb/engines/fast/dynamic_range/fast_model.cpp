@@ -16,16 +16,18 @@
 namespace stereo::dynamic_range {
 namespace {
 
-DisparityMap fast_coarse_map(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
-   const GrayImage coarse_left = coarse_image(left, matching.coarse_disparities());
-   const GrayImage coarse_right = coarse_image(right, matching.coarse_disparities());
+template <class Image>
+DisparityMap fast_coarse_map(const Image& left, const Image& right, const Matching& matching, int threads) {
+   const Image coarse_left = coarse_image(left, matching.coarse_disparities());
+   const Image coarse_right = coarse_image(right, matching.coarse_disparities());
    return matching.codes == Codes::phase
               ? phase_correlation::match_fast(coarse_left, coarse_right, matching.coarse_phase(), threads)
               : block_matching::match_fast(coarse_left, coarse_right, matching.coarse_census(), threads);
 }
 
 /// The cost of two is the number of bits in which they differ.
-std::vector<uint64_t> weighted_codes(const GrayImage& image, const Matching& matching) {
+template <class Image>
+std::vector<uint64_t> weighted_codes(const Image& image, const Matching& matching) {
    return matching.codes == Codes::phase
               ? fast::weighted_phase_codes(image, matching.phase_scales)
               : census_transform(image, matching.census_width_px, matching.census_height_px).bits;
@@ -109,9 +111,8 @@ uint16_t better(const Track& low, const Track& high, int x, int y, bool subpixel
    return uint16_t(subpixel ? 16 * base + in_sixteenths(takes_low ? of_low : of_high, lane) : base + lane);
 }
 
-}  // namespace
-
-DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+template <class Image>
+DisparityMap match(const Image& left, const Image& right, const Matching& matching, int threads) {
    check_matching_input(left, right, matching);
    const Targets targets = search_targets(block_ranges(fast_coarse_map(left, right, matching, threads)), matching);
    const std::vector<uint64_t> l = weighted_codes(left, matching), r = weighted_codes(right, matching);
@@ -126,6 +127,15 @@ DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Mat
       }
    });
    return map;
+}
+
+}  // namespace
+
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+   return match(left, right, matching, threads);
+}
+DisparityMap match_fast(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads) {
+   return match(left, right, matching, threads);
 }
 
 }  // namespace stereo::dynamic_range

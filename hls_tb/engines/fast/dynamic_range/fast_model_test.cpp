@@ -55,6 +55,38 @@ TEST(DynamicRangeFastModel, EqualsTheReferenceWithAnyOptions) {
    }
 }
 
+TEST(DynamicRangeFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
+   Random random(test_seed());
+   for (int i = 0; i < 30; ++i) {
+      Matching matching = random_options(random);
+      matching.pixel_bits = random.percent(50) ? 10 : 12;
+      const int width = matching.disparities + 1 + random.below(64), height = 8 + random.below(40);
+      const ImagePair narrow =
+          make_scene({.width = width, .height = height, .disparities = matching.disparities, .seed = random.bits()})
+              .images;
+      const DeepPair pair = random.percent(80) ? deepened(narrow, matching.pixel_bits, random.bits())
+                                               : random_deep_pair(width, height, random.bits(), matching.pixel_bits, 4);
+      ASSERT_TRUE(same_map(match_reference(pair.left, pair.right, matching),
+                           match_fast(pair.left, pair.right, matching, 1 + random.below(3))))
+          << i << ": " << width << 'x' << height << ' ' << describe(matching);
+      // Pixels of 8 bits are taken as they are.
+      const DisparityMap wanted = match_reference(widened(narrow.left), widened(narrow.right), matching);
+      ASSERT_TRUE(same_map(wanted, match_reference(narrow.left, narrow.right, matching)));
+      ASSERT_TRUE(same_map(wanted, match_fast(narrow.left, narrow.right, matching)));
+   }
+}
+
+TEST(DynamicRangeFastModel, RejectsPixelsBeyondTheRange) {
+   const Matching matching{.disparities = 32, .pixel_bits = 10};
+   DeepPair pair{DeepImage(40, 9, 1023), DeepImage(40, 9)};
+   EXPECT_NO_THROW(match_fast(pair.left, pair.right, matching));
+   pair.right.at(3, 8) = 1024;
+   EXPECT_THROW(match_fast(pair.left, pair.right, matching), std::invalid_argument);
+   EXPECT_THROW(match_reference(pair.left, pair.right, matching), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(40, 9), GrayImage(40, 9), Matching{.disparities = 32, .pixel_bits = 11}),
+                std::invalid_argument);
+}
+
 TEST(DynamicRangeFastModel, RejectsWhatTheReferenceRejects) {
    EXPECT_THROW(match_fast(GrayImage(100, 7), GrayImage(100, 7), Matching{.disparities = 64}), std::invalid_argument);
    EXPECT_THROW(match_fast(GrayImage(104, 48), GrayImage(104, 48), Matching{.disparities = 66}), std::invalid_argument);

@@ -11,21 +11,30 @@ namespace stereo::phase_correlation {
 namespace {
 
 /// All but the median, the right image as reference.
-DisparityMap match_right(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+template <class Image>
+DisparityMap match_right(const Image& left, const Image& right, const Matching& matching, int threads) {
    return block_matching::match_codes(fast::weighted_phase_codes(left, matching.phase_scales),
                                       fast::weighted_phase_codes(right, matching.phase_scales), left.width,
                                       matching.block_matching(), threads);
 }
 
-}  // namespace
-
-DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+template <class Image>
+DisparityMap match(const Image& left, const Image& right, const Matching& matching, int threads) {
    check_matching_input(left, right, matching);
    DisparityMap map = matching.reference == Reference::right
                           ? match_right(left, right, matching, threads)
                           : mirrored(match_right(mirrored(right), mirrored(left), matching, threads));
    if (matching.median) map = fast::median_3x3(map, threads);
    return map;
+}
+
+}  // namespace
+
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+   return match(left, right, matching, threads);
+}
+DisparityMap match_fast(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads) {
+   return match(left, right, matching, threads);
 }
 
 }  // namespace stereo::phase_correlation

@@ -10,5 +10,6 @@ namespace stereo::phase_correlation {
 /// The same map as the reference model, much faster; images of any size. Throws std::invalid_argument as
 /// check_matching_input does.
 DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads = 1);
+DisparityMap match_fast(const DeepImage& left, const DeepImage& right, const Matching& matching, int threads = 1);
 
 }  // namespace stereo::phase_correlation

@@ -54,6 +54,36 @@ TEST(PhaseCorrelationFastModel, EqualsTheReferenceWithAnyOptions) {
    }
 }
 
+TEST(PhaseCorrelationFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
+   Random random(test_seed());
+   for (int i = 0; i < 150; ++i) {
+      const int width = 4 + random.below(70), height = 1 + random.below(40), bits = random.percent(50) ? 10 : 12;
+      Matching matching = random_options(random, width);
+      matching.pixel_bits = bits;
+      const DeepPair pair =
+          random_deep_pair(width, height, random.bits(), bits, random.percent(50) ? 1 << bits : 2 + random.below(4));
+      ASSERT_TRUE(same_map(match_reference(pair.left, pair.right, matching),
+                           match_fast(pair.left, pair.right, matching, 1 + random.below(3))))
+          << i << ": " << width << 'x' << height << ' ' << describe(matching);
+      // Pixels of 8 bits are taken as they are.
+      const ImagePair narrow = random_pair(width, height, random.bits());
+      const DisparityMap wanted = match_reference(widened(narrow.left), widened(narrow.right), matching);
+      ASSERT_TRUE(same_map(wanted, match_reference(narrow.left, narrow.right, matching)));
+      ASSERT_TRUE(same_map(wanted, match_fast(narrow.left, narrow.right, matching)));
+   }
+}
+
+TEST(PhaseCorrelationFastModel, RejectsPixelsBeyondTheRange) {
+   const Matching matching{.disparities = 4, .pixel_bits = 10};
+   DeepPair pair{DeepImage(9, 9, 1023), DeepImage(9, 9)};
+   EXPECT_NO_THROW(match_fast(pair.left, pair.right, matching));
+   pair.right.at(3, 8) = 1024;
+   EXPECT_THROW(match_fast(pair.left, pair.right, matching), std::invalid_argument);
+   EXPECT_THROW(match_reference(pair.left, pair.right, matching), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .pixel_bits = 11}),
+                std::invalid_argument);
+}
+
 TEST(PhaseCorrelationFastModel, EqualsTheReferenceOnLargerImages) {
    for (const NamedPair& pair : test_pairs(150, 40, 64, test_seed()))
       for (const int scales : {1, 2, 3}) {

@@ -14,11 +14,10 @@ constexpr int kBitsOfScale = 6;
 
 using Numbers = std::vector<int>;
 
-/// The sums of s x s pixels that end in each pixel; those that reach outside of the image have no meaning.
-STEREO_VECTOR_CLONES Numbers boxes(const GrayImage& image, int step) {
-   Numbers sums(image.pixels.begin(), image.pixels.end());
+/// Of pixels, the sums of s x s that end in each one; those that reach outside of the image have no meaning.
+STEREO_VECTOR_CLONES Numbers boxes(Numbers sums, int width, int step) {
    for (int lag = 1; lag < step; lag *= 2) {
-      for (const std::size_t before : {std::size_t(lag), std::size_t(lag) * std::size_t(image.width)}) {
+      for (const std::size_t before : {std::size_t(lag), std::size_t(lag) * std::size_t(width)}) {
          const Numbers smaller = sums;
          for (std::size_t i = before; i < sums.size(); ++i) sums[i] = smaller[i] + smaller[i - before];
       }
@@ -60,9 +59,10 @@ STEREO_VECTOR_CLONES void filter_row(const Row& low, const Row& even, const Row&
 }
 
 /// Moves every code up by one scale, and adds the bits of this one where its filters lie in the image.
-void append_scale(const GrayImage& image, int scale, std::vector<uint64_t>& codes) {
+template <class Image>
+void append_scale(const Image& image, int scale, std::vector<uint64_t>& codes) {
    const int step = 1 << scale, before = 3 * step - 1, after = 2 * step, width = image.width;
-   const Numbers sums = boxes(image, step);
+   const Numbers sums = boxes(Numbers(image.pixels.begin(), image.pixels.end()), width, step);
    Numbers low(static_cast<std::size_t>(width)), even(low), odd(low);
    const int count = width - before - after;
    for (int y = 0; y < image.height; ++y) {
@@ -82,13 +82,17 @@ void append_scale(const GrayImage& image, int scale, std::vector<uint64_t>& code
    }
 }
 
-}  // namespace
-
-std::vector<uint64_t> weighted_phase_codes(const GrayImage& image, int scales) {
+template <class Image>
+std::vector<uint64_t> codes_of(const Image& image, int scales) {
    std::vector<uint64_t> codes(image.pixels.size());
    for (int scale = 0; scale < scales; ++scale) append_scale(image, scale, codes);
    if (scales > 1) append_scale(image, 0, codes);
    return codes;
 }
+
+}  // namespace
+
+std::vector<uint64_t> weighted_phase_codes(const GrayImage& image, int scales) { return codes_of(image, scales); }
+std::vector<uint64_t> weighted_phase_codes(const DeepImage& image, int scales) { return codes_of(image, scales); }
 
 }  // namespace stereo::fast
