@@ -320,3 +320,14 @@ def test_constants_in_a_concatenation_keep_their_place(ghdl, tmp_path, constant)
     late = [o.disparity for o in observed if o.clock > 20]
     assert late and all(word & ~0b1010 == constant & ~0b1010 for word in late)
     assert {word & 0b1010 for word in late} == {0, 2, 8, 10}
+
+
+def test_reset_reaches_an_address_that_follows_from_a_held_size():
+    """An address that follows from pixels needs no reset; one that counts up to the size of the images does."""
+    design = memory_design()
+    design.inputs["image_width"] = n.leaf("input", "image_width", 3)
+    address = design.registers[0]
+    address.next = n.wrap(n.add(address.value, design.inputs["image_width"]), 3)
+    assert control_registers(design) == {}
+    design.held = ("image_width",)
+    assert [r.name for r in control_registers(design).values()] == ["m_address"]
