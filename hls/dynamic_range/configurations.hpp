@@ -20,8 +20,8 @@ STEREO_ROW(masrani_640, system, Config(), width_px = 640, height_px = 480, dispa
 STEREO_ROW(tiny_dynamic_subpixel, option, tiny_dynamic, subpixel = true, window_px = 7);
 STEREO_ROW(tiny_dynamic_census, option, tiny_dynamic, codes = Codes::census);
 STEREO_ROW(tiny_dynamic_12bit, option, tiny_dynamic, pixel_bits = 12);
+STEREO_ROW(tiny_dynamic_10bit, option, tiny_dynamic, pixel_bits = 10, codes = Codes::census);
 // planned: their VHDL is not made yet.
-STEREO_ROW(tiny_dynamic_10bit, planned, tiny_dynamic, pixel_bits = 10, codes = Codes::census);
 STEREO_ROW(tiny_dynamic_three_scales, planned, tiny_dynamic, phase_scales = 3, height_px = 40);
 STEREO_ROW(tiny_dynamic_wide, planned, tiny_dynamic, width_px = 96, disparities = 64, window_disparities = 24,
            window_px = 3);
