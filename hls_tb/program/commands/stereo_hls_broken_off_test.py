@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A full disk and an interruption: no half of a result, no file of a name that nobody gave."""
+"""A full disk, an interruption, and what stood in the folder before: no half of a result, no file of a name that nobody
+gave."""
 
 import resource
 import signal
@@ -8,7 +9,7 @@ import time
 
 import pytest
 
-from stereo_hls_program import PROGRAM, write_image
+from stereo_hls_program import PROGRAM, changed, fail, succeed, write_image
 
 
 def folder(path, frames):
@@ -111,3 +112,30 @@ def test_ignored_signals_stay_ignored(tmp_path, long_cameras):
         time.sleep(0.002)
     process.send_signal(signal.SIGHUP)
     assert process.wait(timeout=60) == 0 and (tmp_path / "out.avi").exists()
+
+
+def test_the_validity_of_an_earlier_run_does_not_stay(tmp_path, match):
+    def files():
+        return {p.name for p in (tmp_path / "out").iterdir()}
+
+    succeed(*match)
+    without = files()
+    succeed(*changed(match, "--config", "tiny_lr"))
+    assert files() == without | {"valid.png"}
+    valid = tmp_path / "out" / "valid.png"
+    succeed(*changed(changed(match, "--left", valid), "--right", valid))
+    assert files() == without | {"valid.png"}, "it was read"
+    succeed(*match)
+    assert files() == without
+
+
+def test_a_file_in_the_way_that_is_no_result_stays(tmp_path, match):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "valid.png").write_text("the user's own")
+    succeed(*match)
+    assert (tmp_path / "out" / "valid.png").read_text() == "the user's own"
+
+
+def test_file_that_cannot_be_replaced(tmp_path, match):
+    (tmp_path / "out" / "disparity_color.png").mkdir(parents=True)
+    fail(tmp_path, *match, says=["--out", "disparity_color.png"])

@@ -381,30 +381,3 @@ def test_crop_of_images_too_small(tmp_path, match):
     for option, name in (("--left", "ls.pgm"), ("--right", "rs.pgm")):
         match = changed(match, option, write_image(tmp_path / name, WIDTH + 9, HEIGHT - 1))
     fail(tmp_path, *match, "--fit", "crop", says=["--fit crop", "41x11", "32x12"])
-
-
-def test_the_validity_of_an_earlier_run_does_not_stay(tmp_path, match):
-    def files():
-        return {p.name for p in (tmp_path / "out").iterdir()}
-
-    succeed(*match)
-    without = files()
-    succeed(*changed(match, "--config", "tiny_lr"))
-    assert files() == without | {"valid.png"}
-    valid = tmp_path / "out" / "valid.png"
-    succeed(*changed(changed(match, "--left", valid), "--right", valid))
-    assert files() == without | {"valid.png"}, "it was read"
-    succeed(*match)
-    assert files() == without
-
-
-def test_a_file_in_the_way_that_is_no_result_stays(tmp_path, match):
-    (tmp_path / "out").mkdir()
-    (tmp_path / "out" / "valid.png").write_text("the user's own")
-    succeed(*match)
-    assert (tmp_path / "out" / "valid.png").read_text() == "the user's own"
-
-
-def test_file_that_cannot_be_replaced(tmp_path, match):
-    (tmp_path / "out" / "disparity_color.png").mkdir(parents=True)
-    fail(tmp_path, *match, says=["--out", "disparity_color.png"])
