@@ -65,8 +65,8 @@ def route(
     report, log = work / f"report_{seed}.json", work / f"nextpnr_{seed}.log"
     options: list[Word] = [*device_options, "--lpf-allow-unconstrained", "--timing-allow-fail", "--seed", seed]
     options += ["--freq", FREQUENCY_MHZ, "--router", router]
-    cells = netlist.read_bytes().replace(os.fsencode(ROOT), b"")  # it names files of yosys
-    inputs = json.dumps([tool_version, [str(option) for option in options]]).encode() + cells
+    content = netlist.read_bytes().replace(os.fsencode(ROOT), b"")  # it names files of yosys
+    inputs = json.dumps([tool_version, [str(option) for option in options]]).encode() + content
     kept = KEPT / f"{hashlib.sha256(inputs).hexdigest()}.json"
     if kept.is_file():
         return check(json.loads(kept.read_text()))
