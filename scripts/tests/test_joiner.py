@@ -2,8 +2,8 @@
 """stereo_joiner in GHDL: two cameras of any distance that lose pixels, lines and frames. Every frame that both send
 whole comes out whole and exact, and pixels of different frames never meet.
 
-A pixel is a number that says where it belongs, of more bits than the joiner's pixels have. So each stream is played once
-for each part of that number: a pixel is a part of it, and the runs must agree in all but the pixels."""
+A number says where a pixel belongs; it has more bits than the joiner's pixels. So each stream is played once for each
+part of the number, with the part as pixel, and the runs must agree in all but the pixels."""
 
 import random
 import re

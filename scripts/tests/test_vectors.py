@@ -53,7 +53,9 @@ def test_pixels_of_more_bits(tmp_path):
 
 def test_a_pair_of_pixels_of_more_bits(tmp_path):
     """Of a stage, whose outputs are the rectified pixels of both cameras."""
-    path = written(tmp_path, EXPECTED.replace("bits=8", "bits=24").replace(" 03 ", " abc003 ").replace(" 1f ", " 00001f "))
+    path = written(
+        tmp_path, EXPECTED.replace("bits=8", "bits=24").replace(" 03 ", " abc003 ").replace(" 1f ", " 00001f ")
+    )
     assert [output.disparity for output in vectors.read_expected(path)[0]] == [0xABC003, 0x1F]
     parameters = {"family": "rectification", "pixels_per_clock": 1, "pixel_bits": 12}
     vectors.check_fits(path, "tiny", parameters)
