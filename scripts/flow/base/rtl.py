@@ -94,7 +94,7 @@ def ports_of(parameters: Mapping[str, Any]) -> tuple[Port, ...]:
 
 
 def _with_pixels(ports: Sequence[Port], bits: int) -> tuple[Port, ...]:
-    """The same with grey values of other bits than PIXEL_BITS."""
+    """The same with grey values of so many bits."""
 
     def wide(port: Port) -> Port:
         if port.name not in ("left_pixel", "right_pixel", "rectified_left", "rectified_right"):
