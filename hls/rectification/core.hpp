@@ -39,7 +39,7 @@ struct Core {
    static constexpr int kMemories = 2 * kRightMemory;
 
    LagCounter<C> counter;
-   ClockDelay<PixelPair, kDelay> delay;
+   ClockDelay<PixelPair<C>, kDelay> delay;
    GridPlace<C> grid;
    Offsets<C> left_offsets, right_offsets;
    SamplePlace<C> sample;
@@ -73,17 +73,17 @@ struct Core {
    }
 
    /// What the registers show in this clock. Does not depend on this clock's input.
-   HLS_INLINE StereoInput output() const {
-      StereoInput out;
-      out.left[0] = uint8_t(left_sampler.pixel.value());
-      out.right[0] = uint8_t(right_sampler.pixel.value());
+   HLS_INLINE CoreInput<C> output() const {
+      CoreInput<C> out;
+      out.left[0] = pixel_of<C>(left_sampler.pixel.value(), 0);
+      out.right[0] = pixel_of<C>(right_sampler.pixel.value(), 0);
       out.start_of_frame = starts.oldest() && valid.oldest();
       out.valid = valid.oldest();
       return out;
    }
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
-   HLS_INLINE void clock(const StereoInput& in, const TableWrite& table) {
+   HLS_INLINE void clock(const CoreInput<C>& in, const TableWrite& table) {
       valid.clock(sample.kept_pixels.valid);
       starts.clock(sample.kept_starts);
       left_sampler.clock(left_taps, sample, sample.kept_pixels.left);
@@ -95,7 +95,7 @@ struct Core {
       right_offsets.clock(grid, table, table.right);
       grid.clock(counter);
       counter.clock(in.valid, in.start_of_frame);
-      delay.clock(pixel_pair(in));
+      delay.clock(pixel_pair<C>(in));
    }
 };
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "support/ports.hpp"
+#include "support/pixel_bits.hpp"
 #include "support/registers.hpp"
 
 namespace stereo::rectification {
 
 /// A pixel of each camera as it came in.
+template <const auto& C>
 struct PixelPair {
-   uint8_t left, right;
+   Pixel<C> left, right;
    bool start_of_frame, valid;
 
    /// Member by member: the tool would copy the record as one word of 32 bits, and registers of words have no names.
@@ -29,7 +30,8 @@ struct PixelPair {
    }
 };
 
-HLS_INLINE PixelPair pixel_pair(const StereoInput& in) {
+template <const auto& C>
+HLS_INLINE PixelPair<C> pixel_pair(const CoreInput<C>& in) {
    return {in.left[0], in.right[0], in.start_of_frame, in.valid};
 }
 

@@ -15,17 +15,17 @@ struct SamplePlace {
 
    LagCounter<C> place;  // clock 1
    uint16_t slot;        ///< of the row that comes in, of those that are kept; goes on from frame to frame
-   PixelPair pixels;
+   PixelPair<C> pixels;
 
    // clock 2
    uint16_t row;         ///< of the pixel that leaves
    bool leaves, starts;  ///< a pixel of a frame leaves; it is the first one
    QuadPlace taken;      ///< where the pixels that came in are kept
-   PixelPair taken_pixels;
+   PixelPair<C> taken_pixels;
 
    // clock 3
    QuadPlace kept;
-   PixelPair kept_pixels;
+   PixelPair<C> kept_pixels;
    bool kept_starts;
 
    HLS_INLINE SamplePlace() { start(*this); }
@@ -45,7 +45,7 @@ struct SamplePlace {
       visit("kept_starts", kept_starts);
    }
 
-   HLS_INLINE void clock(const PixelPair& in) {
+   HLS_INLINE void clock(const PixelPair<C>& in) {
       kept = taken;
       kept_pixels = taken_pixels;
       kept_starts = starts;

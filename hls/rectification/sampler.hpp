@@ -2,15 +2,16 @@
 #pragma once
 
 #include "rectification/tap_place.hpp"
+#include "support/pixel_bits.hpp"
 
 namespace stereo::rectification {
 
 /// Keeps the last rows of one camera and makes each pixel that leaves of four of theirs. 10 clocks.
-/// Memory: buffered columns x rows x 8 bits.
+/// Memory: buffered columns x rows x pixel_bits.
 template <const Config& C>
 struct Sampler {
-   using Rows = QuadMemory<uint8_t, C.buffered_columns(), C.buffered_rows()>;
-   using Between = Bilinear<8, C.weight_bits, 2 * C.weight_bits>;
+   using Rows = QuadMemory<Pixel<C>, C.buffered_columns(), C.buffered_rows()>;
+   using Between = Bilinear<C.pixel_bits, C.weight_bits, 2 * C.weight_bits>;
    static constexpr int kClocks = Rows::kClocks + Between::kClocks;
    static constexpr int kMemories = Rows::kMemories;
 
@@ -33,8 +34,8 @@ struct Sampler {
    }
 
    /// newest: the pixel that is kept.
-   HLS_INLINE void clock(const TapPlace<C>& place, const SamplePlace<C>& sample, uint8_t newest) {
-      uint8_t ready[2][2];
+   HLS_INLINE void clock(const TapPlace<C>& place, const SamplePlace<C>& sample, Pixel<C> newest) {
+      Pixel<C> ready[2][2];
       rows.taps(ready);
       int32_t taps[2][2];
       uint8_t shown_next = 0;

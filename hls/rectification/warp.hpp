@@ -8,6 +8,7 @@ namespace stereo::rectification {
 
 /// What rectification computes: docs/rectification.md defines each option. The model takes it with images of any size.
 struct Warp {
+   int pixel_bits = 8;            ///< grey values are 0 ... 2^pixel_bits - 1; 8, 10 or 12
    int grid_px = 16;              ///< G: columns and rows between nodes of the table: 4, 8, 16, 32 or 64
    int offset_bits = 16;          ///< of each of a node's two offsets, 8 ... 16
    int offset_fraction_bits = 6;  ///< F: offsets are in 2^-F pixels, 4 ... 8
@@ -35,6 +36,7 @@ struct Warp {
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
+      visit("pixel_bits", self.pixel_bits, 8, 12, "the number of bits of a pixel");
       visit("grid_px", self.grid_px, 4, 64, "the distance of the table's nodes");
       visit("offset_bits", self.offset_bits, 8, 16, "the number of bits of an offset");
       visit("offset_fraction_bits", self.offset_fraction_bits, 4, 8, "the number of fraction bits of an offset");
@@ -47,6 +49,10 @@ struct Warp {
    constexpr Sentence problem() const {
       if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
       if (offset_bits <= offset_fraction_bits) return "an offset must have more bits than fraction bits";
+      if (pixel_bits % 2 != 0) {
+         Sentence sentence = "the number of bits of a pixel is ";
+         return sentence << pixel_bits << " but must be 8, 10 or 12";
+      }
       if ((grid_px & (grid_px - 1)) == 0) return {};
       Sentence sentence = "the distance of the table's nodes is ";
       return sentence << grid_px << " but must be a power of two";

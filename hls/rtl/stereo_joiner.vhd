@@ -2,8 +2,10 @@
 -- Joins the streams of two cameras that send the same frame some lines apart into the stream of pixel pairs that a
 -- stereo_ip takes (P = 1). Framing on all sides: tuser(0) with the first pixel of a frame, tlast with the last pixel of
 -- each line.
---   s_*_axis   a camera does not wait: tready is always '1'
---   m_axis     tdata: the left pixel in the lower half, the right one in the upper half. From registers
+--   s_*_axis   a camera does not wait: tready is always '1'. tdata: a pixel in the lowest bits of its lane; those above it
+--              do not count
+--   m_axis     tdata: the left pixel's lane in the lower half, the right one's in the upper half; bits above the pixels
+--              are '0'. From registers
 --   skew_lines lines by which the right camera is behind the left one, negative when it is ahead: as they were when the
 --              last joined frame began to leave
 --   faults     each '1' for one clock: (0) a frame of the left camera was dropped for want of room, (1) one of the right
@@ -25,24 +27,26 @@ entity stereo_joiner is
     width_px : positive;  -- 2 or more
     height_px : positive;
     depth : positive;  -- pixels that either camera may be ahead: lines * width, 16 or more, less than a frame
-    pixel_bits : positive := 8
+    -- of a grey value, and of its lane in tdata: 8 and 8, or more and 16
+    pixel_bits : positive := 8;
+    lane_bits : positive := 8
   );
   port (
     aclk : in std_logic;
     aresetn : in std_logic;
     s_left_axis_tvalid : in std_logic;
     s_left_axis_tready : out std_logic;
-    s_left_axis_tdata : in std_logic_vector(pixel_bits - 1 downto 0);
+    s_left_axis_tdata : in std_logic_vector(lane_bits - 1 downto 0);
     s_left_axis_tuser : in std_logic_vector(0 downto 0);
     s_left_axis_tlast : in std_logic;
     s_right_axis_tvalid : in std_logic;
     s_right_axis_tready : out std_logic;
-    s_right_axis_tdata : in std_logic_vector(pixel_bits - 1 downto 0);
+    s_right_axis_tdata : in std_logic_vector(lane_bits - 1 downto 0);
     s_right_axis_tuser : in std_logic_vector(0 downto 0);
     s_right_axis_tlast : in std_logic;
     m_axis_tvalid : out std_logic;
     m_axis_tready : in std_logic;
-    m_axis_tdata : out std_logic_vector(2 * pixel_bits - 1 downto 0);
+    m_axis_tdata : out std_logic_vector(2 * lane_bits - 1 downto 0);
     m_axis_tuser : out std_logic_vector(0 downto 0);
     m_axis_tlast : out std_logic;
     skew_lines : out std_logic_vector(15 downto 0);
@@ -67,7 +71,7 @@ architecture rtl of stereo_joiner is
   signal incomplete : std_logic := '0';
   signal breaks : std_logic := '0';  -- the pair that ends it as a broken one is to leave
   signal same, cuts, lost, pair_valid, pair_start, pair_end : std_logic;
-  signal pair : std_logic_vector(2 * pixel_bits - 1 downto 0);
+  signal pair, shown : std_logic_vector(2 * pixel_bits - 1 downto 0);
 begin
   assert width_px >= 2
     report "stereo_joiner: width_px is " & integer'image(width_px) & " but must be 2 or more" severity failure;
@@ -80,7 +84,7 @@ begin
     generic map (depth => depth, pixel_bits => pixel_bits)
     port map (
       clock => aclk, reset => reset, in_valid => s_left_axis_tvalid, in_start_of_frame => s_left_axis_tuser(0),
-      in_end_of_line => s_left_axis_tlast, in_pixel => s_left_axis_tdata, out_valid => left_valid,
+      in_end_of_line => s_left_axis_tlast, in_pixel => s_left_axis_tdata(pixel_bits - 1 downto 0), out_valid => left_valid,
       out_ready => left_ready, out_start_of_frame => left_start, out_end_of_line => left_end,
       out_pixel => left_pixel, lines => left_lines, dropped => left_drops);
 
@@ -88,7 +92,7 @@ begin
     generic map (depth => depth, pixel_bits => pixel_bits)
     port map (
       clock => aclk, reset => reset, in_valid => s_right_axis_tvalid, in_start_of_frame => s_right_axis_tuser(0),
-      in_end_of_line => s_right_axis_tlast, in_pixel => s_right_axis_tdata, out_valid => right_valid,
+      in_end_of_line => s_right_axis_tlast, in_pixel => s_right_axis_tdata(pixel_bits - 1 downto 0), out_valid => right_valid,
       out_ready => right_ready, out_start_of_frame => right_start, out_end_of_line => right_end,
       out_pixel => right_pixel, lines => right_lines, dropped => right_drops);
 
@@ -116,7 +120,11 @@ begin
       clock => aclk, reset => reset, in_valid => pair_valid, in_ready => room, in_flags(0) => pair_start,
       in_flags(1) => pair_end, in_data => pair, out_valid => m_axis_tvalid,
       out_ready => m_axis_tready, out_flags(0) => m_axis_tuser(0), out_flags(1) => m_axis_tlast,
-      out_data => m_axis_tdata);
+      out_data => shown);
+
+  m_axis_tdata <= std_logic_vector(
+    resize(unsigned(shown(2 * pixel_bits - 1 downto pixel_bits)), lane_bits) &
+    resize(unsigned(shown(pixel_bits - 1 downto 0)), lane_bits));
 
   skew_lines <= std_logic_vector(skew);
 

@@ -3,12 +3,11 @@
 //
 // stimulus.txt: lines "FF LL RR CCCC RRRR XXXX YYYY", all hexadecimal:
 //   FF          bit 0 valid, bit 1 start of frame, bit 2 reset, bit 3 a node, bit 4 of the right camera
-//   LL RR       the cameras' pixels
+//   LL RR       the cameras' pixels; of more than 8 bits in three digits, and the first line ends with pixel_bits=
 //   CCCC RRRR   column and row of the node
 //   XXXX YYYY   its offsets in two's complement
-// expected.txt: disparity_bits=16 is the width of WORD, RRLL: the rectified pixels of both cameras; flags: bit 0 start
-// of
-//   frame.
+// expected.txt: disparity_bits=, twice pixel_bits, is the width of WORD: the left camera's rectified pixel in its lower
+//   half, the right camera's in the upper one; flags: bit 0 start of frame.
 #pragma once
 
 #include <iosfwd>

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Drives a stereo_joiner with a stimulus file and writes down what it shows. It judges nothing:
 -- scripts/tests/test_joiner.py does.
---   stimulus  a line a clock: FLAGS LEFT RIGHT, hexadecimal. FLAGS: bits 2 ... 0 of the left camera: end of line, start of
+--   stimulus  a line a clock: FLAGS LEFT RIGHT, hexadecimal; LEFT and RIGHT are lanes. FLAGS: bits 2 ... 0 of the left camera: end of line, start of
 --             frame, valid; bits 5 ... 3 of the right one; bit 6: the sink is ready; bit 7: reset
 --   observed  a line for each pair that leaves and each fault: CLOCK pair PAIR FLAGS SKEW, flags: end of line, start of
 --             frame; CLOCK fault BITS
@@ -16,16 +16,17 @@ entity tb_stereo_joiner is
     observed_file : string;
     width_px : positive;
     height_px : positive;
-    depth : positive
+    depth : positive;
+    pixel_bits : positive;
+    lane_bits : positive
   );
 end entity;
 
 architecture sim of tb_stereo_joiner is
-  constant pixel_bits : positive := 24;
   signal clock, reset_n : std_logic := '0';
   signal flags : std_logic_vector(7 downto 0) := (others => '0');
-  signal left, right : std_logic_vector(pixel_bits - 1 downto 0) := (others => '0');
-  signal pair : std_logic_vector(2 * pixel_bits - 1 downto 0);
+  signal left, right : std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
+  signal pair : std_logic_vector(2 * lane_bits - 1 downto 0);
   signal valid, last, left_ready, right_ready : std_logic;
   signal start : std_logic_vector(0 downto 0);
   signal skew : std_logic_vector(15 downto 0);
@@ -34,7 +35,8 @@ begin
   reset_n <= not flags(7);
 
   dut : entity work.stereo_joiner
-    generic map (width_px => width_px, height_px => height_px, depth => depth, pixel_bits => pixel_bits)
+    generic map (
+      width_px => width_px, height_px => height_px, depth => depth, pixel_bits => pixel_bits, lane_bits => lane_bits)
     port map (
       aclk => clock, aresetn => reset_n,
       s_left_axis_tvalid => flags(0), s_left_axis_tready => left_ready, s_left_axis_tdata => left,
@@ -48,7 +50,7 @@ begin
     file stimulus, observed : text;
     variable stimulus_line, observed_line : line;
     variable flags_value : std_logic_vector(7 downto 0);
-    variable left_value, right_value : std_logic_vector(pixel_bits - 1 downto 0);
+    variable left_value, right_value : std_logic_vector(lane_bits - 1 downto 0);
     variable clock_count : natural := 0;
   begin
     file_open(stimulus, stimulus_file, read_mode);

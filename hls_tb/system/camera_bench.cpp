@@ -9,6 +9,8 @@
 // CLOCKS".
 #include <cstdio>
 #include <random>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "Vdesign.h"
@@ -18,6 +20,9 @@ namespace {
 
 constexpr long kQuietClocks = 4000;
 constexpr long kProgressClocks = 20000;
+
+/// Of a pixel in the stream of a camera: 8 or 16 bits.
+using Lane = std::remove_reference_t<decltype(std::declval<Vdesign&>().s_left_axis_tdata)>;
 
 struct Beat {
    long gap;
@@ -108,11 +113,11 @@ int main(int argc, char** argv) {
       const Beat* const left = cameras[0].clock();
       const Beat* const right = cameras[1].clock();
       model.s_left_axis_tvalid = left != nullptr;
-      model.s_left_axis_tdata = static_cast<unsigned char>(left ? left->pixel : random());
+      model.s_left_axis_tdata = static_cast<Lane>(left ? left->pixel : random());
       model.s_left_axis_tuser = left ? left->flags & 1 : random() & 1;
       model.s_left_axis_tlast = left ? left->flags >> 1 & 1 : random() & 1;
       model.s_right_axis_tvalid = right != nullptr;
-      model.s_right_axis_tdata = static_cast<unsigned char>(right ? right->pixel : random());
+      model.s_right_axis_tdata = static_cast<Lane>(right ? right->pixel : random());
       model.s_right_axis_tuser = right ? right->flags & 1 : random() & 1;
       model.s_right_axis_tlast = right ? right->flags >> 1 & 1 : random() & 1;
       model.m_axis_tready = int(random() % 100) >= sink_percent;

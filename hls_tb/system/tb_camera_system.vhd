@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Plays two cameras into a camera_system and writes down every beat of m_axis, as camera_bench.cpp does, with the same
--- files. It judges nothing: scripts/flow/system/ does. NAME stands for the system.
+-- files. It judges nothing: scripts/flow/system/ does. NAME stands for the system, and
+-- the number of lane_bits gives way to its own.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -15,6 +16,7 @@ entity tb_camera_system is
 end entity;
 
 architecture sim of tb_camera_system is
+  constant lane_bits : positive := 8;  -- of a pixel
   constant quiet_clocks : positive := 4000;
   constant progress_clocks : positive := 20000;
   signal clock, reset_n, tables_done, done : std_logic := '0';
@@ -22,7 +24,7 @@ architecture sim of tb_camera_system is
   signal table_awaddr : std_logic_vector(4 downto 0) := (others => '0');
   signal table_wdata : std_logic_vector(31 downto 0) := (others => '0');
   signal table_bresp : std_logic_vector(1 downto 0);
-  type pixels is array (0 to 1) of std_logic_vector(7 downto 0);
+  type pixels is array (0 to 1) of std_logic_vector(lane_bits - 1 downto 0);
   signal camera_valid, camera_start, camera_last : std_logic_vector(0 to 1) := "00";
   signal camera_pixel : pixels := (others => (others => '0'));
   signal camera_ended : std_logic_vector(0 to 1) := "00";
@@ -61,7 +63,7 @@ begin
       variable words : line;
       variable kind : character;
       variable gap, flags : natural;
-      variable pixel : std_logic_vector(7 downto 0);
+      variable pixel : std_logic_vector(lane_bits - 1 downto 0);
     begin
       file_open(stream, stream_file, read_mode);
       wait until tables_done = '1';

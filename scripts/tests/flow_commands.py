@@ -45,16 +45,16 @@ def scene(folder, config, seed=7):
 
 def random_pair(folder, config, levels, seed=1, brightest=255):
     """(left, right) of unrelated noise with so many grey levels from 0 to the brightest: few levels give ties
-    everywhere, far apart also extremes, close together sums that differ by little."""
+    everywhere, far apart also extremes, close together sums that differ by little. Brighter than 255: 16 bits."""
     size = configuration(config, designs())
     generator = random.Random(f"{levels} {seed}")
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("left", "right"):
-        pixels = bytes(
-            generator.randrange(levels) * brightest // max(levels - 1, 1)
-            for _ in range(size["width_px"] * size["height_px"])
-        )
-        (folder / f"{name}.pgm").write_bytes(files.pgm(size["width_px"], size["height_px"], pixels))
+        width, height = size["width_px"], size["height_px"]
+        pixels = [generator.randrange(levels) * brightest // max(levels - 1, 1) for _ in range(width * height)]
+        deep = brightest > 255
+        content = files.deep_pgm(width, height, pixels) if deep else files.pgm(width, height, bytes(pixels))
+        (folder / f"{name}.pgm").write_bytes(content)
     return folder / "left.pgm", folder / "right.pgm"
 
 

@@ -14,7 +14,7 @@ from flow.implementation import figures
 from flow.system import frame, pipeline, play, record, streams, summary, template
 from flow_commands import call, refused
 
-TINY, CHECKED, VGA = (template.SYSTEMS[name] for name in ("tiny", "tiny_checked", "vga"))
+TINY, CHECKED, DEEP, VGA = (template.SYSTEMS[name] for name in ("tiny", "tiny_checked", "tiny_12bit", "vga"))
 STAGE, CORE = pipeline.rows_of(TINY)
 WIDTH, HEIGHT = CORE["width_px"], CORE["height_px"]
 DEPTHS = pipeline.depth_table(TINY, streams.FOCAL_BASELINE)
@@ -60,6 +60,7 @@ def test_committed_vhdl_follows_from_the_manifests(name):
         (["--system", "huge"], "unknown system 'huge'"),
         (["--implement"], "--implement, --frame and --streams take one --system"),
         (["--system", "tiny", "--frame"], "--frame is for systems of 640x480; tiny has 32x12"),
+        (["--system", "tiny_12bit", "--frame"], "--frame is for pixels of 8 bits; tiny_12bit has 12"),
         (["--system", "tiny", "--streams", "0"], "--streams must be 1 or more"),
         (["--system", "tiny", "--record"], "--record keeps a result of"),
         (["--system", "vga", "--frame", "--record", "--pair", "x"], "--pair goes with --frame, without --record"),
@@ -122,10 +123,11 @@ def test_latency_is_shown_at_the_routed_clock(monkeypatch):
     assert "64 clocks, 2.00 lines, 2.0 us" in shown and "96 clocks, 3.00 lines, 3.0 us" in shown
 
 
-def test_tiny_stands_500_frames_of_random_streams():
+@pytest.mark.parametrize("system", [TINY, DEEP], ids=lambda system: system.name)
+def test_500_frames_of_random_streams_are_exact(system):
     """As recorded."""
-    found = record.read(TINY)
-    assert found, "run scripts/camera_system.py --system tiny --streams 500 --record"
+    found = record.read(system)
+    assert found, f"run scripts/camera_system.py --system {system.name} --streams 500 --record"
     assert found["streams"]["frames"] >= 500 and streams.passed(found["streams"])
 
 
@@ -176,6 +178,67 @@ def test_checks_and_subpixel(ghdl, tmp_path):
     assert 0 < sum(known) < len(known)
     seen = played(play.InGhdl(CHECKED), made, tmp_path, gap_percent=20, skew_clocks=40, sink=20)
     check_all_exact(seen, made.frames)
+
+
+@pytest.fixture(scope="module")
+def deep_scene(tmp_path_factory):
+    made = streams.material(DEEP, 6, 6, tmp_path_factory.mktemp("deep"))
+    known = [word >> 16 for words in made.frames for word in words]
+    assert 0 < sum(known) < len(known)
+    assert max(pixel for pair in made.pairs for image in pair for row in image for pixel in row) == 4095
+    return made
+
+
+DEEP_STREAM = {"gap_percent": 20, "skew_clocks": -40, "blanking_clocks": streams.BLANKING_CLOCKS, "sink": 10}
+
+
+def test_pixels_of_12_bits(ghdl, verilator, deep_scene, tmp_path):
+    """The same with wider lanes; the bits above the pixels show anything."""
+    seen = played(play.Verilated(DEEP), deep_scene, tmp_path, **DEEP_STREAM)
+    assert set(seen.responses) == {play.OKAY}
+    check_all_exact(seen, deep_scene.frames)
+    sent = re.findall(r"^[lr] \d+ (\w+) \d$", (tmp_path / "stream.txt").read_text(), re.MULTILINE)
+    assert {len(lane) for lane in sent} == {4} and len({lane[0] for lane in sent}) == 16
+
+
+def test_broken_streams_of_12_bits_give_no_wrong_frame(ghdl, verilator, deep_scene, tmp_path):
+    simulation = play.Verilated(DEEP)
+    for seed in range(3):
+        verdict = streams.play_broken(simulation, deep_scene, seed, tmp_path / str(seed))
+        assert verdict == (streams.FRAMES - streams.BROKEN, 0, 0), f"seed {seed}"
+
+
+def test_a_rectification_of_other_pixels_is_refused():
+    mixed = template.System("mixed", TINY.rectification, DEEP.matching)
+    with pytest.raises(FlowError, match="rectify_tiny and tiny_12bit_all differ in pixel_bits: 8 and 12"):
+        template.text(mixed)
+
+
+# Of the system's own text.
+DEEP_FAULTS = {
+    "the highest bit of a pixel": (r"left_pixel => rectified_left", "left_pixel => '0' & rectified_left(10 downto 0)"),
+    "the lowest bit of a pixel": (
+        r"right_pixel => rectified_right",
+        "right_pixel => rectified_right(11 downto 1) & '0'",
+    ),
+    "a joiner of 8 bits": (r"pixel_bits => 12", "pixel_bits => 8"),
+}
+
+
+@pytest.mark.parametrize("fault", DEEP_FAULTS)
+def test_fault_of_pixels_of_12_bits_is_caught(ghdl, deep_scene, tmp_path, fault):
+    pattern, replacement = DEEP_FAULTS[fault]
+    text, count = re.subn(pattern, replacement, DEEP.path.read_text(), count=1)
+    assert count == 1
+    (tmp_path / DEEP.path.name).write_text(text)
+    files = [tmp_path / DEEP.path.name if file == DEEP.path else file for file in template.vhdl_files(DEEP)]
+    seen = played(play.InGhdl(DEEP, files), deep_scene, tmp_path, 3, **DEEP_STREAM)
+    assert [shown.words for shown in seen.frames] != deep_scene.frames[:3]
+
+
+def test_a_frame_of_12_bits_in_ghdl(ghdl, deep_scene, tmp_path):
+    seen = played(play.InGhdl(DEEP), deep_scene, tmp_path, 2, **DEEP_STREAM)
+    check_all_exact(seen, deep_scene.frames[:2])
 
 
 def test_a_frame_in_ghdl(ghdl, scene, tmp_path):

@@ -6,7 +6,7 @@ import shutil
 import pytest
 
 from flow.base import rtl
-from flow.base.configurations import configurations
+from flow.base.configurations import configurations, designs
 from flow.implementation import record
 from flow.pages import features
 from flow.synthesis import manifest
@@ -81,6 +81,6 @@ def test_deeper_pixels_stand_beside_those_of_8_bits(monkeypatch):
 
 def test_pairs_of_pixels_differ_in_their_bits_alone():
     for names in features.DEEPER:
-        rows_of = [configurations()[name] for name in names]
+        rows_of = [designs()[name] for name in names]
         differ = {key for key in rows_of[0] if rows_of[0][key] != rows_of[1][key]}
         assert "pixel_bits" in differ and differ <= {"pixel_bits", "options", "description", "use"}, names

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """stereo_joiner in GHDL: two cameras of any distance that lose pixels, lines and frames. Every frame that both send
-whole comes out whole and exact, and pixels of different frames never meet."""
+whole comes out whole and exact, and pixels of different frames never meet.
+
+A number says where a pixel belongs; it has more bits than the joiner's pixels. So each stream is played once for each
+part of the number, with the part as pixel, and the runs must agree in all but the pixels."""
 
 import random
 import re
@@ -11,6 +14,7 @@ import pytest
 from conftest import need
 from flow.base import ghdl, rtl
 from flow.base.tools import ROOT, find_ghdl, run
+from flow.shell import template
 
 FILES = ["line_memory", "stream_fifo", "stream_register", "camera_queue", "stereo_joiner"]
 BENCH = ROOT / "hls_tb" / "shell" / "tb_stereo_joiner.vhd"
@@ -18,11 +22,35 @@ WIDTH, HEIGHT, FRAMES, DEPTH = 12, 9, 40, 64  # a frame is more than DEPTH pixel
 SIZE = {"width_px": WIDTH, "height_px": HEIGHT}
 DAMAGES = ("frame", "line", "pixel", "start", "end of line", "last lines", "all but the first lines")
 START, END = 1, 2
+PLACE_BITS = 4  # of a row or a column
+CAMERA_BIT = 6 + 2 * PLACE_BITS  # 1: the right camera
+CODE_BITS = CAMERA_BIT + 1
+PIXEL_BITS = [8, 12]
 
 
 def code(frame, row, column):
-    """The value of a pixel says where it belongs; it is never 0, as those of a pair that ends a broken frame."""
-    return (frame + 1) << 12 | row << 6 | column
+    """Of CODE_BITS. It is never 0, as those of a pair that ends a broken frame."""
+    return (frame + 1) << 2 * PLACE_BITS | place(row, column)
+
+
+def place(row, column):
+    return row << PLACE_BITS | column
+
+
+def frame_of(number):
+    return (number % (1 << CAMERA_BIT) >> 2 * PLACE_BITS) - 1
+
+
+def place_of(number):
+    return number % (1 << 2 * PLACE_BITS)
+
+
+def row_of(number):
+    return place_of(number) >> PLACE_BITS
+
+
+def column_of(number):
+    return number % (1 << PLACE_BITS)
 
 
 @dataclass
@@ -85,18 +113,19 @@ class Seen:
     faults: list = field(default_factory=list)  # bits
 
 
-def word_of(record, rng):
-    """(flags, pixel); garbage while nothing is valid."""
+def word_of(record, rng, camera):
+    """(flags, code); garbage while nothing is valid."""
     if record is None:
-        return rng.randrange(4) << 1, rng.getrandbits(24)
+        return rng.randrange(4) << 1, rng.getrandbits(CODE_BITS)
     frame, row, column, flags = record
-    return 1 | flags << 1, code(frame, row, column)
+    return 1 | flags << 1, camera << CAMERA_BIT | code(frame, row, column)
 
 
 class Joiner:
-    def __init__(self, work, *changes, netlist=False):
+    def __init__(self, work, pixel_bits, *changes, netlist=False):
         """`changes`: (file, old text, new text). `netlist`: what GHDL's synthesis makes of it, for DEPTH pixels."""
-        self.work = work
+        self.work, self.pixel_bits, self.lane_bits = work, pixel_bits, template.lane_bits(pixel_bits)
+        self.bits = {"pixel_bits": self.pixel_bits, "lane_bits": self.lane_bits}
         files = []
         for name in FILES:
             text = (rtl.HAND_WRITTEN / f"{name}.vhd").read_text()
@@ -107,7 +136,7 @@ class Joiner:
             files[-1].write_text(text)
         ghdl.analyse(files, work)
         if netlist:
-            generics = ghdl.options_of({**SIZE, "depth": DEPTH, "pixel_bits": 24})
+            generics = ghdl.options_of({**SIZE, "depth": DEPTH, **self.bits})
             text = run([find_ghdl(), "--synth", ghdl.STANDARD, *generics, "--out=vhdl", "stereo_joiner"], cwd=work)
             # GHDL 2.0 converts the bit inside to a vector of one bit, which VHDL does not allow.
             text, count = re.subn(r"\b(m_axis_tuser) <= std_ulogic_vector", r"\1(0) <= std_ulogic", text)
@@ -120,25 +149,47 @@ class Joiner:
     def play(self, records, rng, sink_percent=100, depth=DEPTH, reset_at=None):
         left, right = records
         clocks = max(len(left), len(right)) + 200
-        lines = ["80 000000 000000"]
+        inputs = [(1 << 7, 0, 0)]
         for clock in range(clocks):
-            left_flags, left_word = word_of(left[clock] if clock < len(left) else None, rng)
-            right_flags, right_word = word_of(right[clock] if clock < len(right) else None, rng)
+            left_flags, left_word = word_of(left[clock] if clock < len(left) else None, rng, 0)
+            right_flags, right_word = word_of(right[clock] if clock < len(right) else None, rng, 1)
             ready = clock >= clocks - 100 or rng.random() * 100 < sink_percent
             flags = left_flags | right_flags << 3 | ready << 6 | (clock == reset_at) << 7
-            lines.append(f"{flags:02x} {left_word:06x} {right_word:06x}")
+            inputs.append((flags, left_word, right_word))
+        whole = None
+        for low in range(0, CODE_BITS, self.pixel_bits):
+            part = self._play_part(inputs, low, depth)
+            if whole is not None:
+                assert [pair[2:] for pair in part.pairs] == [pair[2:] for pair in whole.pairs]
+                assert part.faults == whole.faults
+                part.pairs = [(a | c, b | d, *rest) for (a, b, *rest), (c, d, *_) in zip(whole.pairs, part.pairs)]
+            whole = part
+        return whole
+
+    def _play_part(self, inputs, low, depth):
+        """Bits `low` and above of the codes, with garbage in the bits of a lane above the pixel."""
+        garbage = random.Random(low)
+
+        def lane(word):
+            pixel = word >> low & (1 << self.pixel_bits) - 1
+            return garbage.getrandbits(self.lane_bits) >> self.pixel_bits << self.pixel_bits | pixel
+
+        digits = self.lane_bits // 4
+        lines = [f"{flags:02x} {lane(left):0{digits}x} {lane(right):0{digits}x}" for flags, left, right in inputs]
         (self.work / "stimulus.txt").write_text("\n".join(lines) + "\n")
-        names = {"stimulus_file": "stimulus.txt", "observed_file": "observed.txt", **SIZE, "depth": depth}
+        names = {"stimulus_file": "stimulus.txt", "observed_file": "observed.txt", **SIZE, "depth": depth, **self.bits}
         run([find_ghdl(), "-r", ghdl.STANDARD, "tb_stereo_joiner", *ghdl.options_of(names)], cwd=self.work)
         seen = Seen()
         *observed, end = (self.work / "observed.txt").read_text().splitlines()
-        assert end == f"{clocks + 1} end"
+        assert end == f"{len(inputs)} end"
         for _, kind, *values in map(str.split, observed):
             if kind == "fault":
                 seen.faults.append(values[0])
-            else:
-                word = int(values[0], 16)
-                seen.pairs.append((word & 0xFFFFFF, word >> 24, int(values[1]), int(values[2])))
+                continue
+            lanes = divmod(int(values[0], 16), 1 << self.lane_bits)  # right, left
+            assert not any(value >> self.pixel_bits for value in lanes), "bits above a pixel are 0"
+            right, left = (value << low for value in lanes)
+            seen.pairs.append((left, right, int(values[1]), int(values[2])))
         return seen
 
 
@@ -157,20 +208,22 @@ def judge(seen, cameras):
                 return f"frame {number} is ended in column {column} by what may belong to it"
             broken.add(number)
             continue
-        if left >> 12 != right >> 12:
-            return f"frame {(left >> 12) - 1} of the left camera meets frame {(right >> 12) - 1} of the right one"
-        number = (left >> 12) - 1
+        if (left >> CAMERA_BIT, right >> CAMERA_BIT) != (0, 1):
+            return "pixels of the cameras are swapped"
+        if frame_of(left) != frame_of(right):
+            return f"frame {frame_of(left)} of the left camera meets frame {frame_of(right)} of the right one"
+        number = frame_of(left)
         if number in broken:
             return f"frame {number} goes on behind its end"
         frames.setdefault(number, []).append((left, right, flags))
         column = 0 if flags & END else 1 if flags & START else column + 1
     expected = [
-        (y << 6 | x, y << 6 | x, (x == y == 0) * START | (x == WIDTH - 1) * END)
+        (place(y, x), place(y, x), (x == y == 0) * START | (x == WIDTH - 1) * END)
         for y in range(HEIGHT)
         for x in range(WIDTH)
     ]
     for number in whole_frames(cameras):
-        shown = [(a & 0xFFF, b & 0xFFF, flags) for a, b, flags in frames.get(number, [])]
+        shown = [(place_of(a), place_of(b), flags) for a, b, flags in frames.get(number, [])]
         if shown != expected:
             return f"frame {number} is whole on both sides but comes out with {len(shown)} pairs, not as it is"
     for number, pairs in frames.items():
@@ -179,16 +232,16 @@ def judge(seen, cameras):
             return f"frame {number} is {'' if number in broken else 'not '}ended as a broken one"
         if [flags & START for _, _, flags in pairs].index(START) != 0:
             return f"frame {number} comes out without its start"
-        shifted = {a >> 6 & 0x3F for a, b, _ in pairs if (a ^ b) & 0x3F}
+        shifted = {row_of(a) for a, b, _ in pairs if column_of(a) != column_of(b)}
         if len(shifted) > 1:
             return f"frame {number} goes on behind a line in which the cameras differ"
     return None
 
 
-@pytest.fixture(scope="module")
-def joiner(tmp_path_factory):
+@pytest.fixture(scope="module", params=PIXEL_BITS)
+def joiner(tmp_path_factory, request):
     need("ghdl", "GHDL")
-    return Joiner(tmp_path_factory.mktemp("joiner"))
+    return Joiner(tmp_path_factory.mktemp("joiner"), request.param)
 
 
 LINE = WIDTH + 6  # clocks
@@ -220,9 +273,8 @@ def test_damaged_frames(joiner, number, record_property):
 
 
 @pytest.fixture(scope="module")
-def netlist(tmp_path_factory):
-    need("ghdl", "GHDL")
-    return Joiner(tmp_path_factory.mktemp("netlist"), netlist=True)
+def netlist(tmp_path_factory, joiner):
+    return Joiner(tmp_path_factory.mktemp("netlist"), joiner.pixel_bits, netlist=True)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -247,7 +299,8 @@ def test_a_netlist_that_lost_conditions_is_found(joiner, tmp_path):
         "elsif not gives_up then": "elsif behind < depth - 1 then",
         "          writes <= '0';\n": "          writes <= '0';\n          write_address <= write_address;\n",
     }
-    broken = Joiner(tmp_path, *(("camera_queue", *change) for change in changes.items()), netlist=True)
+    of_queue = [("camera_queue", *change) for change in changes.items()]
+    broken = Joiner(tmp_path, joiner.pixel_bits, *of_queue, netlist=True)
     assert any(differing_play(joiner, broken, seed) for seed in range(4))
 
 
@@ -257,7 +310,7 @@ def test_a_sink_that_waits_too_long_costs_frames_not_order(joiner):
     seen = joiner.play(records, rng, sink_percent=30)
     assert any(int(bits, 2) & 3 for bits in seen.faults)
     for left, right, _, _ in seen.pairs:
-        assert left == right
+        assert left == right % (1 << CAMERA_BIT)
 
 
 def test_cameras_too_far_apart_are_reported(joiner):
@@ -306,12 +359,15 @@ FAULTS = {
     "what waits is forgotten by half": ("camera_queue", "reset => empties", "reset => reset"),
     "a word is read before it is written": ("camera_queue", "if writes = '1' and not reads", "if takes and not reads"),
     "too many words are read ahead": ("camera_queue", "in_flight < ahead", "true"),
+    "the highest bit of a pixel is lost": ("camera_queue", "<= shown(pixel_bits - 1", "<= '0' & shown(pixel_bits - 2"),
+    "pixels are swapped": ("stereo_joiner", "right_pixel & left_pixel", "left_pixel & right_pixel"),
 }
 
 
 @pytest.mark.parametrize("fault", FAULTS)
-def test_fault_is_found(ghdl, tmp_path, fault):
-    broken = Joiner(tmp_path, FAULTS[fault])
+@pytest.mark.parametrize("pixel_bits", PIXEL_BITS)
+def test_fault_is_found(ghdl, tmp_path, pixel_bits, fault):
+    broken = Joiner(tmp_path, pixel_bits, FAULTS[fault])
     for seed in range(40):
         rng = random.Random(seed)
         cameras, records = streams(rng, rng.randrange(-3 * LINE, 3 * LINE), 40)

@@ -13,7 +13,7 @@ from flow.cosim import regression, vectors
 from flow.synthesis import manifest
 from flow_commands import altered_rtl, call, random_pair, refused, report
 
-TINY = "rectify_tiny"
+TINY, DEEP = "rectify_tiny", "rectify_tiny_12bit"
 STAGES = sorted(set(designs()) - set(configurations()))
 RECTIFICATION = rtl.STAGES["rectification"]
 
@@ -48,17 +48,40 @@ FAULTS = {
 }
 
 
+# What fewer bits would do to pixels of 12.
+DEEP_FAULTS = {
+    "delay: the highest bit": (r"(delay_held_1_left <= delay_held_0_left);", r"\1 mod 2048;"),
+    "sampler: the highest bit of what is kept": (
+        r"(leftsampler_rows_written <= sample_kept_pixels_left);",
+        r"\1 mod 2048;",
+    ),
+    "sampler: the lowest bit of what is kept": (
+        r"(rightsampler_rows_written <= sample_kept_pixels_right);",
+        r"\1 / 2 * 2;",
+    ),
+    "the lowest bit of what leaves": (
+        r"(rectified_left <= .*)to_unsigned\(leftsampler_pixel_row_value, 12",
+        r"\1to_unsigned(leftsampler_pixel_row_value / 2 * 2, 12",
+    ),
+}
+
+
 @pytest.fixture(scope="module")
 def pair(tmp_path_factory):
     return random_pair(tmp_path_factory.mktemp("pair"), TINY, levels=256)
 
 
-def cosim(pair, out, *options):
-    return call("cosim.py", "--config", TINY, "--left", pair[0], "--right", pair[1], "--out", out, *options)
+@pytest.fixture(scope="module")
+def deep_pair(tmp_path_factory):
+    return random_pair(tmp_path_factory.mktemp("deep"), DEEP, levels=4096, brightest=4095)
+
+
+def cosim(pair, out, *options, config=TINY):
+    return call("cosim.py", "--config", config, "--left", pair[0], "--right", pair[1], "--out", out, *options)
 
 
 def test_there_are_stages():
-    assert STAGES == ["rectify_tiny", "rectify_vga"]
+    assert STAGES == ["rectify_tiny", "rectify_tiny_12bit", "rectify_vga"]
     assert {rtl.folder(name).parent.name for name in STAGES} == set(rtl.STAGES)
     assert not set(STAGES) & set(rtl.known_configurations()) and set(STAGES) < set(rtl.known_designs())
     assert set(STAGES) < set(regression.select(["all"]))
@@ -66,14 +89,15 @@ def test_there_are_stages():
 
 @pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
 @pytest.mark.parametrize("stream", [("--frames", 3), ("--frames", 3, "--stall-percent", 30), ("--broken", 30)])
-def test_vhdl_is_the_core(request, pair, tmp_path, simulator, stream):
+@pytest.mark.parametrize("config, images", [(TINY, "pair"), (DEEP, "deep_pair")])
+def test_vhdl_is_the_core(request, tmp_path, simulator, stream, config, images):
     request.getfixturevalue(simulator)
-    process = cosim(pair, tmp_path, *stream, "--simulator", simulator)
+    process = cosim(request.getfixturevalue(images), tmp_path, *stream, "--simulator", simulator, config=config)
     assert process.returncode == 0, process.stdout + process.stderr
     result = report(tmp_path)
     assert result["passed"] and result["compared"] == result["expected"] > 3 * 32 * 12
     if "--frames" in stream:
-        assert result["frames"] == 3 and result["latency_clocks"] == designs()[TINY]["latency_clocks"]
+        assert result["frames"] == 3 and result["latency_clocks"] == designs()[config]["latency_clocks"]
     if stream == ("--frames", 3):
         assert result["clocks_per_frame"] == 32 * 12
 
@@ -83,6 +107,22 @@ def test_fault_is_caught(ghdl, pair, tmp_path, fault):
     made = altered_rtl(tmp_path / "rtl", TINY, *FAULTS[fault])
     process = cosim(pair, tmp_path / "out", "--frames", 12, "--stall-percent", 10, "--rtl", made)
     assert process.returncode in (1, 4), f"{fault} was not caught: {process.stdout}"
+
+
+@pytest.mark.parametrize("fault", DEEP_FAULTS)
+def test_fault_of_pixels_of_12_bits_is_caught(ghdl, deep_pair, tmp_path, fault):
+    made = altered_rtl(tmp_path / "rtl", DEEP, *DEEP_FAULTS[fault])
+    process = cosim(deep_pair, tmp_path / "out", "--frames", 2, "--rtl", made, config=DEEP)
+    assert process.returncode == 1, f"{fault} was not caught: {process.stdout}"
+
+
+def test_a_generated_scene_has_the_pixels_of_its_stage(ghdl, tmp_path):
+    process = call("cosim.py", "--config", DEEP, "--out", tmp_path)
+    assert process.returncode == 0, process.stdout + process.stderr
+    stimulus = (tmp_path / "stimulus.txt").read_text().splitlines()
+    assert stimulus[0].endswith(" pixel_bits=12")
+    sent = {int(line.split()[1], 16) for line in stimulus[1:]}
+    assert max(sent) > 255 and len({value % 16 for value in sent}) == 16
 
 
 def test_a_failure_says_which_pixels_differ(ghdl, pair, tmp_path):

@@ -51,6 +51,18 @@ def test_pixels_of_more_bits(tmp_path):
         vectors.read_stimulus(path)
 
 
+def test_a_pair_of_pixels_of_more_bits(tmp_path):
+    """Of a stage, whose outputs are the rectified pixels of both cameras."""
+    path = written(
+        tmp_path, EXPECTED.replace("bits=8", "bits=24").replace(" 03 ", " abc003 ").replace(" 1f ", " 00001f ")
+    )
+    assert [output.disparity for output in vectors.read_expected(path)[0]] == [0xABC003, 0x1F]
+    parameters = {"family": "rectification", "pixels_per_clock": 1, "pixel_bits": 12}
+    vectors.check_fits(path, "tiny", parameters)
+    with pytest.raises(FlowError, match="disparity_bits=24, but the core is tiny with disparity_bits=20"):
+        vectors.check_fits(path, "tiny", parameters | {"pixel_bits": 10})
+
+
 @pytest.mark.parametrize(
     "text,reason",
     [

@@ -46,6 +46,10 @@ TEST(Bilinear, IsTheWeightedSumRounded) {
    expect_weighted_sums<16, 4, 9>();
    expect_weighted_sums<16, 6, 15>();
    expect_weighted_sums<8, 2, 0>();
+   expect_weighted_sums<10, 5, 10>();
+   expect_weighted_sums<12, 5, 10>();
+   expect_weighted_sums<12, 1, 2>();
+   expect_weighted_sums<12, 8, 16>();
 }
 
 }  // namespace

@@ -21,6 +21,14 @@ TEST(RectificationConfig, SaysWhyACoreCannotBeBuilt) {
       EXPECT_NE(problem(config).find(words), std::string::npos) << problem(config);
    };
    refused(&Config::width_px, 4097, "the image width is 4097");
+   for (const int bits : {10, 12}) {
+      Config deep = fits;
+      deep.pixel_bits = bits;
+      EXPECT_EQ(problem(deep), "");
+   }
+   refused(&Config::pixel_bits, 9, "bits of a pixel is 9 but must be 8, 10 or 12");
+   refused(&Config::pixel_bits, 11, "bits of a pixel is 11 but must be 8, 10 or 12");
+   refused(&Config::pixel_bits, 14, "bits of a pixel is 14 but must be 8 ... 12");
    refused(&Config::pixels_per_clock, 2, "one pixel pair a clock");
    refused(&Config::grid_px, 12, "nodes is 12 but must be a power of two");
    refused(&Config::grid_px, 128, "nodes is 128 but must be 4 ... 64");

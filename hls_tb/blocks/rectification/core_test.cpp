@@ -33,6 +33,10 @@ constexpr Config kOdd{
 constexpr Config kOneCell{
     {.width_px = 21, .height_px = 40},
     {.grid_px = 64, .offset_bits = 15, .offset_fraction_bits = 8, .weight_bits = 8, .rows_above = 10, .rows_below = 7}};
+constexpr Config k10Bits{{.width_px = 24, .height_px = 19},
+                         {.pixel_bits = 10, .grid_px = 8, .weight_bits = 8, .rows_above = 2, .rows_below = 3}};
+constexpr Config k12Bits{{.width_px = 33, .height_px = 21},
+                         {.pixel_bits = 12, .grid_px = 8, .offset_bits = 12, .rows_above = 4, .rows_below = 2}};
 constexpr Config kLateRows{{.width_px = 8, .height_px = 11},
                            {.grid_px = 16, .weight_bits = 1, .rows_above = 1, .rows_below = 9}};
 
@@ -42,7 +46,8 @@ struct Named {
 };
 template <class Name>
 class RectificationCore : public ::testing::Test {};
-using Configs = ::testing::Types<Named<kPlain>, Named<kOdd>, Named<kOneCell>, Named<kLateRows>>;
+using Configs =
+    ::testing::Types<Named<kPlain>, Named<kOdd>, Named<kOneCell>, Named<kLateRows>, Named<k10Bits>, Named<k12Bits>>;
 TYPED_TEST_SUITE(RectificationCore, Configs);
 
 /// The pair that leaves for one that came in.
@@ -72,17 +77,24 @@ TablePair random_tables(Random& random) {
    return {random_table(C, random), random_table(C, random)};
 }
 
+/// Grey values over the whole range, the largest one often.
 template <const Config& C>
-ImagePair random_pair(Random& random) {
-   ImagePair pair{{C.width_px, C.height_px}, {C.width_px, C.height_px}};
-   for (uint8_t& pixel : pair.left.pixels) pixel = random.byte();
-   for (uint8_t& pixel : pair.right.pixels) pixel = random.byte();
+Pixel<C> random_pixel(Random& random) {
+   constexpr int kLargest = (1 << C.pixel_bits) - 1;
+   return Pixel<C>(random.percent(10) ? kLargest : random.below(kLargest + 1));
+}
+
+template <const Config& C>
+PairOf<Pixel<C>> random_pair(Random& random) {
+   PairOf<Pixel<C>> pair{{C.width_px, C.height_px}, {C.width_px, C.height_px}};
+   for (auto* image : {&pair.left, &pair.right})
+      for (Pixel<C>& pixel : image->pixels) pixel = random_pixel<C>(random);
    return pair;
 }
 
 /// Both images by definition.
 template <const Config& C>
-ImagePair rectified_pair(const ImagePair& pair, const TablePair& tables) {
+PairOf<Pixel<C>> rectified_pair(const PairOf<Pixel<C>>& pair, const TablePair& tables) {
    return {rectification::rectified(pair.left, tables.left, C), rectification::rectified(pair.right, tables.right, C)};
 }
 
@@ -117,8 +129,8 @@ class Bench {
    }
 
    /// A frame, or its first pixels, with bubbles between them.
-   void frame(const ImagePair& pair, int bubbles_percent, int pixels = kPixels) {
-      const ImagePair leaves = rectified_pair<C>(pair, tables_);
+   void frame(const PairOf<Pixel<C>>& pair, int bubbles_percent, int pixels = kPixels) {
+      const PairOf<Pixel<C>> leaves = rectified_pair<C>(pair, tables_);
       const std::size_t first = pairs_in_ + std::size_t(C.lag_rows() * C.width_px);
       // A frame that is broken off may show rows of its own until the next one leaves.
       const std::size_t from = pixels == kPixels ? first : pairs_in_;
@@ -142,7 +154,7 @@ class Bench {
    void between(int pairs, int bubbles_percent) {
       for (int n = 0; n < pairs; ++n) {
          bubbles(bubbles_percent);
-         clock({.left = {random_.byte()}, .right = {random_.byte()}, .valid = true}, {});
+         clock({.left = {random_pixel<C>(random_)}, .right = {random_pixel<C>(random_)}, .valid = true}, {});
       }
    }
 
@@ -157,10 +169,13 @@ class Bench {
   private:
    void bubbles(int percent) {
       while (random_.percent(percent))
-         clock({.left = {random_.byte()}, .right = {random_.byte()}, .start_of_frame = random_.percent(50)}, {});
+         clock({.left = {random_pixel<C>(random_)},
+                .right = {random_pixel<C>(random_)},
+                .start_of_frame = random_.percent(50)},
+               {});
    }
 
-   void clock(const StereoInput& in, const TableWrite& table) {
+   void clock(const CoreInput<C>& in, const TableWrite& table) {
       check(core_.output());
       core_.clock(in, table);
       valid_.pop_front();
@@ -168,7 +183,7 @@ class Bench {
       pairs_in_ += in.valid ? 1 : 0;
    }
 
-   void check(const StereoInput& out) {
+   void check(const CoreInput<C>& out) {
       ASSERT_EQ(out.valid, valid_.front()) << "after pair " << pairs_out_;
       if (!out.valid) {
          ASSERT_FALSE(out.start_of_frame) << "after pair " << pairs_out_;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "definition/pixel_range.hpp"
+
 namespace stereo::rectification {
 namespace {
 
@@ -51,12 +53,15 @@ SourcePlace source_place(const Table& table, const Warp& warp, int x, int y) {
    return {int(x * unit + rounded(sum_x * unit, divisor)), int(y * unit + rounded(sum_y * unit, divisor))};
 }
 
-GrayImage rectified(const GrayImage& image, const Table& table, const Warp& warp) {
+template <class Pixel>
+RasterImage<Pixel> rectified(const RasterImage<Pixel>& image, const Table& table, const Warp& warp) {
    if (const Sentence problem = warp.problem(); !problem.empty()) throw std::invalid_argument(problem.text);
    if (table.columns != warp.nodes_along(image.width) || table.rows != warp.nodes_along(image.height))
       throw std::invalid_argument("a table of " + size_text(table.columns, table.rows) +
                                   " nodes is none of an image of " + size_text(image));
-   GrayImage result(image.width, image.height);
+   if (const std::string problem = beyond_range(image, warp.pixel_bits); !problem.empty())
+      throw std::invalid_argument("the image " + problem);
+   RasterImage<Pixel> result(image.width, image.height);
    for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
          const Neighbours from = neighbours(source_place(table, warp, x, y), warp);
@@ -70,10 +75,13 @@ GrayImage rectified(const GrayImage& image, const Table& table, const Warp& warp
                              from.right * upper * tap(from.column + 1, from.row) +
                              left * from.lower * tap(from.column, from.row + 1) +
                              from.right * from.lower * tap(from.column + 1, from.row + 1);
-         result.at(x, y) = uint8_t(rounded(sum, unit * unit));
+         result.at(x, y) = Pixel(rounded(sum, unit * unit));
       }
    return result;
 }
+
+template GrayImage rectified(const GrayImage&, const Table&, const Warp&);
+template DeepImage rectified(const DeepImage&, const Table&, const Warp&);
 
 RowsNeeded rows_needed(const Table& table, const Warp& warp, int image_width, int image_height) {
    RowsNeeded needed;

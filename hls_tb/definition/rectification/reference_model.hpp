@@ -44,9 +44,11 @@ struct SourcePlace {
 
 SourcePlace source_place(const Table& table, const Warp& warp, int x, int y);
 
-/// The rectified image, of the size of the camera's. Throws std::invalid_argument where the table is not one of such
-/// images.
-GrayImage rectified(const GrayImage& image, const Table& table, const Warp& warp);
+/// The rectified image, of the size of the camera's. Pixel: uint8_t or uint16_t, of which the camera's image has values
+/// of warp.pixel_bits, as the result has. Throws std::invalid_argument where it has larger ones, and where the table is
+/// not one of such images.
+template <class Pixel>
+RasterImage<Pixel> rectified(const RasterImage<Pixel>& image, const Table& table, const Warp& warp);
 
 /// How far above and below its own row a pixel has a tap inside the image, both at least 0. With rows_above and
 /// rows_below as large no tap is left out.

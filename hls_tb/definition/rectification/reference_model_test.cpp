@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <stdexcept>
 
 #include "scene/random.hpp"
@@ -14,13 +15,20 @@ namespace {
 
 using test::test_seed;
 
+DeepImage random_deep_image(int width, int height, int bits, Random& random) {
+   DeepImage image(width, height);
+   for (uint16_t& pixel : image.pixels) pixel = uint16_t(random.below(1 << bits));
+   return image;
+}
+
 GrayImage random_image(int width, int height, Random& random) {
    GrayImage image(width, height);
    for (uint8_t& pixel : image.pixels) pixel = random.byte();
    return image;
 }
 
-Table shift(const Warp& warp, const GrayImage& image, Offset offset) {
+template <class Image>
+Table shift(const Warp& warp, const Image& image, Offset offset) {
    Table table(warp, image.width, image.height);
    for (Offset& node : table.nodes) node = offset;
    return table;
@@ -61,6 +69,48 @@ TEST(Rectification, WeighsFourPixelsAndRoundsHalvesUp) {
    EXPECT_EQ(rectified(image, shift(warp, image, {0, 16}), warp).at(3, 0), 85) << "3/4 of 100 and 1/4 of 40";
    EXPECT_EQ(rectified(image, shift(warp, image, {32, 32}), warp).at(3, 0), 70) << "70.25";
    EXPECT_EQ(rectified(image, shift(warp, image, {0, -32}), warp).at(4, 0), 51) << "half of 101: above is nothing";
+}
+
+TEST(Rectification, LeavesAnImageOfMoreBitsAsItIsWhereAllOffsetsAre0) {
+   Random random(test_seed());
+   for (const int bits : {8, 10, 12}) {
+      const Warp warp{.pixel_bits = bits};
+      const DeepImage image = random_deep_image(37, 21, bits, random);
+      EXPECT_EQ(rectified(image, shift(warp, image, {0, 0}), warp), image) << bits;
+   }
+}
+
+TEST(Rectification, RoundsPixelsOf12BitsToTheirLowestBit) {
+   const Warp warp{.pixel_bits = 12};
+   DeepImage image(8, 2);
+   image.at(3, 0) = 4095;
+   image.at(4, 0) = 4094;
+   image.at(3, 1) = 1;
+   EXPECT_EQ(rectified(image, shift(warp, image, {32, 0}), warp).at(3, 0), 4095) << "4094.5";
+   EXPECT_EQ(rectified(image, shift(warp, image, {0, 32}), warp).at(3, 0), 2048) << "half of 4095 and of 1";
+   EXPECT_EQ(rectified(image, shift(warp, image, {0, -32}), warp).at(4, 0), 2047) << "half of 4094: above is nothing";
+   const DeepImage white(8, 8, 4095);
+   EXPECT_EQ(rectified(white, shift(warp, white, {17, 43}), warp).at(3, 3), 4095) << "all four are the largest one";
+}
+
+/// 16 times the grey values: the same sums, and only the rounding is finer.
+TEST(Rectification, Of12BitsIsThatOf8BitsButForTheRounding) {
+   Random random(test_seed());
+   const Warp warp{.grid_px = 8}, deep_warp{.pixel_bits = 12, .grid_px = 8};
+   const GrayImage image = random_image(40, 30, random);
+   DeepImage deep = widened(image);
+   for (uint16_t& pixel : deep.pixels) pixel = uint16_t(16 * pixel);
+   Table table(warp, image.width, image.height);
+   for (Offset& node : table.nodes) node = {random.below(512) - 256, random.below(512) - 256};
+   const GrayImage made = rectified(image, table, warp);
+   const DeepImage made_deep = rectified(deep, table, deep_warp);
+   int finer = 0;
+   for (std::size_t i = 0; i < made.pixels.size(); ++i) {
+      const int difference = made_deep.pixels[i] - 16 * made.pixels[i];
+      ASSERT_LE(std::abs(2 * difference), 16) << i;
+      finer += difference != 0 ? 1 : 0;
+   }
+   EXPECT_GT(finer, 1000) << "of 1200";
 }
 
 TEST(Rectification, InterpolatesBetweenTheNodes) {
@@ -135,6 +185,10 @@ TEST(Rectification, RefusesWhatDoesNotFit) {
    EXPECT_THROW(rectified(image, Table(warp, 56, 30), warp), std::invalid_argument);
    EXPECT_THROW(rectified(image, Table(warp, 40, 30), Warp{.grid_px = 12}), std::invalid_argument);
    EXPECT_NO_THROW(rectified(image, Table(warp, 40, 30), warp));
+   DeepImage deep(40, 30, 1023);
+   EXPECT_NO_THROW(rectified(deep, Table(warp, 40, 30), Warp{.pixel_bits = 10}));
+   deep.at(7, 5) = 1024;
+   EXPECT_THROW(rectified(deep, Table(warp, 40, 30), Warp{.pixel_bits = 10}), std::invalid_argument);
 }
 
 }  // namespace

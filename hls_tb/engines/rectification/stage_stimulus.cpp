@@ -87,7 +87,7 @@ std::vector<StageOutput> run_stage(const Stage& stage, const std::vector<StageCl
    std::vector<StageOutput> outputs;
    int starts = 0;
    for (uint64_t clock = 0; clock < clocks.size(); ++clock) {
-      if (const StereoInput out = core->output(); out.valid) {
+      if (const WideInput out = core->output(); out.valid) {
          StageOutput next{clock, 0, 0, 0, out.left[0], out.right[0], out.start_of_frame};
          starts += out.start_of_frame ? 1 : 0;
          next.frame = std::max(starts - 1, 0);
@@ -129,7 +129,7 @@ void trace_stage(const Stage& stage, const std::vector<StageClock>& clocks, std:
    const auto add = [&values](uint64_t word) { values.push_back({word, false}); };
    for (uint64_t clock = 0; clock < clocks.size(); ++clock) {
       const auto& [in, node, resets] = clocks[clock];
-      const StereoInput shown = core->output();
+      const WideInput shown = core->output();
       values.clear();
       for (const uint64_t word :
            {uint64_t(in.left[0]), uint64_t(in.right[0]), uint64_t(in.start_of_frame), uint64_t(in.valid),

@@ -12,7 +12,7 @@
 namespace stereo {
 
 struct StageClock {
-   StereoInput in;
+   WideInput in;
    rectification::TableWrite node;
    bool reset = false;
 };
@@ -21,7 +21,7 @@ struct StageClock {
 struct StageOutput {
    uint64_t clock = 0;
    int x = 0, y = 0, frame = 0;
-   uint8_t left = 0, right = 0;
+   uint16_t left = 0, right = 0;
    bool start_of_frame = false;
 };
 

@@ -20,9 +20,9 @@ class ClockedRectification {
   public:
    virtual ~ClockedRectification() = default;
    /// What the registers show in this clock.
-   virtual StereoInput output() const = 0;
+   virtual WideInput output() const = 0;
    /// The clock edge.
-   virtual void clock(const StereoInput& in, const rectification::TableWrite& node) = 0;
+   virtual void clock(const WideInput& in, const rectification::TableWrite& node) = 0;
    /// All registers, in data-flow order.
    virtual std::vector<RegisterView> registers() = 0;
 };
@@ -32,8 +32,8 @@ class ClockedRectificationOf final : public ClockedRectification {
   public:
    explicit ClockedRectificationOf(HeapMemories& memories) : core_(memories) {}
 
-   StereoInput output() const override { return core_.output(); }
-   void clock(const StereoInput& in, const rectification::TableWrite& node) override { core_.clock(in, node); }
+   WideInput output() const override { return core_.output(); }
+   void clock(const WideInput& in, const rectification::TableWrite& node) override { core_.clock(in, node); }
    std::vector<RegisterView> registers() override {
       std::vector<RegisterView> list;
       RegisterLister lister(list);
@@ -52,7 +52,7 @@ struct Stage {
    std::string family;         ///< the folder of its sources
    std::string source_folder;  ///< in which that folder stands, from the project's root
    rectification::Config config;
-   CoreShape shape;  ///< a pixel pair leaves as a word of 16 bits, the left camera's in the lower ones
+   CoreShape shape;  ///< a pixel pair leaves as a word of 2 pixel_bits, the left camera's in the lower half
    std::vector<OptionValue> options;
    std::vector<OptionValue> changed;  ///< those that are not the defaults, but for the images' size
    /// In the state after a reset; `memories` as with CoreModule::make.
@@ -70,7 +70,7 @@ Stage stage_entry(std::string name, std::string use, std::string family, std::st
            std::move(family),
            std::move(source_folder),
            C,
-           {C, C.width_px, 16, 1, Core::kSchedule, {}},
+           {C, C.width_px, 2 * C.pixel_bits, 1, Core::kSchedule, {}, C.pixel_bits},
            option_values(C),
            changed_options(C),
            [](HeapMemories& memories) -> std::unique_ptr<ClockedRectification> {

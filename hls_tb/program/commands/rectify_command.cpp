@@ -34,12 +34,13 @@ struct Camera {
    RemapMaps maps;
    Table table;
    RowsNeeded needed;
-   std::optional<GrayImage> rectified = std::nullopt;
    std::optional<Difference> grey = std::nullopt;
 };
 
-void require_possible(const Config& config) {
-   if (const Sentence problem = config.problem(); !problem.empty())
+/// Options: Config, or the part of it that does not know the images.
+template <class Options = Config>
+void require_possible(const Options& options) {
+   if (const Sentence problem = options.problem(); !problem.empty())
       throw InputError(std::string("no core can rectify this: ") + problem.text);
 }
 
@@ -49,14 +50,14 @@ struct Wished {
    bool rows_above = false, rows_below = false;
 };
 
-Wished wished(const std::vector<std::string>& settings, int width, int height) {
-   Wished made{{{.width_px = width, .height_px = height}, {.rows_above = 0, .rows_below = 0}}};
+Wished wished(const std::vector<std::string>& settings) {
+   Wished made{{{}, {.rows_above = 0, .rows_below = 0}}};
    for_each_setting(settings, [&made](const std::string& name, const std::string& value) {
       set_option<rectification::Warp>(made.config, name, value);
       made.rows_above = made.rows_above || name == "rows_above";
       made.rows_below = made.rows_below || name == "rows_below";
    });
-   require_possible(made.config);
+   require_possible<rectification::Warp>(made.config);
    return made;
 }
 
@@ -85,7 +86,7 @@ std::string table_text(const Table& table, int offset_bits) {
    return text.str();
 }
 
-int buffer_bits(const Config& config) { return config.buffered_columns() * config.buffered_rows() * 8; }
+int buffer_bits(const Config& config) { return config.buffered_columns() * config.buffered_rows() * config.pixel_bits; }
 
 std::string summary(const Config& config, const std::vector<Camera>& cameras) {
    std::ostringstream text;
@@ -134,12 +135,15 @@ void rectify(const Arguments& arguments) {
    if (arguments.left.empty() != sized)
       throw InputError("give --left and --right, or --width and --height without images");
    const Calibration calibration = load_calibration(arguments.calibration, arguments.extrinsics);
-   const ImagePair pair = sized ? ImagePair() : load_pair(arguments.left, arguments.right);
-   const Wished wish = sized ? wished(arguments.settings, arguments.width, arguments.height)
-                             : wished(arguments.settings, pair.left.width, pair.left.height);
+   const Wished wish = wished(arguments.settings);
    Config config = wish.config;
+   const AnyPair pair = sized ? ImagePair() : load_any_pair(arguments.left, arguments.right, config.pixel_bits);
+   const auto size_of = [](const auto& images) { return cv::Size(images.left.width, images.left.height); };
+   const cv::Size size = sized ? cv::Size(arguments.width, arguments.height) : std::visit(size_of, pair);
+   config.width_px = size.width;
+   config.height_px = size.height;
+   require_possible(config);
    const Rectification maps = make_rectification(calibration, config.width_px, config.height_px, config.grid_px);
-   const cv::Size size(config.width_px, config.height_px);
    std::vector<Camera> cameras = {camera_of("left", {maps.left_x, maps.left_y, size}, config),
                                   camera_of("right", {maps.right_x, maps.right_y, size}, config)};
    settle_rows(config.rows_above, wish.rows_above, "rows_above",
@@ -155,10 +159,13 @@ void rectify(const Arguments& arguments) {
          out.leave_out(camera.name + ".png");
          continue;
       }
-      const GrayImage& source = camera.name == "left" ? pair.left : pair.right;
-      camera.rectified = rectified(source, camera.table, config);
-      camera.grey = grey_difference(*camera.rectified, source, camera.maps);
-      out.add(camera.name + ".png", encode_png(*camera.rectified));
+      const auto add_image = [&](const auto& images) {
+         const auto& source = camera.name == "left" ? images.left : images.right;
+         const auto made = rectified(source, camera.table, config);
+         camera.grey = grey_difference(made, source, camera.maps);
+         out.add(camera.name + ".png", encode_png(made));
+      };
+      std::visit(add_image, pair);
    }
    out.add_json("rectify.json", facts(arguments, config, cameras));
    std::cout << summary(config, cameras);

@@ -6,7 +6,7 @@ import json
 import pytest
 
 from stereo_hls_depth_test import FOCAL, HEIGHT, WIDTH, calibration, png_pixels
-from stereo_hls_program import changed, fail, gray_image, png_size, succeed, write_image
+from stereo_hls_program import changed, deep_image, fail, gray_image, png_depth, png_size, succeed, write_image
 
 BENT = [-0.2, 0.05, 0.0, 0.0, 0.0]  # a lens that bends outlines outwards
 
@@ -78,6 +78,57 @@ def test_a_bent_and_turned_pair(tmp_path, rectify, images):
     assert largest == needs[1]["largest_grey_difference"]
 
 
+def deep_images(tmp_path, bits):
+    """The whole range, down to the lowest bit."""
+    return [
+        "--left",
+        deep_image(tmp_path / "deep_l.pgm", lambda x, y: (37 * x + 5 * y) % (1 << bits), WIDTH, HEIGHT),
+        "--right",
+        deep_image(tmp_path / "deep_r.pgm", lambda x, y: (21 * x + 11 * y + 1) % (1 << bits), WIDTH, HEIGHT),
+    ]
+
+
+@pytest.mark.parametrize("bits", [10, 12])
+def test_pixels_of_more_bits(tmp_path, rectify, bits):
+    pair, deep = deep_images(tmp_path, bits), ["--set", f"pixel_bits={bits}"]
+    succeed(*rectify, calibration(tmp_path / "c.yml"), *pair, *deep)
+    facts = json.loads((tmp_path / "out" / "rectify.json").read_text())
+    assert facts["parameters"]["pixel_bits"] == bits and facts["left"]["largest_grey_difference"] == 0
+    assert facts["buffer_bits"] == facts["buffered_rows"] * (WIDTH + 2) * bits
+    as_they_came = [[(37 * x + 5 * y) % (1 << bits) for x in range(WIDTH)] for y in range(HEIGHT)]
+    assert png_pixels(tmp_path / "out" / "left.png") == as_they_came
+
+    bent = calibration(tmp_path / "b.yml", turn=0.04, D1=(BENT, 5), D2=(BENT, 5))
+    succeed(*rectify, bent, *pair, *deep)
+    facts = json.loads((tmp_path / "out" / "rectify.json").read_text())
+    succeed("depth", "--config", "study", "--calibration", bent, *pair, *deep, "--out", tmp_path / "depth")
+    theirs, ours = png_pixels(tmp_path / "depth" / "right.png"), png_pixels(tmp_path / "out" / "right.png")
+    largest = max(abs(a - b) for row, other in zip(ours, theirs) for a, b in zip(row, other))
+    assert largest == facts["right"]["largest_grey_difference"] > 0
+
+
+def test_images_of_8_bits_are_taken_as_they_are(tmp_path, rectify, images):
+    bent = calibration(tmp_path / "c.yml", D1=(BENT, 5))
+    made = []
+    for bits in (8, 12):
+        succeed(*rectify, bent, *images, "--set", f"pixel_bits={bits}")
+        made.append((tmp_path / "out" / "left.png").read_bytes())
+    assert made[0] == made[1] and png_depth(tmp_path / "out" / "left.png") == 8
+    deep = deep_images(tmp_path, 8)
+    succeed(*rectify, bent, *images[:2], *deep[2:], "--set", "pixel_bits=12")
+    assert png_depth(tmp_path / "out" / "left.png") == 16, "one of a pair has 16 bits"
+    wide = png_pixels(tmp_path / "out" / "left.png")
+    (tmp_path / "out" / "left.png").write_bytes(made[0])
+    assert wide == png_pixels(tmp_path / "out" / "left.png")
+
+
+def test_pixels_beyond_the_range_are_refused(tmp_path, rectify):
+    yml, pair = calibration(tmp_path / "c.yml"), deep_images(tmp_path, 12)
+    fail(tmp_path, *rectify, yml, *pair, says=["deep_l.pgm", "16 bits a channel but must have 8"])
+    says = ["deep_l.pgm", "grey value", "pixels of 10 bits are at most 1023"]
+    fail(tmp_path, *rectify, yml, *pair, "--set", "pixel_bits=10", says=says)
+
+
 def test_a_finer_grid_is_closer(tmp_path, rectify):
     bent = calibration(tmp_path / "c.yml", D1=(BENT, 5))
     largest = []
@@ -122,8 +173,10 @@ def test_more_rows_than_needed_may_be_set_and_fewer_may_not(tmp_path, rectify):
     "options, says",
     [
         (["--set", "grid_px=12"], ["nodes is 12", "power of two"]),
+        (["--set", "pixel_bits=9"], ["bits of a pixel is 9 but must be 8, 10 or 12"]),
+        (["--set", "pixel_bits=16"], ["bits of a pixel is 16 but must be 8 ... 12"]),
         (["--set", "grid_px=2"], ["nodes is 2 but must be 4 ... 64"]),
-        (["--set", "grid=8"], ["--set grid=8", "known are: grid_px"]),
+        (["--set", "grid=8"], ["--set grid=8", "known are: pixel_bits, grid_px"]),
         (["--set", "grid_px=x"], ["--set grid_px=x", "a whole number"]),
         (["--set", "grid_px"], ["--set grid_px", "NAME=VALUE"]),
         (["--set", "width_px=8"], ["--set width_px=8", "no such option"]),

@@ -65,15 +65,20 @@ Difference place_difference(const Table& table, const Warp& warp, const RemapMap
    return differences.result();
 }
 
-Difference grey_difference(const GrayImage& rectified, const GrayImage& source, const RemapMaps& maps) {
-   GrayImage copy = source;
+template <class Pixel>
+Difference grey_difference(const RasterImage<Pixel>& rectified, const RasterImage<Pixel>& source,
+                           const RemapMaps& maps) {
+   RasterImage<Pixel> copy = source;
    cv::Mat remapped;
    cv::remap(as_mat(copy), remapped, maps.image_x(), maps.image_y(), cv::INTER_LINEAR);
    Differences differences;
    for (int y = 0; y < rectified.height; ++y)
       for (int x = 0; x < rectified.width; ++x)
-         differences.add(std::abs(rectified.at(x, y) - remapped.at<uint8_t>(y, x)));
+         differences.add(std::abs(rectified.at(x, y) - remapped.at<Pixel>(y, x)));
    return differences.result();
 }
+
+template Difference grey_difference(const GrayImage&, const GrayImage&, const RemapMaps&);
+template Difference grey_difference(const DeepImage&, const DeepImage&, const RemapMaps&);
 
 }  // namespace stereo::app

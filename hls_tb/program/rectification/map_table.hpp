@@ -31,7 +31,10 @@ struct Difference {
 /// Between the places of the table and those of the maps, in pixels, where the maps stay inside the camera's image.
 Difference place_difference(const rectification::Table& table, const rectification::Warp& warp, const RemapMaps& maps);
 
-/// Between a rectified image and the one that cv::remap makes of the same (INTER_LINEAR, 0 outside), in grey levels.
-Difference grey_difference(const GrayImage& rectified, const GrayImage& source, const RemapMaps& maps);
+/// Between a rectified image and the one that cv::remap makes of the same (INTER_LINEAR, 0 outside), in grey levels: of
+/// as many bits as the images have. Pixel: uint8_t or uint16_t.
+template <class Pixel>
+Difference grey_difference(const RasterImage<Pixel>& rectified, const RasterImage<Pixel>& source,
+                           const RemapMaps& maps);
 
 }  // namespace stereo::app

@@ -53,16 +53,23 @@ Calibration random_calibration(Random& random) {
 struct Rectified {
    Table table;
    Difference place, grey;
+   Difference deep_grey;  ///< of the same scene with pixels of kDeepBits
 };
+constexpr int kDeepBits = 12;
+constexpr int kDeepLevels = 16;  // for one of 8 bits
 
 /// The left image of the scene as if a camera had taken it.
 Rectified rectified_left(const Calibration& calibration, const Warp& warp, const GrayImage& source) {
+   const DeepImage deep = deepened({source, source}, kDeepBits, test_seed()).left;
+   Warp deep_warp = warp;
+   deep_warp.pixel_bits = kDeepBits;
    const Rectification made = make_rectification(calibration, source.width, source.height, warp.grid_px);
    const RemapMaps maps{made.left_x, made.left_y, {source.width, source.height}};
    Table table = table_of(maps, warp, "left camera");
    const GrayImage image = rectified(source, table, warp);
    const Difference place = place_difference(table, warp, maps);
-   return {std::move(table), place, grey_difference(image, source, maps)};
+   const Difference deep_grey = grey_difference(rectified(deep, table, deep_warp), deep, maps);
+   return {std::move(table), place, grey_difference(image, source, maps), deep_grey};
 }
 
 constexpr Warp with_grid(int grid_px) {
@@ -84,7 +91,7 @@ TEST(MapTable, IsCloseToRemapOnRandomCalibrations) {
    double mean_of_finer = 0;
    for (const Bound& bound : kBounds) {
       Random random(test_seed());
-      Difference place, grey;  // the largest, and the mean of the means
+      Difference place, grey, deep_grey;  // the largest, and the mean of the means
       for (int round = 0; round < kRounds; ++round) {
          const uint64_t seed = random.bits();
          SCOPED_TRACE("calibration of seed " + std::to_string(seed));
@@ -97,14 +104,19 @@ TEST(MapTable, IsCloseToRemapOnRandomCalibrations) {
          EXPECT_LE(made.place.mean, bound.mean_place);
          EXPECT_LE(made.grey.largest, bound.grey);
          EXPECT_LE(made.grey.mean, bound.mean_grey);
+         EXPECT_LE(made.deep_grey.largest, kDeepLevels * bound.grey);
+         EXPECT_LE(made.deep_grey.mean, kDeepLevels * bound.mean_grey);
          place = {std::max(place.largest, made.place.largest), place.mean + made.place.mean / kRounds};
          grey = {std::max(grey.largest, made.grey.largest), grey.mean + made.grey.mean / kRounds};
+         deep_grey = {std::max(deep_grey.largest, made.deep_grey.largest),
+                      deep_grey.mean + made.deep_grey.mean / kRounds};
       }
       EXPECT_GT(grey.mean, mean_of_finer);
       mean_of_finer = grey.mean;
       std::cout << bound.grid_px << " px: " << with_grid(bound.grid_px).table_bits(kWidth, kHeight)
                 << " bits a camera; from the float maps at most " << place.largest << " px, mean " << place.mean
-                << " px; from cv::remap at most " << grey.largest << " grey levels, mean " << grey.mean << "\n";
+                << " px; from cv::remap at most " << grey.largest << " grey levels, mean " << grey.mean << ", of "
+                << kDeepBits << " bits " << deep_grey.largest << ", mean " << deep_grey.mean << "\n";
    }
 }
 
@@ -123,6 +135,8 @@ TEST(MapTable, IsRemapWhereTheMapsAreStraight) {
    EXPECT_LE(made.place.largest, 0.025) << "in each direction half of 1/32 px, and of a node half of 1/256 px";
    EXPECT_LE(made.grey.largest, 5);
    EXPECT_LE(made.grey.mean, 0.03);
+   EXPECT_LE(made.deep_grey.largest, kDeepLevels * 5);
+   EXPECT_LE(made.deep_grey.mean, kDeepLevels * 0.03);
 }
 
 TEST(MapTable, RefusesOffsetsThatItsBitsCannotSay) {
@@ -162,6 +176,13 @@ TEST(MapTable, MeasuresDifferences) {
    other.at(3, 3) = 90;
    EXPECT_EQ(grey_difference(other, source, maps).largest, 10);
    EXPECT_EQ(grey_difference(other, source, maps).mean, 10 / 256.0);
+   Warp deep_warp = warp;
+   deep_warp.pixel_bits = kDeepBits;
+   const DeepImage deep_source(16, 16, 4000);
+   EXPECT_EQ(grey_difference(rectified(deep_source, table, deep_warp), deep_source, maps).largest, 0);
+   DeepImage deep_other = deep_source;
+   deep_other.at(3, 3) = 3000;
+   EXPECT_EQ(grey_difference(deep_other, deep_source, maps).largest, 1000);
    for (int j = 0; j < table.rows; ++j) table.at(0, j).x = 64;
    EXPECT_EQ(place_difference(table, warp, maps).largest, 1);
    EXPECT_EQ(place_difference(table, warp, maps).mean, 8.5 / 16) << "16/16, 15/16 ... 1/16 from the left to the right";

@@ -90,16 +90,18 @@ def pixel_bits_of(parameters: Mapping[str, Any]) -> int:
 
 def ports_of(parameters: Mapping[str, Any]) -> tuple[Port, ...]:
     """All of a matching core."""
-    bits = pixel_bits_of(parameters)
-    if bits == PIXEL_BITS:
-        return ports_with(settings_of(parameters))
+    return _with_pixels(ports_with(settings_of(parameters)), pixel_bits_of(parameters))
+
+
+def _with_pixels(ports: Sequence[Port], bits: int) -> tuple[Port, ...]:
+    """The same with grey values of so many bits."""
 
     def wide(port: Port) -> Port:
-        if port.name not in ("left_pixel", "right_pixel"):
+        if port.name not in ("left_pixel", "right_pixel", "rectified_left", "rectified_right"):
             return port
         return port._replace(lane_bits=bits, meaning=port.meaning.replace(f"{PIXEL_BITS} bits", f"{bits} bits"))
 
-    return tuple(map(wide, ports_with(settings_of(parameters))))
+    return tuple(map(wide, ports))
 
 
 def ports_with(settings: Sequence[Setting]) -> tuple[Port, ...]:
@@ -195,7 +197,8 @@ def is_stage(parameters: Mapping[str, Any]) -> bool:
 def kind_of(parameters: Mapping[str, Any]) -> Kind:
     """Of a configuration."""
     if is_stage(parameters):
-        return STAGES[parameters["family"]]
+        stage = STAGES[parameters["family"]]
+        return stage._replace(ports=_with_pixels(stage.ports, pixel_bits_of(parameters)))
     kind = CORE._replace(ports=ports_of(parameters))
     settings = settings_of(parameters)
     if any(setting.held for setting in settings):

@@ -119,6 +119,7 @@ def _pair(job: Job, directory: Path, parameters: Parameters) -> tuple[Path, Path
     else:
         command += ["--width", parameters["width_px"], "--height", parameters["height_px"]]
         command += ["--disparities", min(STAGE_DISPARITIES, parameters["width_px"] // 2)]
+        command += ["--pixel-bits", rtl.pixel_bits_of(parameters)]
     run(command, passes_errors=True)
     return scene / "left.png", scene / "right.png"
 

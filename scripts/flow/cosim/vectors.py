@@ -108,8 +108,8 @@ def read_expected(path: Path) -> tuple[list[Expected], int]:
     """(expected outputs, latency of the C++ core in clocks)"""
     lines = read_lines(path)
     header, digits = _read_header(path, lines, "expected", "outputs")
-    if header.get("disparity_bits") not in ("8", "16"):
-        raise FlowError(f"{path}, line 1: disparity_bits= must be 8 or 16")
+    if header.get("disparity_bits") not in ("8", "16", "20", "24"):
+        raise FlowError(f"{path}, line 1: disparity_bits= must be 8 or 16, or 20 or 24 of a stage")
     digits = digits * int(header["disparity_bits"]) // 8
     pattern = re.compile(rf"({NUMBER}) ({NUMBER}) ({NUMBER}) ({NUMBER}) ([0-9a-f]{{{digits}}}) (\d{{1,3}})")
     outputs = []

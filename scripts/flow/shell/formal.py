@@ -26,9 +26,13 @@ class Proof:
 
 PROOFS = (
     Proof("line_memory", {"width": 1}),
+    Proof("line_memory", {"width": 10}),  # a word of camera_queue: a pixel of 8 bits and two flags
+    Proof("line_memory", {"width": 14}),  # of 12 bits
     Proof("line_memory", {"width": 61}),
     Proof("stream_register", {"flag_bits": 1, "data_bits": 1}),
     Proof("stream_register", {"flag_bits": 1, "data_bits": 2}),
+    Proof("stream_register", {"flag_bits": 2, "data_bits": 16}),  # a pair of stereo_joiner
+    Proof("stream_register", {"flag_bits": 2, "data_bits": 24}),
     Proof("stream_fifo", {"depth": 1, "width": 1}),
     Proof("stream_fifo", {"depth": 2, "width": 1}),
     Proof("stream_fifo", {"depth": 3, "width": 1}),

@@ -105,9 +105,10 @@ def check(config: str, work: Path, shell: Path | None = None, say: Say = print) 
     found += analysis([*written, *joiner, *examples], work)
     if not found:
         found += netlist([memory, *core, *written], rtl.ip_entity(config), work)
-        found += netlist(
-            [memory, *shared, *joiner], "stereo_joiner", work, {"width_px": 640, "height_px": 480, "depth": 1024}
-        )
+        for bits in (rtl.PIXEL_BITS, 12):
+            sizes = {"width_px": 640, "height_px": 480, "depth": 1024}
+            lanes = {"pixel_bits": bits, "lane_bits": template.lane_bits(bits)}
+            found += netlist([memory, *shared, *joiner], "stereo_joiner", work, sizes | lanes)
         nodes: ghdl.Generics = {"table_columns": 41, "table_rows": 31, "depth_entries": 1024, "subpixel": "true"}
         found += netlist([CAMERA_TABLES], "camera_tables", work, nodes)
         found += netlist([memory, CAMERA_DEPTH], "camera_depth", work, {"place_bits": 10, "disparity_bits": 16})

@@ -35,6 +35,11 @@ def lane_bits(pixel_bits: int) -> int:
     return 8 if pixel_bits <= 8 else 16
 
 
+def pixel_generics(pixel_bits: int) -> dict[str, int]:
+    """Of a shell or a joiner; none where they are those that it has by itself."""
+    return {"pixel_bits": pixel_bits, "lane_bits": lane_bits(pixel_bits)} if pixel_bits > rtl.PIXEL_BITS else {}
+
+
 def ports(values: Mapping[str, int], pixel_bits: int = rtl.PIXEL_BITS) -> list[Port]:
     """Those of a stereo_ip, with numbers instead of generics in their types."""
     numbers = {
@@ -83,7 +88,7 @@ def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None 
         "enabled_at_reset": "enabled_at_reset",
         **({f"settings_{what}": _values(settings, what) for what in ("largest", "start")} if settings else {}),
         **({"settings_least": _values(settings, "least")} if any(setting.least for setting in settings) else {}),
-        **({"pixel_bits": pixel_bits, "lane_bits": lane_bits(pixel_bits)} if pixel_bits > 8 else {}),
+        **pixel_generics(pixel_bits),
         **(of_the_shell or {}),
     }
     inside = {port.name: port.name.removeprefix("core_") for port in to_core}

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from ..base import rtl
 from ..base.configurations import option
 from ..base.errors import EXIT_MISMATCH, FlowError
 from ..base.tools import ROOT, Word, find_stereo_hls, run
@@ -79,6 +80,8 @@ def scene(system: System, pair: Path | None, work: Path) -> Scene:
     """`pair`: a folder with left.png and right.png, rectified; else a generated scene."""
     stage, core = pipeline.rows_of(system)
     width, height = core["width_px"], core["height_px"]
+    if rtl.pixel_bits_of(core) != rtl.PIXEL_BITS:
+        raise FlowError(f"--frame is for pixels of {rtl.PIXEL_BITS} bits; {system.name} has {rtl.pixel_bits_of(core)}")
     if (width, height) != (640, 480):
         raise FlowError(f"--frame is for systems of 640x480; {system.name} has {width}x{height}")
     if pair is None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import files
+from ..base import files, rtl
 from ..base.configurations import Configuration, configuration, designs, option
 from ..base.tools import Word, find_stereo_hls, run
 from ..cosim import vectors
@@ -71,7 +71,10 @@ def rectified(image: Image, table: Table, row: Configuration) -> list[list[int]]
 
 
 def write_pgm(path: Path, image: Image) -> Path:
-    path.write_bytes(files.pgm(len(image[0]), len(image), bytes(value for row in image for value in row)))
+    """Of 16 bits where grey values have more than 8."""
+    width, height, pixels = len(image[0]), len(image), [value for row in image for value in row]
+    deep = max(pixels) >= 1 << rtl.PIXEL_BITS
+    path.write_bytes(files.deep_pgm(width, height, pixels) if deep else files.pgm(width, height, bytes(pixels)))
     return path
 
 

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """A camera_system in Verilator or GHDL: tables and two cameras' streams in, frames of depths out."""
 
+import random
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import builds, ghdl
+from ..base import builds, ghdl, rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Word, find_ghdl, run_with_progress
 from ..cosim import simulators
+from ..shell.template import lane_bits
+from . import pipeline
 from .pipeline import Image, Table
 from .template import System, vhdl_files
 
@@ -71,6 +74,8 @@ class Simulation:
 
     def __init__(self, system: System, files: list[Path] | None = None) -> None:
         self.system, self.files = system, files or vhdl_files(system)
+        self._pixel_bits = rtl.pixel_bits_of(pipeline.rows_of(system)[1])
+        self._lane_bits = lane_bits(self._pixel_bits)
         makers = [self.bench, *(Path(module) for module in (__file__, simulators.__file__, ghdl.__file__))]
         folder = WORK / type(self).__name__.lower() / system.name
         self._built = builds.build_once(folder, self.files, makers, self._tools(), self._build)
@@ -98,12 +103,20 @@ class Simulation:
         stream, observed = out / "stream.txt", out / "observed.txt"
         observed.unlink(missing_ok=True)
         lines = [f"t {address:02x} {data:08x}" for address, data in writes] + [f"s {sink[0]} {sink[1]}"]
-        lines += [f"l {b.gap} {b.pixel:02x} {b.flags}" for b in left]
-        lines += [f"r {b.gap} {b.pixel:02x} {b.flags}" for b in right]
+        lines += self._camera_lines("l", left) + self._camera_lines("r", right)
         stream.write_text("\n".join(lines) + "\n")
         command = self._command(stream.resolve(), observed.resolve())
         run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=self._built.folder)
         return read(observed)
+
+    def _camera_lines(self, camera: str, beats: Iterable[Beat]) -> list[str]:
+        """With garbage in the bits of a lane above the pixel."""
+        digits, above = self._lane_bits // 4, self._lane_bits - self._pixel_bits
+        garbage = random.Random(camera)
+        return [
+            f"{camera} {b.gap} {garbage.getrandbits(above) << self._pixel_bits | b.pixel:0{digits}x} {b.flags}"
+            for b in beats
+        ]
 
 
 class Verilated(Simulation):
@@ -127,7 +140,8 @@ class InGhdl(Simulation):
 
     def _build(self, work: Path, files: list[Path]) -> None:
         copy = work / self.bench.name
-        copy.write_text(self.bench.read_text().replace("camera_system_NAME", self.system.entity))
+        text = self.bench.read_text().replace("camera_system_NAME", self.system.entity)
+        copy.write_text(text.replace("lane_bits : positive := 8", f"lane_bits : positive := {self._lane_bits}"))
         ghdl.analyse([*files, copy], work)
         ghdl.elaborate(work, self.bench.stem)
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from ..base import rtl
 from ..base.configurations import Configuration, option
 from ..base.errors import FlowError
 from . import pipeline, play, record
@@ -47,14 +48,19 @@ def random_table(stage: Configuration, generator: random.Random, reach: int) -> 
 
 
 def random_image(row: Configuration, generator: random.Random) -> Image:
-    return [[generator.randrange(256) for _ in range(row["width_px"])] for _ in range(row["height_px"])]
+    levels = 1 << rtl.pixel_bits_of(row)
+    return [[generator.randrange(levels) for _ in range(row["width_px"])] for _ in range(row["height_px"])]
 
 
 def shifted_pair(row: Configuration, generator: random.Random) -> Pair:
     """One image beside itself, some pixels away, with noise: random pairs pass next to no check."""
     image, away = random_image(row, generator), generator.randrange(row["disparities"])
+    levels = 1 << rtl.pixel_bits_of(row)
     other = [
-        [min(255, line[min(x + away, len(line) - 1)] + generator.randrange(4)) for x in range(len(line))]
+        [
+            min(levels - 1, line[min(x + away, len(line) - 1)] + generator.randrange(levels // 64))
+            for x in range(len(line))
+        ]
         for line in image
     ]
     return image, other

@@ -11,13 +11,14 @@ from ..base.configurations import Parameters, option
 from ..base.errors import FlowError
 from ..base.tools import ROOT
 from ..shell import design, registers
-from ..shell.template import core_id, instance
+from ..shell.template import core_id, instance, lane_bits, pixel_generics
 from ..synthesis import manifest
 
 FOLDER = ROOT / "examples" / "camera_system"
 PARTS = ("camera_tables", "camera_depth")
 DEPTH_CLOCKS = 2  # of camera_depth
 DEPTH_BITS = 16
+NODE_BITS = 16  # of a node's place and offsets
 SKEW_LINES = 8  # that either camera may be ahead
 CORE = "core"  # the matching core's instance
 
@@ -60,20 +61,10 @@ SYSTEMS = {
     for system in (
         System("tiny", "rectify_tiny", "tiny"),
         System("tiny_checked", "rectify_tiny", "tiny_all"),
+        System("tiny_12bit", "rectify_tiny_12bit", "tiny_12bit_all"),
         System("vga", "rectify_vga", "vga_64"),
     )
 }
-_CAMERAS = tuple(
-    (f"s_{side}_axis_{name}", direction, kind)
-    for side in ("left", "right")
-    for name, direction, kind in (
-        ("tvalid", "in", "std_logic"),
-        ("tready", "out", "std_logic"),
-        ("tdata", "in", "std_logic_vector(7 downto 0)"),
-        ("tuser", "in", "std_logic_vector(0 downto 0)"),
-        ("tlast", "in", "std_logic"),
-    )
-)
 _MAP = (
     ("m_axis_tvalid", "out", "std_logic"),
     ("m_axis_tready", "in", "std_logic"),
@@ -81,6 +72,25 @@ _MAP = (
     ("m_axis_tuser", "out", "std_logic_vector(1 downto 0)"),
     ("m_axis_tlast", "out", "std_logic"),
 )
+
+
+def _vector(bits: int) -> str:
+    return f"std_logic_vector({bits - 1} downto 0)"
+
+
+def _cameras(pixel_bits: int) -> tuple[tuple[str, str, str], ...]:
+    """The streams of both."""
+    return tuple(
+        (f"s_{side}_axis_{name}", direction, kind)
+        for side in ("left", "right")
+        for name, direction, kind in (
+            ("tvalid", "in", "std_logic"),
+            ("tready", "out", "std_logic"),
+            ("tdata", "in", _vector(lane_bits(pixel_bits))),
+            ("tuser", "in", _vector(1)),
+            ("tlast", "in", "std_logic"),
+        )
+    )
 
 
 def _lite(prefix: str, address_bits: int, whole: bool) -> tuple[tuple[str, str, str], ...]:
@@ -113,21 +123,28 @@ def _lite(prefix: str, address_bits: int, whole: bool) -> tuple[tuple[str, str, 
 
 
 _SHELL_LITE, _TABLES_LITE = _lite("s_axil", registers.address_bits(), True), _lite("s_tables_axil", 5, False)
-_SIGNALS = {
-    "reset, core_reset, pair_tvalid, pair_tready, pair_tlast": "std_logic",
-    "pair_tdata, node_column, node_row, node_x, node_y": "std_logic_vector(15 downto 0)",
-    "skew_lines, write_disparity, write_mm, depth_mm": "std_logic_vector(15 downto 0)",
-    "pair_tuser, pixel_valid, depth_known": "std_logic_vector(0 downto 0)",
-    "faults": "std_logic_vector(2 downto 0)",
-    "left_pixel, right_pixel, rectified_left, rectified_right": "std_logic_vector(7 downto 0)",
-    "start_of_frame, valid, node_valid, node_right, rectified_start_of_frame, rectified_valid": "std_logic",
-    "disparity_valid, disparity_start_of_frame, disparity_end_of_line": "std_logic",
-    "depth_valid, depth_start_of_frame, depth_end_of_line": "std_logic",
-}
+
+
+def _signals(pixel_bits: int, disparity_bits: int) -> dict[str, str]:
+    """{names: type}"""
+    pair, node = 2 * lane_bits(pixel_bits), "node_column, node_row, node_x, node_y"
+    words = {f"pair_tdata, {node}": pair} if pair == NODE_BITS else {"pair_tdata": pair, node: NODE_BITS}
+    return {
+        "reset, core_reset, pair_tvalid, pair_tready, pair_tlast": "std_logic",
+        **{names: _vector(bits) for names, bits in words.items()},
+        "skew_lines, write_disparity, write_mm, depth_mm": _vector(DEPTH_BITS),
+        "pair_tuser, pixel_valid, depth_known": _vector(1),
+        "faults": _vector(3),
+        "left_pixel, right_pixel, rectified_left, rectified_right": _vector(pixel_bits),
+        "start_of_frame, valid, node_valid, node_right, rectified_start_of_frame, rectified_valid": "std_logic",
+        "disparity_valid, disparity_start_of_frame, disparity_end_of_line": "std_logic",
+        "depth_valid, depth_start_of_frame, depth_end_of_line": "std_logic",
+        "disparity": _vector(disparity_bits),
+    }
 
 
 def _check(system: System, stage: dict[str, int], core: dict[str, int], lowest: int) -> None:
-    for key in ("width_px", "height_px", "pixels_per_clock"):
+    for key in ("width_px", "height_px", "pixels_per_clock", "pixel_bits"):
         if stage[key] != core[key]:
             raise FlowError(
                 f"{system.rectification} and {system.matching} differ in {key}: {stage[key]} and {core[key]}"
@@ -142,11 +159,11 @@ def text(system: System) -> str:
     entry, before = (manifest.read(rtl.folder(name)) for name in (system.matching, system.rectification))
     core, parameters = design.generics(entry), cast(dict[str, int], before["parameters"])
     stage = {name: parameters[name] for name in rtl.STAGES["rectification"].generics}
-    _check(system, stage, core, option(entry["parameters"], "min_disparity"))
-    if rtl.pixel_bits_of(entry["parameters"]) != rtl.PIXEL_BITS:
-        raise FlowError(f"{system.matching} takes pixels of more than 8 bits, which camera_system does not give")
+    stage_bits, pixel_bits = (rtl.pixel_bits_of(manifest_of["parameters"]) for manifest_of in (before, entry))
+    lowest = option(entry["parameters"], "min_disparity")
+    _check(system, stage | {"pixel_bits": stage_bits}, core | {"pixel_bits": pixel_bits}, lowest)
     table = depths_of(entry["parameters"])
-    signals = _SIGNALS | {"disparity": f"std_logic_vector({core['disparity_bits'] - 1} downto 0)"}
+    signals, cameras = _signals(pixel_bits, core["disparity_bits"]), _cameras(pixel_bits)
     shell: dict[str, int | str] = {
         **core,
         "disparity_bits": DEPTH_BITS,
@@ -154,11 +171,12 @@ def text(system: System) -> str:
         "flush_groups": core["flush_groups"] + stage["flush_groups"],
         "core_id": f'x"{core_id(entry)}"',
         "enabled_at_reset": "enabled_at_reset",
+        **pixel_generics(pixel_bits),
     }
     outside = [
         ("aclk", "in", "std_logic"),
         ("aresetn", "in", "std_logic"),
-        *_CAMERAS,
+        *cameras,
         *_MAP,
         *_SHELL_LITE,
         *_TABLES_LITE,
@@ -176,8 +194,9 @@ def text(system: System) -> str:
         "core_disparity_start_of_frame": "depth_start_of_frame",
         "core_disparity_end_of_line": "depth_end_of_line",
     }
-    size = {name: core[name] for name in ("width_px", "height_px")}
-    joiner = clocked | {name: same[name] for name, _, _ in _CAMERAS}
+    joined: dict[str, int] = {name: core[name] for name in ("width_px", "height_px")}
+    joined |= {"depth": SKEW_LINES * core["width_px"], **pixel_generics(pixel_bits)}
+    joiner = clocked | {name: same[name] for name, _, _ in cameras}
     joiner |= {f"m_axis_{name}": f"pair_{name}" for name in ("tvalid", "tready", "tdata", "tuser", "tlast")}
     joiner |= {"skew_lines": "skew_lines", "faults": "faults"}
     nodes = {name: name for name in ("node_valid", "node_right", "node_column", "node_row", "node_x", "node_y")}
@@ -230,7 +249,7 @@ def text(system: System) -> str:
         "    end if;",
         "  end process;",
         "",
-        instance("joiner", "stereo_joiner", size | {"depth": SKEW_LINES * core["width_px"]}, joiner),
+        instance("joiner", "stereo_joiner", joined, joiner),
         "",
         instance("shell", "stereo_shell", shell, to_shell),
         "",
