@@ -154,17 +154,19 @@ def other_half(bench, half):
 
 
 async def one_half_first(dut, half):
-    """The addresses of two writes before their data, or the data before the addresses: both happen, in their order."""
+    """The addresses of some writes before their data, or the data before the addresses: each address gets its own data,
+    and the writes happen in their order."""
     bench = await Bench(dut, half).start()
     late = other_half(bench, half)
-    for last in (1, 0):
+    for enables, last in ((3, 1), (0, 0)):
         late.pause = True
-        writes = [cocotb.start_soon(bench.write("control", value)) for value in (1 - last, last)]
+        wanted = ("interrupt", enables), ("control", 1 - last), ("control", last)
+        writes = [cocotb.start_soon(bench.write(name, value)) for name, value in wanted]
         await ClockCycles(dut.aclk, 20)
         late.pause = False
         for write in writes:
             await with_timeout(write.join(), 100 * PERIOD_NS, "ns")
-        assert await bench.read("control") == last
+        assert (await bench.read("interrupt"), await bench.read("control")) == (enables, last)
     assert not bench.watch.breaches, bench.watch.breaches
 
 
