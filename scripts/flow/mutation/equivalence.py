@@ -3,7 +3,8 @@
 
 The design with the fault and the design without run side by side, in yosys-abc. It merges the registers that are equal
 in both (induction over all of them at once: lcorr, scorr) and proves what is left with invariants that it finds by
-itself (property directed reachability: pdr).
+itself (property directed reachability: pdr). First it tries the same with where the two may differ instead of what they
+do (differences.py), which leaves the arithmetic out.
 
 Assumed: registers and memories start at 0, as in an FPGA, and the first clock is one of reset. From then on every input
 is free in every clock, resets and broken streams too. Compared: all outputs in every clock, those that go with a valid
@@ -19,8 +20,10 @@ from ..base import aiger, ghdl, rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..shell import template
 from ..synthesis import manifest
+from . import differences
 
 SECONDS = 30  # for what is left after the merging of registers
+DIFFERENCES_SECONDS = 10  # the same
 VALID = {  # bit: the outputs that say something while it is '1'
     "disparity_valid": ("disparity", "pixel_valid", "disparity_start_of_frame", "disparity_end_of_line"),
     "m_axis_tvalid": ("m_axis_tdata", "m_axis_tuser", "m_axis_tlast"),
@@ -82,8 +85,13 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
 
 def compare(original: Path, changed: Path, work: Path) -> str:
     """Nothing when both show the same for ever; else in which clock they differ, or that the proof came to no end."""
-    commands = f"miter {original} {changed}; scleanup; lcorr; scorr; pdr -T {SECONDS}"
-    said = aiger.ask(commands, work)
+    where = differences.differences(differences.read(original), differences.read(changed))
+    if where:
+        differences.write(where, work / "differences.aig")
+        said = aiger.ask(f"read differences.aig; scleanup; lcorr; scorr; scorr -F 4; pdr -T {DIFFERENCES_SECONDS}", work)
+        if "Property proved" in said:
+            return ""
+    said = aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; pdr -T {SECONDS}", work)
     if "Property proved" in said:
         return ""
     refuted = re.search(r"asserted in frame (\d+)", said)
