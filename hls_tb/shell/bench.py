@@ -41,7 +41,8 @@ def add_tests(module, prefix, function, cases):
 
 class Watch:
     """Sees every clock of the streams and of the registers' answers, and breaches of the protocol: what is offered
-    stays as it is until it is taken, no answer comes before its question was taken, and a reset offers and takes nothing."""
+    stays as it is until it is taken, no answer comes before its question was taken, and nothing is offered or taken in
+    reset."""
 
     ANSWERS = {"s_axil_b": ("bresp",), "s_axil_r": ("rdata", "rresp")}
     QUESTIONS = {"s_axil_b": ("s_axil_aw", "s_axil_w"), "s_axil_r": ("s_axil_ar",)}

@@ -4,26 +4,28 @@
 Each register gets a bit that says whether its value may differ between the versions. The graph that is made runs the
 original and these bits, which follow from it:
 
-- A gate may differ if an input of it may, unless its other input is 0 in both. The other input's value counts only where
-  it follows from inputs of one bit. Pixels and costs stay out of the proof so.
-- A register may differ in the next clock if what its changed version takes may, or if both versions take another value
-  from the same state.
+- An and gate may differ if an input of it may, unless the other one is 0 in both. Its value counts only where it
+  follows from inputs of one bit: pixels and costs stay out of the proof.
+- A register may differ in the next clock if what it takes in the changed version may, or if the two versions take
+  different values from the same state.
 
-Its output is 1 when an output may differ. Where that never happens the versions show the same for ever; where it happens
-they need not differ. A fault in a reset value or in a mask is proved so in a second: the data that it touches differs for
-some clocks, and nobody sees them."""
+The graph's output is 1 when an output may differ. Where that never happens the versions show the same for ever; where
+it happens they need not differ. A fault in a reset value or in a mask is proved so: the data that it touches differs
+for some clocks, and nobody sees them."""
 
+import random
 import re
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from pathlib import Path
 
-INPUT_BIT = re.compile(r"(\w+)\[\d+\]")
+INPUT_BIT = re.compile(r"^(\w+)\[\d+\]$")
 
 
 @dataclass
 class Graph:
-    """An and-inverter graph with registers that start at 0. A node is a number: 0 the constant, then inputs, registers and
-    gates. An edge is twice the number of its node, and 1 more where it is inverted."""
+    """An and-inverter graph with registers that start at 0. A node is a number: 0 the constant, then inputs, registers
+    and gates. An edge is twice the number of its node, and 1 more where it is inverted."""
 
     inputs: list[str]  # names; "" without one
     registers: list[int] = field(default_factory=list)  # edge that each takes
@@ -79,7 +81,8 @@ def write(graph: Graph, path: Path) -> None:
     head = " ".join(str(count) for count in (graph.first_gate - 1 + len(graph.gates), *counts))
     text = "".join(f"{edge}\n" for edge in (*graph.registers, *graph.outputs))
     body = b"".join(
-        number(2 * node - first) + number(first - second) for node, (first, second) in enumerate(graph.gates, graph.first_gate)
+        number(2 * node - first) + number(first - second)
+        for node, (first, second) in enumerate(graph.gates, graph.first_gate)
     )
     path.write_bytes(f"aig {head}\n{text}".encode() + body)
 
@@ -108,15 +111,23 @@ class _Builder:
             found = self.both(found ^ 1, edge ^ 1) ^ 1
         return found
 
+    def register(self, number: int) -> int:
+        return 2 * (1 + len(self.graph.inputs) + number)
+
     def differ(self, first: int, second: int) -> int:
         return self.any(self.both(first, second ^ 1), self.both(first ^ 1, second))
 
-    def copied(self, graph: Graph) -> list[int]:
-        """For each node of a graph with the same inputs and first registers the edge that stands for it."""
-        edges = [2 * node for node in range(graph.first_gate)]
+    def values(self, graph: Graph, edges: list[int]) -> list[int]:
+        """For each node of a graph the edge that stands for it, from those of its inputs and registers."""
+        edges = list(edges)
         for first, second in graph.gates:
             edges.append(self.both(at(edges, first), at(edges, second)))
         return edges
+
+    def copied(self, graph: Graph, zeros: Collection[int] = ()) -> list[int]:
+        """The same of a graph with the same inputs and first registers, where some registers count as 0."""
+        registers = (0 if number in zeros else self.register(number) for number in range(len(graph.registers)))
+        return self.values(graph, [*(2 * node for node in range(1 + len(graph.inputs))), *registers])
 
 
 def at(edges: list[int], edge: int) -> int:
@@ -126,8 +137,8 @@ def at(edges: list[int], edge: int) -> int:
 
 def follow_from_bits(graph: Graph) -> list[bool]:
     """For each node whether it follows, through registers too, from inputs of one bit alone."""
-    words = [match[1] for name in graph.inputs if (match := INPUT_BIT.fullmatch(name))]
-    of_words = [bool(match := INPUT_BIT.fullmatch(name)) and words.count(match[1]) > 1 for name in graph.inputs]
+    words = [INPUT_BIT.sub(r"\1", name) for name in graph.inputs]
+    of_words = [words.count(word) > 1 for word in words]
     data = [False, *of_words, *[False] * len(graph.registers)]
     while True:
         nodes = list(data)
@@ -141,10 +152,10 @@ def follow_from_bits(graph: Graph) -> list[bool]:
 
 
 def differences(original: Graph, changed: Graph) -> Graph | None:
-    """None where the versions do not have equally many registers, which are taken for the same ones in their order. Were
-    they others, a proof would hold none the less: the order only decides whether there is one."""
+    """None where the versions do not have equally many registers, which are taken for the same in their order. Were
+    they others, a proof would still hold: the order only decides whether there is one."""
     count = len(original.registers)
-    if (original.inputs, count, len(original.outputs)) != (changed.inputs, len(changed.registers), len(changed.outputs)):
+    if original.inputs != changed.inputs or count != len(changed.registers):
         return None
     made = _Builder(original.inputs, 2 * count)
     before, after = made.copied(original), made.copied(changed)
@@ -161,4 +172,69 @@ def differences(original: Graph, changed: Graph) -> Graph | None:
     bits = [may_differ(*edges) for edges in zip(original.registers, changed.registers)]
     made.graph.registers = [*(at(before, edge) for edge in original.registers), *bits]
     made.graph.outputs = [made.any(*(may_differ(*edges) for edges in zip(original.outputs, changed.outputs)))]
+    return made.graph
+
+
+CLOCKS, RUNS = 1500, 512
+MOST_REGISTERS = 5  # that a predicted gate follows from
+
+
+def quiet(graph: Graph) -> list[int]:
+    """The registers that stay 0 in random runs. In each an input is 1 at its own rate: 1, 16, 112 or 127 in 128."""
+    generator, every = random.Random(1), (1 << RUNS) - 1
+    masks = [[generator.getrandbits(RUNS) for _ in range(2)] for _ in graph.inputs]
+    registers, left = [0] * len(graph.registers), set(range(len(graph.registers)))
+    for _ in range(CLOCKS):
+        values = [0]
+        for is_often, is_extreme in masks:
+            some = generator.getrandbits(RUNS)
+            for number in range(1, 7):
+                some &= generator.getrandbits(RUNS) | (0 if number < 3 else every ^ is_extreme)
+            values.append(some ^ is_often)
+        values += registers
+        for first, second in graph.gates:
+            values.append((values[first >> 1] ^ every * (first & 1)) & (values[second >> 1] ^ every * (second & 1)))
+        registers = [values[edge >> 1] ^ every * (edge & 1) for edge in graph.registers]
+        left = {number for number in left if not registers[number]}
+    return sorted(left)
+
+
+def asked_for(graph: Graph, numbers: list[int]) -> Graph:
+    """The same with another output: that one of these registers is 1."""
+    made = _Builder(graph.inputs, len(graph.registers))
+    edges = made.copied(graph)
+    made.graph.registers = [at(edges, edge) for edge in graph.registers]
+    made.graph.outputs = [made.any(*(made.register(number) for number in numbers))]
+    return made.graph
+
+
+def without(graph: Graph, numbers: list[int]) -> Graph:
+    """The same where these registers are known to stay 0."""
+    made = _Builder(graph.inputs, len(graph.registers))
+    edges = made.copied(graph, set(numbers))
+    made.graph.registers = [0 if number in numbers else at(edges, edge) for number, edge in enumerate(graph.registers)]
+    made.graph.outputs = [at(edges, edge) for edge in graph.outputs]
+    return made.graph
+
+
+def with_predictions(graph: Graph) -> Graph:
+    """The same with a register for each gate that follows from few registers, which holds what the gate says. Proofs
+    look for invariants made of registers. These are shorter with one that says that a counter has reached a number."""
+    behind_inputs = 1 + len(graph.inputs)
+    support: list[frozenset[int]] = [frozenset([node] if node else []) for node in range(graph.first_gate)]
+    for first, second in graph.gates:
+        support.append(support[first >> 1] | support[second >> 1])
+    chosen = [
+        node
+        for node in range(graph.first_gate, len(support))
+        if 2 <= len(support[node]) <= MOST_REGISTERS and min(support[node]) >= behind_inputs
+    ]
+    made = _Builder(graph.inputs, len(graph.registers) + len(chosen))
+    now = made.copied(graph)
+    made.graph.registers = [at(now, edge) for edge in graph.registers]
+    made.graph.outputs = [at(now, edge) for edge in graph.outputs]
+    next_clock = made.values(graph, [*now[:behind_inputs], *made.graph.registers])
+    at_start = _Builder([], 0).values(graph, [0] * graph.first_gate)
+    # One that is 1 at the start is held inverted, as registers start at 0.
+    made.graph.registers += [next_clock[node] ^ at_start[node] for node in chosen]
     return made.graph

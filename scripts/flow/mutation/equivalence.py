@@ -23,7 +23,8 @@ from ..synthesis import manifest
 from . import differences
 
 SECONDS = 30  # for what is left after the merging of registers
-DIFFERENCES_SECONDS = 10  # the same
+SHORT_SECONDS, LONG_SECONDS = 10, 200  # the same of where the versions may differ, at first and at last
+PROVED = "Property proved"
 VALID = {  # bit: the outputs that say something while it is '1'
     "disparity_valid": ("disparity", "pixel_valid", "disparity_start_of_frame", "disparity_end_of_line"),
     "m_axis_tvalid": ("m_axis_tdata", "m_axis_tuser", "m_axis_tlast"),
@@ -86,16 +87,43 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
 def compare(original: Path, changed: Path, work: Path) -> str:
     """Nothing when both show the same for ever; else in which clock they differ, or that the proof came to no end."""
     where = differences.differences(differences.read(original), differences.read(changed))
-    if where:
-        differences.write(where, work / "differences.aig")
-        said = aiger.ask(f"read differences.aig; scleanup; lcorr; scorr; scorr -F 4; pdr -T {DIFFERENCES_SECONDS}", work)
-        if "Property proved" in said:
-            return ""
-    said = aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; pdr -T {SECONDS}", work)
-    if "Property proved" in said:
+    differs = Differences(where, work) if where else None
+    if differs and differs.never():
         return ""
+    said = aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; pdr -T {SECONDS}", work)
     refuted = re.search(r"asserted in frame (\d+)", said)
-    return f"differs in clock {refuted.group(1)}" if refuted else f"no proof in {SECONDS} s"
+    if refuted:
+        return f"differs in clock {refuted.group(1)}"
+    is_proved = PROVED in said or bool(differs and differs.never_with_lemmas())
+    return "" if is_proved else f"no proof in {SECONDS} s"
+
+
+class Differences:
+    """Where two versions may differ: proofs that nobody sees it."""
+
+    def __init__(self, where: differences.Graph, work: Path) -> None:
+        self.where, self.work = where, work
+        self.may_be = True  # that nobody sees it
+
+    def _ask(self, graph: differences.Graph, commands: str) -> str:
+        differences.write(graph, self.work / "asked.aig")
+        return aiger.ask(f"read asked.aig; {commands}", self.work)
+
+    def never(self) -> bool:
+        said = self._ask(self.where, f"scleanup; lcorr; scorr; scorr -F 4; write merged.aig; pdr -T {SHORT_SECONDS}")
+        self.may_be = "asserted in frame" not in said
+        return PROVED in said
+
+    def never_with_lemmas(self) -> bool:
+        """First that some registers stay 0, then with them and with predictions the rest."""
+        if not self.may_be:
+            return False
+        graph = differences.read(self.work / "merged.aig")
+        numbers = differences.quiet(graph)
+        if numbers and PROVED in self._ask(differences.asked_for(graph, numbers), f"scleanup; pdr -T {SECONDS}"):
+            self._ask(differences.without(graph, numbers), "scleanup; scorr -F 2; write merged.aig")
+            graph = differences.read(self.work / "merged.aig")
+        return PROVED in self._ask(differences.with_predictions(graph), f"pdr -T {LONG_SECONDS}")
 
 
 class Prover:
