@@ -146,6 +146,17 @@ async def byte_strobes(dut):
     assert await bench.read("control") == 1
     await bench.axil.write(bench.map["control"]["offset"], b"\x00")
     assert await bench.read("control") == 0
+    await bench.write("control", 1)
+    await bench.play(script.send(a_frame(bench)))
+    place, fields = bench.map["interrupt"]["offset"], bench.map["interrupt"]["fields"]
+    frame_done, enables = 1 << fields["frame_done"]["low"], 1 << fields["frame_done_enable"]["low"]
+    enables |= 1 << fields["any_error_enable"]["low"]
+    assert enables < 1 << 8 <= frame_done < 1 << 16, "both in one byte"
+    await bench.axil.write(place, b"\xff")
+    await bench.axil.write(place + 2, b"\xff\xff")
+    assert await bench.read("interrupt") == frame_done | enables
+    await bench.axil.write(place + 1, b"\xff\x00\x00")
+    assert await bench.read("interrupt") == enables
 
 
 def other_half(bench, half):

@@ -20,6 +20,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 INPUT_BIT = re.compile(r"^(\w+)\[\d+\]$")
+NUMBERED = re.compile(r"\bn(\d+)_")  # GHDL's names of what has none: the number may be another one in another version
 
 
 @dataclass
@@ -31,6 +32,7 @@ class Graph:
     registers: list[int] = field(default_factory=list)  # edge that each takes
     outputs: list[int] = field(default_factory=list)
     gates: list[tuple[int, int]] = field(default_factory=list)
+    names: list[str] = field(default_factory=list)  # of the registers, or none
 
     @property
     def first_gate(self) -> int:
@@ -64,8 +66,9 @@ def read(path: Path) -> Graph:
     for node in range(graph.first_gate, graph.first_gate + gates):
         first = 2 * node - number()
         graph.gates.append((first, first - number()))
-    for match in re.finditer(rb"^i(\d+) (\S+)", content[place:], re.MULTILINE):
-        graph.inputs[int(match[1])] = match[2].decode()
+    graph.names = [""] * registers
+    for match in re.finditer(rb"^([il])(\d+) (.+)", content[place:], re.MULTILINE):
+        (graph.inputs if match[1] == b"i" else graph.names)[int(match[2])] = match[3].decode()
     return graph
 
 
@@ -151,16 +154,25 @@ def follow_from_bits(graph: Graph) -> list[bool]:
         data[before:] = [now or then for now, then in zip(taken, data[before:])]
 
 
+def _by_name(graph: Graph) -> list[int]:
+    """The numbers of the registers in an order that depends on their names alone."""
+    names = graph.names or [""] * len(graph.registers)
+    numbers = [[int(number) for number in NUMBERED.findall(name)] for name in names]
+    return sorted(range(len(names)), key=lambda register: (NUMBERED.sub("n_", names[register]), numbers[register]))
+
+
 def differences(original: Graph, changed: Graph) -> Graph | None:
-    """None where the versions do not have equally many registers, which are taken for the same in their order. Were
-    they others, a proof would still hold: the order only decides whether there is one."""
+    """None where the versions do not have equally many registers. Their names say which are the same. Were they others,
+    a proof would still hold: only whether there is one depends on that."""
     count = len(original.registers)
     if original.inputs != changed.inputs or count != len(changed.registers):
         return None
     made = _Builder(original.inputs, 2 * count)
-    before, after = made.copied(original), made.copied(changed)
+    of_original = [number for _, number in sorted(zip(_by_name(changed), _by_name(original)))]
+    inputs = [2 * node for node in range(1 + len(original.inputs))]
+    before, after = made.copied(original), made.values(changed, [*inputs, *(made.register(n) for n in of_original)])
     known = follow_from_bits(changed)
-    may = [0] * (1 + len(original.inputs)) + [2 * (original.first_gate + number) for number in range(count)]
+    may = [0] * len(inputs) + [made.register(count + number) for number in of_original]
     for first, second in changed.gates:
         one, other = may[first >> 1], may[second >> 1]
         value, other_value = (at(after, edge) if known[edge >> 1] else 1 for edge in (first, second))
@@ -169,8 +181,9 @@ def differences(original: Graph, changed: Graph) -> Graph | None:
     def may_differ(edge: int, changed_edge: int) -> int:
         return made.any(may[changed_edge >> 1], made.differ(at(before, edge), at(after, changed_edge)))
 
-    bits = [may_differ(*edges) for edges in zip(original.registers, changed.registers)]
-    made.graph.registers = [*(at(before, edge) for edge in original.registers), *bits]
+    made.graph.registers[:count] = [at(before, edge) for edge in original.registers]
+    for number, edge in zip(of_original, changed.registers):
+        made.graph.registers[count + number] = may_differ(original.registers[number], edge)
     made.graph.outputs = [made.any(*(may_differ(*edges) for edges in zip(original.outputs, changed.outputs)))]
     return made.graph
 

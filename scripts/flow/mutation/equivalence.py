@@ -24,6 +24,7 @@ from . import differences
 
 SECONDS = 30  # for what is left after the merging of registers
 SHORT_SECONDS, LONG_SECONDS = 10, 200  # the same of where the versions may differ, at first and at last
+MOST_ALONE = 40  # registers of which each is proved to stay 0, where all at once are not
 PROVED = "Property proved"
 VALID = {  # bit: the outputs that say something while it is '1'
     "disparity_valid": ("disparity", "pixel_valid", "disparity_start_of_frame", "disparity_end_of_line"),
@@ -114,13 +115,23 @@ class Differences:
         self.may_be = "asserted in frame" not in said
         return PROVED in said
 
+    def _that_stay(self, graph: differences.Graph, numbers: list[int]) -> list[int]:
+        """Those of the registers that are proved to stay 0: all of them at once, or one by one."""
+
+        def stays(some: list[int], seconds: int) -> bool:
+            return PROVED in self._ask(differences.asked_for(graph, some), f"scleanup; pdr -T {seconds}")
+
+        if stays(numbers, SECONDS):
+            return numbers
+        return [number for number in numbers[:MOST_ALONE] if stays([number], 1)]
+
     def never_with_lemmas(self) -> bool:
         """First that some registers stay 0, then with them and with predictions the rest."""
         if not self.may_be:
             return False
         graph = differences.read(self.work / "merged.aig")
-        numbers = differences.quiet(graph)
-        if numbers and PROVED in self._ask(differences.asked_for(graph, numbers), f"scleanup; pdr -T {SECONDS}"):
+        numbers = self._that_stay(graph, differences.quiet(graph))
+        if numbers:
             self._ask(differences.without(graph, numbers), "scleanup; scorr -F 2; write merged.aig")
             graph = differences.read(self.work / "merged.aig")
         return PROVED in self._ask(differences.with_predictions(graph), f"pdr -T {LONG_SECONDS}")
