@@ -115,7 +115,12 @@ def test_registers_are_the_same_by_their_names():
 
 def test_other_registers_have_no_such_graph():
     generator = random.Random(1)
-    assert differences.differences(random_graph(generator, 3), random_graph(generator, 4)) is None
+    one, other = random_graph(generator, 3), random_graph(generator, 3)
+    assert differences.differences(one, random_graph(generator, 4)) is None
+    one.names, other.names = ["a", "b", "n4_o"], ["b", "c", "n5_o"]
+    assert differences.differences(one, other) is None
+    other.names[1] = "n9_o a"
+    assert differences.differences(one, other) is not None
 
 
 def test_what_follows_from_words_and_what_from_bits():

@@ -154,21 +154,25 @@ def follow_from_bits(graph: Graph) -> list[bool]:
         data[before:] = [now or then for now, then in zip(taken, data[before:])]
 
 
-def _by_name(graph: Graph) -> list[int]:
-    """The numbers of the registers in an order that depends on their names alone."""
-    names = graph.names or [""] * len(graph.registers)
-    numbers = [[int(number) for number in NUMBERED.findall(name)] for name in names]
-    return sorted(range(len(names)), key=lambda register: (NUMBERED.sub("n_", names[register]), numbers[register]))
+def _known_name(names: str) -> tuple[str, list[int]]:
+    """(one of a register's names, without GHDL's numbers; these numbers): one without a number if there is one."""
+    numbers = {name: [int(number) for number in NUMBERED.findall(name)] for name in names.split(" ")}
+    chosen = min(numbers, key=lambda name: (bool(numbers[name]), name))
+    return NUMBERED.sub("n_", chosen), numbers[chosen]
 
 
 def differences(original: Graph, changed: Graph) -> Graph | None:
-    """None where the versions do not have equally many registers. Their names say which are the same. Were they others,
-    a proof would still hold: only whether there is one depends on that."""
+    """None where not all registers have one of the same name in the other version."""
     count = len(original.registers)
-    if original.inputs != changed.inputs or count != len(changed.registers):
+    names, of_changed = (
+        sorted((*_known_name(name), number) for number, name in enumerate(graph.names or [""] * len(graph.registers)))
+        for graph in (original, changed)
+    )
+    if original.inputs != changed.inputs or [name for name, _, _ in names] != [name for name, _, _ in of_changed]:
         return None
     made = _Builder(original.inputs, 2 * count)
-    of_original = [number for _, number in sorted(zip(_by_name(changed), _by_name(original)))]
+    # The register that each of the changed version is. Were it another one, a proof would still hold.
+    of_original = [same for _, same in sorted((other[2], one[2]) for one, other in zip(names, of_changed))]
     inputs = [2 * node for node in range(1 + len(original.inputs))]
     before, after = made.copied(original), made.values(changed, [*inputs, *(made.register(n) for n in of_original)])
     known = follow_from_bits(changed)

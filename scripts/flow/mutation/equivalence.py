@@ -111,7 +111,7 @@ class Differences:
         return aiger.ask(f"read asked.aig; {commands}", self.work)
 
     def never(self) -> bool:
-        said = self._ask(self.where, f"scleanup; lcorr; scorr; scorr -F 4; write merged.aig; pdr -T {SHORT_SECONDS}")
+        said = self._ask(self.where, f"scleanup; lcorr; scorr; write merged.aig; pdr -T {SHORT_SECONDS}")
         self.may_be = "asserted in frame" not in said
         return PROVED in said
 
@@ -129,6 +129,7 @@ class Differences:
         """First that some registers stay 0, then with them and with predictions the rest."""
         if not self.may_be:
             return False
+        aiger.ask("read merged.aig; scorr -F 4; write merged.aig", self.work)
         graph = differences.read(self.work / "merged.aig")
         numbers = self._that_stay(graph, differences.quiet(graph))
         if numbers:
