@@ -37,9 +37,14 @@ while [ $# -gt 0 ]; do
 done
 [ "${#targets[@]}" -gt 0 ] || targets=("${all[@]}")
 
-command -v clang++-16 >/dev/null || end 3 "clang++-16 not found in PATH; on Debian: apt-get install clang-16 libclang-rt-16-dev"
+on_debian="on Debian: apt-get install clang-16 libclang-rt-16-dev"
+command -v clang++-16 >/dev/null || end 3 "clang++-16 not found in PATH; $on_debian"
 work=build/fuzz
 mkdir -p "$work" 2>/dev/null || end 4 "the folder $work cannot be created"
+# A package of its own.
+echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |
+   clang++-16 -fsanitize=fuzzer,address,undefined -x c++ - -o "$work/probe" 2>"$work/probe.log" ||
+   end 3 "clang++-16 cannot link with its sanitizers (see $work/probe.log); $on_debian"
 echo "Building the targets ..."
 { cmake --preset fuzz -Wno-dev && cmake --build --preset fuzz; } >"$work/build.log" 2>&1 || end 4 "the build failed; see $work/build.log"
 

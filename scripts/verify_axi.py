@@ -61,7 +61,7 @@ def main() -> int:
         for name, count in frames.items():
             run.run_verilator(name, count, options.chunk)
     if options.simulator != "verilator" and not options.config:
-        run.run_cocotb(verify.SHORT_RUNS if options.short else verify.COCOTB_RUNS)
+        run.run_cocotb(verify.selections(options.short))
     return run.report()
 
 

@@ -41,10 +41,16 @@ def add_tests(module, prefix, function, cases):
 
 class Watch:
     """Sees every clock of the streams and of the registers' answers, and breaches of the protocol: what is offered
-    stays as it is until it is taken, and no answer comes before its question was taken."""
+    stays as it is until it is taken, no answer comes before its question was taken, and nothing is offered or taken in
+    reset."""
 
     ANSWERS = {"s_axil_b": ("bresp",), "s_axil_r": ("rdata", "rresp")}
     QUESTIONS = {"s_axil_b": ("s_axil_aw", "s_axil_w"), "s_axil_r": ("s_axil_ar",)}
+
+    LOW_IN_RESET = (
+        *("m_axis_tvalid", "s_axis_tready", "s_axil_bvalid", "s_axil_rvalid"),
+        *("s_axil_awready", "s_axil_wready", "s_axil_arready"),
+    )
 
     def __init__(self, dut):
         self.dut = dut
@@ -110,11 +116,7 @@ class Watch:
             in_reset += 1
             self.held.clear()
             self.asked = dict.fromkeys(self.asked, 0)
-            offered = [
-                name
-                for name in ("m_axis_tvalid", "s_axis_tready", "s_axil_bvalid", "s_axil_rvalid")
-                if getattr(self.dut, name).value
-            ]
+            offered = [name for name in self.LOW_IN_RESET if getattr(self.dut, name).value]
             if in_reset > 1 and offered:
                 self.breaches.append(f"{' and '.join(offered)} in reset, clock {self.clock}")
 

@@ -146,6 +146,17 @@ async def byte_strobes(dut):
     assert await bench.read("control") == 1
     await bench.axil.write(bench.map["control"]["offset"], b"\x00")
     assert await bench.read("control") == 0
+    await bench.write("control", 1)
+    await bench.play(script.send(a_frame(bench)))
+    place, fields = bench.map["interrupt"]["offset"], bench.map["interrupt"]["fields"]
+    frame_done, enables = 1 << fields["frame_done"]["low"], 1 << fields["frame_done_enable"]["low"]
+    enables |= 1 << fields["any_error_enable"]["low"]
+    assert enables < 1 << 8 <= frame_done < 1 << 16, "both in one byte"
+    await bench.axil.write(place, b"\xff")
+    await bench.axil.write(place + 2, b"\xff\xff")
+    assert await bench.read("interrupt") == frame_done | enables
+    await bench.axil.write(place + 1, b"\xff")
+    assert await bench.read("interrupt") == enables
 
 
 def other_half(bench, half):
@@ -154,21 +165,38 @@ def other_half(bench, half):
 
 
 async def one_half_first(dut, half):
-    """The addresses of two writes before their data, or the data before the addresses: both happen, in their order."""
+    """The addresses of some writes before their data, or the data before the addresses: each address gets its own data,
+    and the writes happen in their order."""
     bench = await Bench(dut, half).start()
     late = other_half(bench, half)
-    for last in (1, 0):
+    for enables, last in ((3, 1), (0, 0)):
         late.pause = True
-        writes = [cocotb.start_soon(bench.write("control", value)) for value in (1 - last, last)]
+        wanted = ("interrupt", enables), ("control", 1 - last), ("control", last)
+        writes = [cocotb.start_soon(bench.write(name, value)) for name, value in wanted]
         await ClockCycles(dut.aclk, 20)
         late.pause = False
         for write in writes:
             await with_timeout(write.join(), 100 * PERIOD_NS, "ns")
-        assert await bench.read("control") == last
+        assert (await bench.read("interrupt"), await bench.read("control")) == (enables, last)
     assert not bench.watch.breaches, bench.watch.breaches
 
 
 add_tests(globals(), "first", one_half_first, [("addresses",), ("data",)])
+
+
+async def each_two_clocks(dut, kind):
+    """Accesses that wait for one another follow without a lost clock."""
+    bench = await Bench(dut, f"{kind} each two clocks").start()
+    one = {"reads": lambda: bench.read("id"), "writes": lambda: bench.write("control", 1)}[kind]
+    count, began = 40, bench.watch.clock
+    accesses = [cocotb.start_soon(one()) for _ in range(count)]
+    for access in accesses:
+        await access.join()
+    assert 2 * count <= bench.watch.clock - began <= 2 * count + 8, bench.watch.clock - began
+    assert not bench.watch.breaches, bench.watch.breaches
+
+
+add_tests(globals(), "each_two_clocks", each_two_clocks, [("reads",), ("writes",)])
 
 
 @cocotb.test()

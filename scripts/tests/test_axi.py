@@ -4,6 +4,7 @@
 import json
 import re
 import xml.etree.ElementTree as xml
+from functools import cache
 
 import pytest
 
@@ -145,12 +146,15 @@ FAULTS_OF = {
 
 @pytest.fixture(scope="module")
 def settings_frames(tmp_path_factory):
-    """{configuration: its frames}. Ten are too few for some seeds: none has the settings that show the fault."""
-    rows = {config: configuration(config) for config in FAULTS_OF}
-    return {
-        config: pool.make_pool(config, row, pool.pairs_for(row, 120), 1, tmp_path_factory.mktemp(config))
-        for config, row in rows.items()
-    }
+    """The frames of a configuration, made once. Ten are too few for some seeds: none has the settings that show the
+    fault."""
+
+    @cache
+    def frames(config):
+        row = configuration(config)
+        return pool.make_pool(config, row, pool.pairs_for(row, 120), 1, tmp_path_factory.mktemp(config))
+
+    return frames
 
 
 @pytest.mark.parametrize(
@@ -169,7 +173,7 @@ def test_each_frame_has_its_settings(ghdl, verilator, settings_frames, rng, tmp_
     simulation = verilated.Verilated(config, tmp_path / "model", files)
     simulation.build()
     geometry = pool.Geometry.of(parameters)
-    frames = settings_frames[config]
+    frames = settings_frames(config)
     steps = script.changed_settings(rng, frames, geometry, rtl.settings_of(parameters))
     verdict = judge.judge(steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "play"), geometry, frames)
     if fault:

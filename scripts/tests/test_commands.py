@@ -2,6 +2,7 @@
 """Wrong use of the commands: one clear sentence, the documented exit code, nothing half-written."""
 
 import json
+import os
 import shutil
 import subprocess
 
@@ -212,6 +213,14 @@ def test_shell_scripts_refuse_unknown_options():
     refused(call("fuzz.sh", "--everything"), 2, "unknown option '--everything'")
     refused(call("fuzz.sh", "everything"), 2, "unknown target 'everything'", "calibration", "pfm")
     refused(call("fuzz.sh", "--seconds", "0"), 2, "--seconds")
+
+
+def test_fuzzing_needs_the_sanitizers_of_its_compiler(tmp_path):
+    compiler = tmp_path / "clang++-16"
+    compiler.write_text("#!/bin/sh\nexit 1\n")
+    compiler.chmod(0o755)
+    process = call("fuzz.sh", "pfm", environment={"PATH": f"{tmp_path}:{os.environ['PATH']}"})
+    refused(process, 3, "clang++-16 cannot link with its sanitizers", "apt-get install", "libclang-rt")
 
 
 def test_scripts_are_documented():

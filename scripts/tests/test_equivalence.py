@@ -22,6 +22,12 @@ INVISIBLE = {
         "        slice0_best_tag_start_of_frame <= false;",
         "        slice0_best_tag_start_of_frame <= true;",
     ),
+    "a valid bit after a reset": (
+        CORE,
+        "stereo_core_tiny",
+        "        slice0cost_tag_valid <= false;",
+        "        slice0cost_tag_valid <= true;",
+    ),
     "a number that is never reached": (CORE, "stereo_core_tiny", "mod 2)) < 12;", "mod 2)) <= 12;"),
     "columns of a memory": (CORE, "line_memory", "(width + 35) / 36", "(width + 6) / 7"),
     "data without a valid bit": (
@@ -74,7 +80,8 @@ def test_what_can_be_seen_is_refuted(provers, tmp_path, change):
 
 
 def test_what_shows_late_is_not_proved(provers, tmp_path, monkeypatch):
-    monkeypatch.setattr(equivalence, "SECONDS", 2)
+    for name in ("SECONDS", "SHORT_SECONDS", "LONG_SECONDS"):
+        monkeypatch.setattr(equivalence, name, 2)
     upper = "now_clock(31 downto 16) & (now_clock(15 downto 0) + 1)"
     change = (SHELL, "frame_timer", "now_clock <= now_clock + 1", f"now_clock <= {upper}")
     assert objection(provers, change, tmp_path) == "no proof in 2 s"

@@ -78,8 +78,9 @@ GroundTruth load(const Arguments& arguments) {
    if (arguments.truth_left.empty() && arguments.truth_right.empty())
       throw InputError("evaluate: give the true disparities with --truth-left, --truth-right or both");
    GroundTruth truth;
-   const AnyPair pair = load_any_pair(arguments.left, arguments.right, least_pixel_bits(arguments));
-   if (std::holds_alternative<DeepPair>(pair)) truth.bits = least_pixel_bits(arguments);
+   const int bits = least_pixel_bits(arguments);
+   const AnyPair pair = load_any_pair(arguments.left, arguments.right, bits);
+   if (std::holds_alternative<DeepPair>(pair)) truth.bits = bits;
    truth.shown = shown_pair(pair, truth.bits);
    truth.seen =
        std::visit([&](const auto& images) { return AnyPair(seen_by(images, arguments.cameras, truth.bits)); }, pair);

@@ -3,7 +3,8 @@
 
 The design with the fault and the design without run side by side, in yosys-abc. It merges the registers that are equal
 in both (induction over all of them at once: lcorr, scorr) and proves what is left with invariants that it finds by
-itself (property directed reachability: pdr).
+itself (property directed reachability: pdr). First it tries the same with where the two may differ instead of what they
+do (differences.py), which leaves the arithmetic out.
 
 Assumed: registers and memories start at 0, as in an FPGA, and the first clock is one of reset. From then on every input
 is free in every clock, resets and broken streams too. Compared: all outputs in every clock, those that go with a valid
@@ -19,8 +20,12 @@ from ..base import aiger, ghdl, rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..shell import template
 from ..synthesis import manifest
+from . import differences
 
 SECONDS = 30  # for what is left after the merging of registers
+SHORT_SECONDS, LONG_SECONDS = 10, 200  # the same of where the versions may differ, at first and at last
+MOST_ALONE = 40  # registers of which each is proved to stay 0, where all at once are not
+PROVED = "Property proved"
 VALID = {  # bit: the outputs that say something while it is '1'
     "disparity_valid": ("disparity", "pixel_valid", "disparity_start_of_frame", "disparity_end_of_line"),
     "m_axis_tvalid": ("m_axis_tdata", "m_axis_tuser", "m_axis_tlast"),
@@ -82,12 +87,55 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
 
 def compare(original: Path, changed: Path, work: Path) -> str:
     """Nothing when both show the same for ever; else in which clock they differ, or that the proof came to no end."""
-    commands = f"miter {original} {changed}; scleanup; lcorr; scorr; pdr -T {SECONDS}"
-    said = aiger.ask(commands, work)
-    if "Property proved" in said:
+    where = differences.differences(differences.read(original), differences.read(changed))
+    differs = Differences(where, work) if where else None
+    if differs and differs.never():
         return ""
+    said = aiger.ask(f"miter {original} {changed}; scleanup; lcorr; scorr; pdr -T {SECONDS}", work)
     refuted = re.search(r"asserted in frame (\d+)", said)
-    return f"differs in clock {refuted.group(1)}" if refuted else f"no proof in {SECONDS} s"
+    if refuted:
+        return f"differs in clock {refuted.group(1)}"
+    is_proved = PROVED in said or bool(differs and differs.never_with_lemmas())
+    return "" if is_proved else f"no proof in {SECONDS} s"
+
+
+class Differences:
+    """Where two versions may differ: proofs that nobody sees it."""
+
+    def __init__(self, where: differences.Graph, work: Path) -> None:
+        self.where, self.work = where, work
+        self.may_be = True  # that nobody sees it
+
+    def _ask(self, graph: differences.Graph, commands: str) -> str:
+        differences.write(graph, self.work / "asked.aig")
+        return aiger.ask(f"read asked.aig; {commands}", self.work)
+
+    def never(self) -> bool:
+        said = self._ask(self.where, f"scleanup; lcorr; scorr; write merged.aig; pdr -T {SHORT_SECONDS}")
+        self.may_be = "asserted in frame" not in said
+        return PROVED in said
+
+    def _that_stay(self, graph: differences.Graph, numbers: list[int]) -> list[int]:
+        """Those of the registers that are proved to stay 0: all of them at once, or one by one."""
+
+        def stays(some: list[int], seconds: int) -> bool:
+            return PROVED in self._ask(differences.asked_for(graph, some), f"scleanup; pdr -T {seconds}")
+
+        if stays(numbers, SECONDS):
+            return numbers
+        return [number for number in numbers[:MOST_ALONE] if stays([number], 1)]
+
+    def never_with_lemmas(self) -> bool:
+        """First that some registers stay 0, then with them and with predictions the rest."""
+        if not self.may_be:
+            return False
+        aiger.ask("read merged.aig; scorr -F 4; write merged.aig", self.work)
+        graph = differences.read(self.work / "merged.aig")
+        numbers = self._that_stay(graph, differences.quiet(graph))
+        if numbers:
+            self._ask(differences.without(graph, numbers), "scleanup; scorr -F 2; write merged.aig")
+            graph = differences.read(self.work / "merged.aig")
+        return PROVED in self._ask(differences.with_predictions(graph), f"pdr -T {LONG_SECONDS}")
 
 
 class Prover:

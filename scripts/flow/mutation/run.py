@@ -19,7 +19,7 @@ from ..base.tools import ROOT, Say
 from ..cosim import checker, simulators, vectors
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script
 from ..synthesis import manifest
-from . import equivalence, judges, mutants
+from . import differences, equivalence, judges, mutants
 from .equivalence import Design, Prover
 from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, core_stages, refuted, shell_stages
 
@@ -55,7 +55,8 @@ class EarlierVerdicts:
     @staticmethod
     def _sources(config: str) -> list[Path]:
         """Everything that decides a verdict."""
-        modules = (aiger, broken, checker, cocotb_runs, contract, equivalence, formal, ghdl, judges, mutants)
+        of_base, of_shell = (aiger, ghdl), (broken, cocotb_runs, contract, design, formal, pool, script)
+        modules = (*of_base, *of_shell, checker, simulators, vectors, differences, equivalence, judges, mutants)
         benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [
             *manifest.core_files(config),
@@ -63,7 +64,7 @@ class EarlierVerdicts:
             *manifest.core_files(CONFIG_OF_SHORT_FRAMES),
             *(path for path in benches if path.name != "diagrams.py"),
             *sorted((ROOT / "hls_tb" / "formal").iterdir()),
-            *(Path(str(module.__file__)) for module in (*modules, pool, script, simulators, vectors)),
+            *(Path(str(module.__file__)) for module in modules),
             Path(__file__),
         ]
 

@@ -74,33 +74,45 @@ _SHORT_STREAMS = (
     "reset_at_any_clock",
     "mixture",
 )
-_LONGER_FLUSH = Selection(
-    "tiny", "test_stereo_ip", _GAPS, {"gap_groups": 40, "flush_groups": 60}, "gap within a longer flush"
-)
-_SHORT_LATENCY = Selection("tiny", "test_generics", ("wrong_latency",), {"latency_clocks": 14}, "latency too short")
-_DISABLED = Selection("tiny", "test_generics", ("starts_disabled",), {"enabled_at_reset": "false"}, "disabled at reset")
-COCOTB_RUNS = (
-    Selection("tiny", "test_stereo_ip"),
-    Selection("tiny", "test_registers"),
-    Selection("tiny_p2", "test_stereo_ip", _LANES),
-    Selection("tiny_p2", "test_registers"),
-    Selection("tiny_p4", "test_stereo_ip", _LANES),
-    Selection("tiny_p4", "test_registers"),
-    Selection("tiny_all_recursive", "test_stereo_ip", (*_GAPS, "reset_at_any_clock")),
-    Selection("tiny", "test_stereo_ip", _GAPS, {"gap_groups": 33}, "gap of the whole flush"),
-    _LONGER_FLUSH,
-    _SHORT_LATENCY,
-    Selection("tiny", "test_generics", ("wrong_latency",), {"latency_clocks": 16}, "latency too long"),
-    _DISABLED,
-)
-SHORT_RUNS = (
-    Selection("tiny", "test_stereo_ip", _SHORT_STREAMS),
-    Selection("tiny", "test_registers"),
-    Selection("tiny_p4", "test_stereo_ip", _LANES),
-    _LONGER_FLUSH,
-    _SHORT_LATENCY,
-    _DISABLED,
-)
+
+
+def selections(is_short: bool) -> tuple[Selection, ...]:
+    """The runs under cocotb."""
+    row = configuration("tiny")
+    latency, flush = row["latency_clocks"], row["flush_groups"]
+
+    def with_latency(clocks: int, what: str) -> Selection:
+        return Selection("tiny", "test_generics", ("wrong_latency",), {"latency_clocks": clocks}, what)
+
+    longer = {"gap_groups": flush + 8, "flush_groups": flush + 28}
+    longer_flush = Selection("tiny", "test_stereo_ip", _GAPS, longer, "gap within a longer flush")
+    short_latency = with_latency(latency - 1, "latency too short")
+    disabled = Selection(
+        "tiny", "test_generics", ("starts_disabled",), {"enabled_at_reset": "false"}, "disabled at reset"
+    )
+    if is_short:
+        return (
+            Selection("tiny", "test_stereo_ip", _SHORT_STREAMS),
+            Selection("tiny", "test_registers"),
+            Selection("tiny_p4", "test_stereo_ip", _LANES),
+            longer_flush,
+            short_latency,
+            disabled,
+        )
+    return (
+        Selection("tiny", "test_stereo_ip"),
+        Selection("tiny", "test_registers"),
+        Selection("tiny_p2", "test_stereo_ip", _LANES),
+        Selection("tiny_p2", "test_registers"),
+        Selection("tiny_p4", "test_stereo_ip", _LANES),
+        Selection("tiny_p4", "test_registers"),
+        Selection("tiny_all_recursive", "test_stereo_ip", (*_GAPS, "reset_at_any_clock")),
+        Selection("tiny", "test_stereo_ip", _GAPS, {"gap_groups": flush + 1}, "gap of the whole flush"),
+        longer_flush,
+        short_latency,
+        with_latency(latency + 1, "latency too long"),
+        disabled,
+    )
 
 
 @dataclass
