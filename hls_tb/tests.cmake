@@ -65,6 +65,7 @@ stereo_add_unit_tests(
   blocks/semi_global/path_above_test.cpp
   blocks/semi_global/row_order_test.cpp
   blocks/semi_global/row_path_test.cpp
+  blocks/trellis/config_test.cpp
   blocks/trellis/forward_test.cpp
   cores/block_matching/core_large_test.cpp
   cores/block_matching/core_memories_test.cpp)

@@ -181,6 +181,8 @@ struct Config : Image, Matching, Structure {
       if (run_time_size && (!has_whole_windows() || row_groups() < 2))
          return "with a run-time size all disparities must fit at as many columns as the window has, and the image must "
                 "have two groups of rows";
+      if (run_time_size && median && output_width_px() < 2)
+         return "with a run-time size and a median the map must have two columns";
       if (int64_t(largest_column_cost()) * window_px >= 1 << 26) return "window costs must stay below 2^26";
       if (has_uniqueness_check() && largest_window_cost() >= 1 << 24)
          return "with a uniqueness check window costs must stay below 2^24";

@@ -129,6 +129,14 @@ TEST(BlockMatchingConfig, SaysWhichSizesARunTimeSizeCanHave) {
    EXPECT_EQ(config.problem().text, std::string());
    EXPECT_EQ(least_size(config).width_px, 63 + 9);
    EXPECT_EQ(least_size(config).height_px, 10);
+   // A map of one column has its first median behind the line's end: not where the width comes from ports.
+   config.full_width = false;
+   config.window_px = 2;
+   EXPECT_EQ(least_size(config).width_px, 63 + 2);
+   config.median = true;
+   EXPECT_EQ(least_size(config).width_px, 63 + 3);
+   config.width_px = 63 + 2;
+   EXPECT_EQ(config.problem().text, std::string("with a run-time size and a median the map must have two columns"));
 }
 
 TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {
