@@ -152,7 +152,8 @@ struct Core {
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (kHasMapBlock) clock_map();
+      if constexpr (C.median) map_block.clock(turned(), size);
+      else if constexpr (kHasMapBlock) map_block.clock(turned());
       if constexpr (C.path_right) turn.clock(checked(), size);
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(winners, NoTexture(), settings);
@@ -182,11 +183,6 @@ struct Core {
 
   private:
    struct NoTexture {};
-
-   HLS_INLINE void clock_map() {
-      if constexpr (C.median) map_block.clock(turned(), size);
-      else map_block.clock(turned());
-   }
 
    HLS_INLINE void check() {
       uint8_t other_winner[1] = {winners.other.winner[0][PathWinners<C>::Other::kOldest]};
