@@ -465,11 +465,11 @@ begin
         (raster_place_group / 2) = 0 else delay_row_inside_1_is_less;
       delay_row_inside_2_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
         ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
-        (raster_place_column = 0))) and delay_split_whole_before;
+        (raster_place_column = 0))) and delay_split_inside_before_2;
       delay_row_inside_2_is_less := delay_row_inside_0_difference < 0;
       delay_tag_output_column_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
         ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
-        (raster_place_column = 0))) and delay_split_inside_before_2;
+        (raster_place_column = 0))) and delay_split_whole_before;
       delay_tag_output_column_all_2 := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
         ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
         (raster_place_column = 0))) and delay_split_inside_before_1;
@@ -509,7 +509,7 @@ begin
       delay_tag_start_of_frame <= delay_tag_first_column_choice and delay_tag_start_of_frame_choice;
       delay_tag_end_of_line <= (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
         ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
-        (raster_place_column = 0))) and delay_split_inside_before_2 and (raster_place_column = 5);
+        (raster_place_column = 0))) and delay_split_whole_before and (raster_place_column = 5);
       delay_split_search_inside_0 <= delay_row_inside_0_all_2;
       delay_split_search_inside_1 <= delay_row_inside_1_choice;
       delay_split_search_inside_2 <= delay_row_inside_2_is_less;
@@ -519,16 +519,16 @@ begin
         delay_tag_output_column_all_2 else (not raster_place_group_choice_17) and delay_tag_output_column_any and
         raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs and
         raster_features_valid;
-      delay_split_inside_before_2 <= delay_tag_output_column_all or delay_split_inside_before_0_all;
+      delay_split_inside_before_2 <= (not delay_split_inside_before_0_all) or delay_row_inside_2_is_less when
+        delay_row_inside_2_all else raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs and raster_features_valid and delay_row_inside_2_is_less;
       delay_split_output_before <= (not delay_split_inside_before_0_all) or delay_row_inside_1_choice when
         delay_row_inside_1_all else raster_place_group_choice_9 and raster_place_group_choice_12 and
         raster_place_group_differs and raster_features_valid and delay_row_inside_1_choice;
       delay_split_start_before <= delay_tag_start_of_frame_is_equal or (not delay_split_inside_before_0_all) when
         delay_tag_start_of_frame_all else delay_tag_start_of_frame_is_equal and raster_place_group_choice_9 and
         raster_place_group_choice_12 and raster_place_group_differs and raster_features_valid;
-      delay_split_whole_before <= (not delay_split_inside_before_0_all) or delay_row_inside_2_is_less when
-        delay_row_inside_2_all else raster_place_group_choice_9 and raster_place_group_choice_12 and
-        raster_place_group_differs and raster_features_valid and delay_row_inside_2_is_less;
+      delay_split_whole_before <= delay_tag_output_column_all or delay_split_inside_before_0_all;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -934,8 +934,8 @@ begin
         delay_tag_start_of_frame <= false;
         delay_tag_end_of_line <= false;
         delay_split_inside_before_1 <= false;
-        delay_split_inside_before_2 <= false;
         delay_split_start_before <= false;
+        delay_split_whole_before <= false;
         rows_read_column <= 0;
         rows_read_tag_valid <= false;
         rows_read_tag_output_column <= false;

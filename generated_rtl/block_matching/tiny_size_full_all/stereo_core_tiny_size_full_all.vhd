@@ -202,18 +202,19 @@ architecture rtl of stereo_core_tiny_size_full_all is
   signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 510;
   signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
   signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
-  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
-  signal slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_first_cost : boolean;
+  signal slice0window_tag_map_column, slice0window_tag_output_column, slice0window_tag_first_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 765;
+  signal slice0window_tag_first_group : natural range 0 to 2;
   -- slice0mask
   signal slice0mask_inside_0, slice0mask_inside_1, slice0mask_inside_2, slice0mask_left_out : boolean;
+  signal slice0mask_searched_0, slice0mask_searched_1, slice0mask_searched_2 : boolean;
   signal slice0mask_column, slice0mask_end_value : natural range 0 to 63;
   -- slice0other
   signal slice0other_cost_0_0, slice0other_cost_0_1, slice0other_cost_0_2 : natural range 0 to 1023;
   signal slice0other_cost_out_0 : natural range 0 to 1023;
-  signal slice0other_winner_0_1 : boolean;
-  signal slice0other_winner_0_2, slice0other_winner_out_0 : natural range 0 to 2;
+  signal slice0other_winner_out : natural range 0 to 2;
   -- slice0winner1
   signal slice0winner1_held_0_0, slice0winner1_held_0_1, slice0winner1_held_0_2 : natural range 0 to 1023;
   signal slice0winner1_best_cost_0_0, slice0winner1_best_below_0_0 : natural range 0 to 1023;
@@ -305,7 +306,7 @@ architecture rtl of stereo_core_tiny_size_full_all is
   signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 510;
   signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 765;
   -- slice2mask
-  signal slice2mask_inside_0, slice2mask_inside_1 : boolean;
+  signal slice2mask_inside_0, slice2mask_inside_1, slice2mask_searched_1 : boolean;
   -- slice2other
   signal slice2other_cost_0_0 : natural range 0 to 1023;
   signal slice2other_winner_0_0 : natural range 0 to 6;
@@ -445,8 +446,8 @@ architecture rtl of stereo_core_tiny_size_full_all is
   signal other_7 : natural range 0 to 224;
   signal other_8 : natural range 0 to 192;
   signal other_9 : natural range 0 to 128;
-  signal other_10, other_11, other_12, other_13, other_14, other_15, other_16, other_17, other_18 : boolean;
-  signal other_19 : natural range 0 to 65535;
+  signal other_10, other_11, other_12, other_13, other_14 : boolean;
+  signal other_15 : natural range 0 to 65535;
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
@@ -594,12 +595,14 @@ begin
     variable delay_tag_output_column_all, delay_tag_output_column_any, delay_tag_output_column_all_2 : boolean;
     variable delay_tag_output_column_choice, delay_tag_first_column_is_equal, delay_tag_first_column_choice : boolean;
     variable delay_tag_start_of_frame_all, delay_tag_start_of_frame_is_equal, delay_tag_start_of_frame_choice : boolean;
-    variable delay_split_inside_before_0_all, slice0mask_inside_0_choice, slice0mask_inside_0_choice_2 : boolean;
-    variable slice0mask_inside_0_value, slice0mask_inside_0_choice_3, slice0mask_inside_0_value_2 : boolean;
-    variable slice0mask_inside_0_choice_4, slice0mask_inside_0_value_3, slice0mask_inside_0_choice_5 : boolean;
-    variable slice0mask_inside_0_choice_6, slice0mask_inside_0_choice_7, slice0mask_inside_1_choice : boolean;
-    variable slice0mask_inside_2_choice, slice0other_cost_0_1_all, slice0other_cost_0_1_choice : boolean;
-    variable slice0other_cost_0_1_all_2, slice0other_cost_0_2_choice, slice0other_cost_0_2_all : boolean;
+    variable delay_split_inside_before_0_all, slice0window_tag_first_group_all : boolean;
+    variable slice0window_tag_first_group_choice, slice0window_tag_first_group_all_2 : boolean;
+    variable slice0window_tag_first_cost_choice, slice0window_tag_first_cost_all, slice0mask_inside_0_choice : boolean;
+    variable slice0mask_inside_0_choice_2, slice0mask_inside_0_value, slice0mask_inside_0_choice_3 : boolean;
+    variable slice0mask_inside_0_value_2, slice0mask_inside_0_choice_4, slice0mask_inside_0_value_3 : boolean;
+    variable slice0mask_inside_0_choice_5, slice0mask_inside_0_choice_6, slice0mask_inside_0_choice_7 : boolean;
+    variable slice0mask_inside_1_choice, slice0mask_inside_2_choice, slice0mask_searched_0_all : boolean;
+    variable slice0mask_searched_1_is_equal, slice0mask_searched_1_choice, slice0mask_searched_2_choice : boolean;
     variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
     variable slice1mask_inside_0_choice, slice1mask_inside_1_choice, slice1mask_inside_2_choice : boolean;
     variable slice1other_cost_0_0_all, slice1other_cost_0_0_choice, slice1other_cost_0_0_all_2 : boolean;
@@ -607,7 +610,9 @@ begin
     variable slice1other_cost_0_2_all, slice1winner1_best_cost_0_0_is_less : boolean;
     variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
     variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal, slice2mask_inside_0_all : boolean;
-    variable slice2mask_inside_0_choice, slice2mask_inside_1_choice, slice2other_cost_0_0_all : boolean;
+    variable slice2mask_inside_0_choice, slice2mask_inside_1_choice, slice2mask_searched_1_any : boolean;
+    variable slice2mask_searched_1_choice, slice2mask_searched_1_value, slice2mask_searched_1_is_equal : boolean;
+    variable slice2mask_searched_1_value_2, slice2mask_searched_1_all, slice2other_cost_0_0_all : boolean;
     variable slice2other_cost_0_0_choice, slice2other_cost_0_0_all_2, slice2other_winner_0_1_choice : boolean;
     variable slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
     variable slice2_best_above_0_0_is_equal, refinement_below_0_differs, refinement_below_0_value : boolean;
@@ -634,10 +639,8 @@ begin
     variable leftright_checked_tag_row_start_all_2, leftright_checked_tag_row_start_choice_23 : boolean;
     variable leftright_checked_tag_row_start_all_3, map_line_ended_choice, map_at_arrives_value : boolean;
     variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all, map_low_0_0_all : boolean;
-    variable other_12_any, other_12_choice, other_12_any_2, other_12_is_equal, other_12_choice_2 : boolean;
-    variable other_12_all, other_13_value, other_13_choice, other_15_all, other_16_is_equal, other_16_choice : boolean;
-    variable other_17_choice, other_18_is_less, other_10_choice, other_10_value, other_10_all : boolean;
-    variable other_14_choice, other_14_choice_2 : boolean;
+    variable other_11_choice, other_11_any, other_11_choice_2, other_11_all, other_12_choice : boolean;
+    variable other_14_is_less, other_13_choice, other_13_choice_2 : boolean;
     variable transform_counter_group_value_8, raster_place_group_value_6 : natural range 0 to 3;
     variable leftright_checked_tag_row_start_value_5 : natural range 0 to 3;
     variable transform_counter_group_choice_10, transform_counter_group_choice_22 : natural range 0 to 31;
@@ -652,7 +655,7 @@ begin
     variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice_2, refinement_fraction_0_choice : natural range 0 to 255;
-    variable slice0other_cost_0_1_choice_2, slice0other_cost_0_2_choice_2 : natural range 0 to 1023;
+    variable slice0other_cost_0_1_choice, slice0other_cost_0_2_choice : natural range 0 to 1023;
     variable slice0winner1_held_0_0_choice, slice0winner1_held_0_0_any : natural range 0 to 1023;
     variable slice0winner1_held_0_1_choice, slice0winner1_held_0_1_any : natural range 0 to 1023;
     variable slice0winner1_held_0_2_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 1023;
@@ -1039,11 +1042,11 @@ begin
         (raster_place_group / 2) = 0 else delay_row_inside_1_is_less;
       delay_row_inside_2_all := (not delay_row_inside_0_choice_8) and delay_split_inside_before_2;
       delay_row_inside_2_is_less := delay_row_inside_0_difference < 0;
-      delay_tag_map_column_is_not_less := (raster_place_column - other_19) >= 0;
+      delay_tag_map_column_is_not_less := (raster_place_column - other_15) >= 0;
       delay_tag_map_column_choice := delay_tag_map_column_is_not_less or (not ((raster_place_column / 32) = 1)) when
-        other_18 else delay_tag_map_column_is_not_less and (not ((raster_place_column / 32) = 1));
+        other_14 else delay_tag_map_column_is_not_less and (not ((raster_place_column / 32) = 1));
       delay_tag_map_column_choice_2 := delay_tag_map_column_choice when ((raster_place_column / 2) mod 16) = 0 else
-        other_18 and delay_tag_map_column_is_not_less;
+        other_14 and delay_tag_map_column_is_not_less;
       delay_tag_map_column_all := (not delay_row_inside_0_choice_8) and delay_split_whole_before;
       delay_tag_map_column_any := (not delay_row_inside_0_all) or delay_tag_map_column_all;
       delay_tag_output_column_all := (not delay_row_inside_0_choice_8) and delay_split_inside_before_1;
@@ -1052,7 +1055,7 @@ begin
       delay_tag_output_column_choice := delay_tag_output_column_all_2 or delay_row_inside_0_all when
         delay_tag_output_column_all else raster_place_group_choice_15 and delay_tag_output_column_any and (not
         delay_row_inside_0_all);
-      delay_tag_first_column_is_equal := raster_place_column = other_19;
+      delay_tag_first_column_is_equal := raster_place_column = other_15;
       delay_tag_first_column_choice := (not delay_row_inside_0_choice_8) and delay_tag_first_column_is_equal and
         delay_split_whole_before when delay_row_inside_0_all else delay_tag_first_column_is_equal;
       delay_tag_start_of_frame_all := (not delay_row_inside_0_choice_8) and delay_split_start_before;
@@ -1238,7 +1241,19 @@ begin
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
       slice0window_tag_first_column <= slice1cost_tag_first_column;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      slice0window_tag_first_group_all := slice0window_tag_first_column and slice0window_tag_output_column;
+      slice0window_tag_first_group_choice := slice0window_tag_output_column when (slice0window_sum_0_2 -
+        slice0other_cost_0_1) < 0 else slice0window_tag_first_group_all;
+      slice0window_tag_first_group_all_2 := slice0mask_searched_0 and slice0mask_inside_2 and
+        slice0window_tag_first_group_choice;
+      slice0window_tag_first_cost_choice := slice0window_tag_output_column when (slice0window_sum_0_1 -
+        slice0other_cost_0_0) < 0 else slice0window_tag_first_group_all;
+      slice0window_tag_first_cost_all := slice0mask_searched_1 and slice0mask_inside_1 and
+        slice0window_tag_first_cost_choice;
       if slice0window_tag_valid then
+        slice0window_tag_first_group <= 2 when slice0window_tag_first_group_all_2 else
+          as_number(slice0window_tag_first_cost);
+        slice0window_tag_first_cost <= slice0window_tag_first_cost_all;
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       end if;
       -- slice0mask
@@ -1262,6 +1277,15 @@ begin
         (not slice1cost_tag_first_column) when slice0mask_inside_0_choice_5 else slice0mask_inside_0_choice_6;
       slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
       slice0mask_inside_2_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_2;
+      slice0mask_searched_0_all := slice1cost_tag_start_of_frame and slice0window_centre_output_column_0 and
+        slice0cost_tag_valid;
+      slice0mask_searched_1_is_equal := (settings_first_disparity / 2) = 0;
+      slice0mask_searched_1_choice := ((settings_last_disparity mod 16) /= 0) and slice0mask_searched_1_is_equal and
+        slice1cost_tag_start_of_frame and slice0window_centre_output_column_0 and slice0cost_tag_valid when
+        (settings_last_disparity / 16) = 0 else slice0mask_searched_1_is_equal and slice1cost_tag_start_of_frame and
+        slice0window_centre_output_column_0 and slice0cost_tag_valid;
+      slice0mask_searched_2_choice := (settings_first_disparity mod 16) = 0 when slice0mask_searched_0_all else
+        slice0mask_searched_2;
       slice0mask_inside_0 <= slice0mask_inside_0 and (not slice0cost_tag_valid) when slice0mask_inside_0_choice_7 else
         slice0mask_inside_0 or slice0cost_tag_valid;
       slice0mask_inside_1 <= slice0mask_inside_1 or slice0cost_tag_valid when slice1cost_tag_first_column else
@@ -1270,37 +1294,38 @@ begin
         slice0mask_inside_2_choice;
       slice0mask_left_out <= slice0mask_inside_2;
       slice0mask_end_value <= (size_windows_last_column + 59) mod 64;
+      slice0mask_searched_0 <= (((not (((settings_first_disparity / 2) mod 2) = 1)) or (not ((settings_first_disparity
+        mod 2) = 1))) and ((settings_last_disparity / 2) /= 0) and slice1cost_tag_start_of_frame and
+        slice0window_centre_output_column_0 and slice0cost_tag_valid and ((settings_first_disparity / 4) = 0)) or ((not
+        slice0mask_searched_0_all) and slice0mask_searched_0);
+      slice0mask_searched_1 <= slice0mask_searched_1_choice or ((not slice0mask_searched_0_all) and
+        slice0mask_searched_1);
+      slice0mask_searched_2 <= slice0mask_searched_2_choice when (settings_first_disparity / 16) = 0 else (not
+        slice0mask_searched_0_all) and slice0mask_searched_2;
       if slice0cost_tag_valid then
         slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 64;
       end if;
       -- slice0other
-      slice0other_cost_0_1_all := slice0window_tag_first_column and slice0window_tag_output_column;
-      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0window_sum_0_1 - slice0other_cost_0_0)
-        < 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_1_all_2 := other_16 and slice0mask_inside_1 and slice0other_cost_0_1_choice;
-      slice0other_cost_0_1_choice_2 := 1023 when slice0window_tag_first_column else slice0other_cost_0_0;
-      slice0other_cost_0_2_choice := slice0window_tag_output_column when (slice0window_sum_0_2 - slice0other_cost_0_1)
-        < 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_2_all := other_15 and slice0mask_inside_2 and slice0other_cost_0_2_choice;
-      slice0other_cost_0_2_choice_2 := 1023 when slice0window_tag_first_column else slice0other_cost_0_1;
+      slice0other_cost_0_1_choice := 1023 when slice0window_tag_first_column else slice0other_cost_0_0;
+      slice0other_cost_0_2_choice := 1023 when slice0window_tag_first_column else slice0other_cost_0_1;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column and other_17 and
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column and slice0mask_searched_2 and
           slice0mask_inside_0 else 1023;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_all_2 else slice0other_cost_0_1_choice_2;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_all else slice0other_cost_0_2_choice_2;
-        slice0other_winner_0_1 <= slice0other_cost_0_1_all_2;
-        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_all else as_number(slice0other_winner_0_1);
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0window_tag_first_cost_all else
+          slice0other_cost_0_1_choice;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_first_group_all_2 else
+          slice0other_cost_0_2_choice;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_2;
-      slice0other_winner_out_0 <= slice0other_winner_0_2;
+      slice0other_winner_out <= slice0window_tag_first_group;
       -- slice0winner1
-      slice0winner1_held_0_0_choice := 1023 when (not other_17) or (not slice0mask_inside_0) else 0;
+      slice0winner1_held_0_0_choice := 1023 when (not slice0mask_searched_2) or (not slice0mask_inside_0) else 0;
       slice0winner1_held_0_0_any := to_integer(((to_unsigned(slice0winner1_held_0_0_choice, 10)) or
         (to_unsigned(slice0window_sum_0_0, 10))));
-      slice0winner1_held_0_1_choice := 1023 when (not other_16) or (not slice0mask_inside_1) else 0;
+      slice0winner1_held_0_1_choice := 1023 when (not slice0mask_searched_1) or (not slice0mask_inside_1) else 0;
       slice0winner1_held_0_1_any := to_integer(((to_unsigned(slice0winner1_held_0_1_choice, 10)) or
         (to_unsigned(slice0window_sum_0_1, 10))));
-      slice0winner1_held_0_2_choice := 1023 when (not other_15) or (not slice0mask_inside_2) else 0;
+      slice0winner1_held_0_2_choice := 1023 when (not slice0mask_searched_0) or (not slice0mask_inside_2) else 0;
       slice0winner1_best_cost_0_0_is_less := (slice0winner1_held_0_1_any - slice0winner1_held_0_0_any) < 0;
       slice0winner1_held_0_0 <= slice0winner1_held_0_0_any;
       slice0winner1_held_0_1 <= slice0winner1_held_0_1_any;
@@ -1455,34 +1480,34 @@ begin
       slice1other_cost_0_0_all := slice0winner1_tag_first_column and slice0winner1_tag_output_column;
       slice1other_cost_0_0_choice := slice0winner1_tag_output_column when (slice1window_sum_0_0 -
         slice0other_cost_out_0) < 0 else slice1other_cost_0_0_all;
-      slice1other_cost_0_0_all_2 := other_14 and slice1mask_inside_0 and slice1other_cost_0_0_choice;
+      slice1other_cost_0_0_all_2 := other_13 and slice1mask_inside_0 and slice1other_cost_0_0_choice;
       slice1other_cost_0_0_choice_2 := 1023 when slice0winner1_tag_first_column else slice0other_cost_out_0;
       slice1other_cost_0_1_choice := slice0winner1_tag_output_column when (slice1window_sum_0_1 - slice1other_cost_0_0)
         < 0 else slice1other_cost_0_0_all;
-      slice1other_cost_0_1_all := other_13 and slice1mask_inside_1 and slice1other_cost_0_1_choice;
+      slice1other_cost_0_1_all := other_12 and slice1mask_inside_1 and slice1other_cost_0_1_choice;
       slice1other_cost_0_1_choice_2 := 1023 when slice0winner1_tag_first_column else slice1other_cost_0_0;
       slice1other_cost_0_2_choice := slice0winner1_tag_output_column when (slice1window_sum_0_2 - slice1other_cost_0_1)
         < 0 else slice1other_cost_0_0_all;
-      slice1other_cost_0_2_all := other_12 and slice1mask_inside_2 and slice1other_cost_0_2_choice;
+      slice1other_cost_0_2_all := other_11 and slice1mask_inside_2 and slice1other_cost_0_2_choice;
       slice1other_cost_0_2_choice_2 := 1023 when slice0winner1_tag_first_column else slice1other_cost_0_1;
       if slice0winner1_tag_valid then
         slice1other_cost_0_0 <= slice1window_sum_0_0 when slice1other_cost_0_0_all_2 else slice1other_cost_0_0_choice_2;
         slice1other_cost_0_1 <= slice1window_sum_0_1 when slice1other_cost_0_1_all else slice1other_cost_0_1_choice_2;
         slice1other_cost_0_2 <= slice1window_sum_0_2 when slice1other_cost_0_2_all else slice1other_cost_0_2_choice_2;
-        slice1other_winner_0_0 <= 3 when slice1other_cost_0_0_all_2 else slice0other_winner_out_0;
+        slice1other_winner_0_0 <= 3 when slice1other_cost_0_0_all_2 else slice0other_winner_out;
         slice1other_winner_0_1 <= 4 when slice1other_cost_0_1_all else slice1other_winner_0_0;
         slice1other_winner_0_2 <= 5 when slice1other_cost_0_2_all else slice1other_winner_0_1;
       end if;
       slice1other_cost_out_0 <= slice1other_cost_0_2;
       slice1other_winner_out_0 <= slice1other_winner_0_2;
       -- slice1winner1
-      slice1winner1_held_0_0_choice := 1023 when (not other_14) or (not slice1mask_inside_0) else 0;
+      slice1winner1_held_0_0_choice := 1023 when (not other_13) or (not slice1mask_inside_0) else 0;
       slice1winner1_held_0_0_any := to_integer(((to_unsigned(slice1winner1_held_0_0_choice, 10)) or
         (to_unsigned(slice1window_sum_0_0, 10))));
-      slice1winner1_held_0_1_choice := 1023 when (not other_13) or (not slice1mask_inside_1) else 0;
+      slice1winner1_held_0_1_choice := 1023 when (not other_12) or (not slice1mask_inside_1) else 0;
       slice1winner1_held_0_1_any := to_integer(((to_unsigned(slice1winner1_held_0_1_choice, 10)) or
         (to_unsigned(slice1window_sum_0_1, 10))));
-      slice1winner1_held_0_2_choice := 1023 when (not other_12) or (not slice1mask_inside_2) else 0;
+      slice1winner1_held_0_2_choice := 1023 when (not other_11) or (not slice1mask_inside_2) else 0;
       slice1winner1_best_cost_0_0_is_less := (slice1winner1_held_0_1_any - slice1winner1_held_0_0_any) < 0;
       slice1winner1_held_0_0 <= slice1winner1_held_0_0_any;
       slice1winner1_held_0_1 <= slice1winner1_held_0_1_any;
@@ -1616,26 +1641,41 @@ begin
       slice2mask_inside_0 <= slice2mask_inside_0_choice when slice1mask_left_out else slice2mask_inside_0_all;
       slice2mask_inside_1 <= (not slice0winner1_tag_valid) and slice2mask_inside_1 when slice1window_tag_first_column
         else slice2mask_inside_1_choice;
+      slice2mask_searched_1_any := (not (((settings_last_disparity / 4) mod 2) = 1)) or (not (((settings_last_disparity
+        / 2) mod 2) = 1));
+      slice2mask_searched_1_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and slice2mask_searched_1_any
+        when (settings_last_disparity mod 2) = 1 else not (((settings_last_disparity / 16) mod 2) = 1);
+      slice2mask_searched_1_value := ((settings_last_disparity / 64) mod 2) = 1;
+      slice2mask_searched_1_is_equal := (settings_first_disparity / 8) = 0;
+      slice2mask_searched_1_value_2 := ((settings_last_disparity / 32) mod 2) = 1;
+      slice2mask_searched_1_all := slice0winner1_tag_start_of_frame and slice1window_tag_output_column and
+        slice0winner1_tag_valid;
+      if slice2mask_searched_1_all then
+        slice2mask_searched_1 <= slice2mask_searched_1_is_equal and slice2mask_searched_1_value_2 when
+          slice2mask_searched_1_choice and (not ((settings_last_disparity / 128) = 1)) and (not
+          slice2mask_searched_1_value) and (not (((settings_last_disparity / 8) mod 2) = 1)) else
+          slice2mask_searched_1_is_equal;
+      end if;
       -- slice2other
       slice2other_cost_0_0_all := slice0winner2_tag_first_column and slice0winner2_tag_output_column;
       slice2other_cost_0_0_choice := slice0winner2_tag_output_column when (slice2window_sum_0_0 -
         slice1other_cost_out_0) < 0 else slice2other_cost_0_0_all;
-      slice2other_cost_0_0_all_2 := other_11 and slice2mask_inside_0 and slice2other_cost_0_0_choice;
+      slice2other_cost_0_0_all_2 := other_10 and slice2mask_inside_0 and slice2other_cost_0_0_choice;
       slice2other_cost_0_0_choice_2 := 1023 when slice0winner2_tag_first_column else slice1other_cost_out_0;
       slice2other_winner_0_1_choice := slice0winner2_tag_output_column when (slice2window_sum_0_1 -
         slice2other_cost_0_0) < 0 else slice2other_cost_0_0_all;
       if slice0winner2_tag_valid then
         slice2other_cost_0_0 <= slice2window_sum_0_0 when slice2other_cost_0_0_all_2 else slice2other_cost_0_0_choice_2;
         slice2other_winner_0_0 <= 6 when slice2other_cost_0_0_all_2 else slice1other_winner_out_0;
-        slice2other_winner_0_1 <= 7 when other_10 and slice2mask_inside_1 and slice2other_winner_0_1_choice else
-          slice2other_winner_0_0;
+        slice2other_winner_0_1 <= 7 when slice2mask_searched_1 and slice2mask_inside_1 and
+          slice2other_winner_0_1_choice else slice2other_winner_0_0;
       end if;
       slice2other_winner_out_0 <= slice2other_winner_0_1;
       -- slice2winner1
-      slice2winner1_held_0_0_choice := 1023 when (not other_11) or (not slice2mask_inside_0) else 0;
+      slice2winner1_held_0_0_choice := 1023 when (not other_10) or (not slice2mask_inside_0) else 0;
       slice2winner1_held_0_0_any := to_integer(((to_unsigned(slice2winner1_held_0_0_choice, 10)) or
         (to_unsigned(slice2window_sum_0_0, 10))));
-      slice2winner1_held_0_1_choice := 1023 when (not other_10) or (not slice2mask_inside_1) else 0;
+      slice2winner1_held_0_1_choice := 1023 when (not slice2mask_searched_1) or (not slice2mask_inside_1) else 0;
       slice2winner1_held_0_1_any := to_integer(((to_unsigned(slice2winner1_held_0_1_choice, 10)) or
         (to_unsigned(slice2window_sum_0_1, 10))));
       slice2winner1_best_cost_0_0_is_less := (slice2winner1_held_0_1_any - slice2winner1_held_0_0_any) < 0;
@@ -2206,30 +2246,19 @@ begin
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_12_any := (not (((settings_last_disparity / 4) mod 2) = 1)) or (not (((settings_last_disparity / 2) mod 2)
-        = 1));
-      other_12_choice := ((settings_last_disparity / 4) mod 4) = 0 when (settings_last_disparity mod 2) = 1 else (not
-        (((settings_last_disparity / 8) mod 2) = 1)) and other_12_any;
-      other_12_any_2 := (not (((settings_first_disparity / 4) mod 2) = 1)) or (not (((settings_first_disparity / 2) mod
+      other_11_choice := ((settings_last_disparity / 4) mod 4) = 0 when (settings_last_disparity mod 2) = 1 else (not
+        (((settings_last_disparity / 8) mod 2) = 1)) and slice2mask_searched_1_any;
+      other_11_any := (not (((settings_first_disparity / 4) mod 2) = 1)) or (not (((settings_first_disparity / 2) mod
         2) = 1));
-      other_12_is_equal := (settings_first_disparity / 8) = 0;
-      other_12_choice_2 := other_12_any_2 and other_12_is_equal and slice0window_tag_valid and
+      other_11_choice_2 := other_11_any and slice2mask_searched_1_is_equal and slice0window_tag_valid and
         slice0window_tag_start_of_frame and slice1window_centre_output_column_0 and ((settings_last_disparity / 128) =
-        1) when other_12_choice and (((settings_last_disparity / 16) mod 8) = 0) else other_12_any_2 and
-        other_12_is_equal and slice0window_tag_valid and slice0window_tag_start_of_frame and
+        1) when other_11_choice and (((settings_last_disparity / 16) mod 8) = 0) else other_11_any and
+        slice2mask_searched_1_is_equal and slice0window_tag_valid and slice0window_tag_start_of_frame and
         slice1window_centre_output_column_0;
-      other_12_all := slice0window_tag_valid and slice0window_tag_start_of_frame and
+      other_11_all := slice0window_tag_valid and slice0window_tag_start_of_frame and
         slice1window_centre_output_column_0;
-      other_13_value := ((settings_last_disparity / 64) mod 2) = 1;
-      other_13_choice := not ((settings_first_disparity / 128) = 1) when other_12_all else other_13;
-      other_15_all := slice1cost_tag_start_of_frame and slice0window_centre_output_column_0 and slice0cost_tag_valid;
-      other_16_is_equal := (settings_first_disparity / 2) = 0;
-      other_16_choice := ((settings_last_disparity mod 16) /= 0) and other_16_is_equal and
-        slice1cost_tag_start_of_frame and slice0window_centre_output_column_0 and slice0cost_tag_valid when
-        (settings_last_disparity / 16) = 0 else other_16_is_equal and slice1cost_tag_start_of_frame and
-        slice0window_centre_output_column_0 and slice0cost_tag_valid;
-      other_17_choice := (settings_first_disparity mod 16) = 0 when other_15_all else other_17;
-      other_18_is_less := 4 < in_image_width;
+      other_12_choice := not ((settings_first_disparity / 128) = 1) when other_11_all else other_12;
+      other_14_is_less := 4 < in_image_width;
       other_0 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
       other_1 <= other_2;
       other_2 <= to_unsigned(as_number(((((map_counter_group + 65535) mod 65536) - size_windows_groups) < 0)), 1) &
@@ -2243,38 +2272,26 @@ begin
       other_7 <= ((refinement_remainder_3_0_difference / 2048) * 32) + ((other_8 / 64) * 64);
       other_8 <= ((refinement_remainder_2_0_difference / 2048) * 64) + ((other_9 / 128) * 128);
       other_9 <= (refinement_remainder_1_0_difference / 2048) * 128;
-      other_12 <= other_12_choice_2 or ((not other_12_all) and other_12);
-      other_13 <= other_13_choice when ((not (((settings_first_disparity / 4) mod 2) = 1)) or
+      other_11 <= other_11_choice_2 or ((not other_11_all) and other_11);
+      other_12 <= other_12_choice when ((not (((settings_first_disparity / 4) mod 2) = 1)) or
         ((settings_first_disparity mod 4) = 0)) and (((settings_first_disparity / 8) mod 16) = 0) and
-        ((((settings_last_disparity / 4) mod 16) /= 0) or ((settings_last_disparity / 128) = 1) or other_13_value) else
-        (not other_12_all) and other_13;
-      other_15 <= (((not (((settings_first_disparity / 2) mod 2) = 1)) or (not ((settings_first_disparity mod 2) = 1)))
-        and ((settings_last_disparity / 2) /= 0) and slice1cost_tag_start_of_frame and
-        slice0window_centre_output_column_0 and slice0cost_tag_valid and ((settings_first_disparity / 4) = 0)) or ((not
-        other_15_all) and other_15);
-      other_16 <= other_16_choice or ((not other_15_all) and other_16);
-      other_17 <= other_17_choice when (settings_first_disparity / 16) = 0 else (not other_15_all) and other_17;
-      other_18 <= other_18_is_less;
-      other_19 <= 4 when other_18_is_less else (4 - in_image_width) mod 65536;
-      other_10_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and other_12_any when
-        (settings_last_disparity mod 2) = 1 else not (((settings_last_disparity / 16) mod 2) = 1);
-      other_10_value := ((settings_last_disparity / 32) mod 2) = 1;
-      other_10_all := slice0winner1_tag_start_of_frame and slice1window_tag_output_column and slice0winner1_tag_valid;
-      if other_10_all then
-        other_10 <= other_12_is_equal and other_10_value when other_10_choice and (not ((settings_last_disparity / 128)
-          = 1)) and (not other_13_value) and (not (((settings_last_disparity / 8) mod 2) = 1)) else other_12_is_equal;
-        other_11 <= ((not (((settings_first_disparity / 4) mod 2) = 1)) or (not (((settings_first_disparity / 2) mod 2)
-          = 1)) or (not ((settings_first_disparity mod 2) = 1))) and (not (other_12_any and ((settings_last_disparity /
-          8) = 0))) and other_12_is_equal;
+        ((((settings_last_disparity / 4) mod 16) /= 0) or ((settings_last_disparity / 128) = 1) or
+        slice2mask_searched_1_value) else (not other_11_all) and other_12;
+      other_14 <= other_14_is_less;
+      other_15 <= 4 when other_14_is_less else (4 - in_image_width) mod 65536;
+      if slice2mask_searched_1_all then
+        other_10 <= ((not (((settings_first_disparity / 4) mod 2) = 1)) or (not (((settings_first_disparity / 2) mod 2)
+          = 1)) or (not ((settings_first_disparity mod 2) = 1))) and (not (slice2mask_searched_1_any and
+          ((settings_last_disparity / 8) = 0))) and slice2mask_searched_1_is_equal;
       end if;
-      other_14_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and (not (((settings_last_disparity / 8)
+      other_13_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and (not (((settings_last_disparity / 8)
         mod 2) = 1)) and (not (((settings_last_disparity / 2) mod 2) = 1)) when (settings_last_disparity mod 2) = 1
         else ((settings_last_disparity / 8) mod 4) = 0;
-      other_14_choice_2 := (not ((settings_first_disparity / 128) = 1)) and other_10_value when other_14_choice and
-        (not ((settings_last_disparity / 128) = 1)) and (not other_13_value) and (not (((settings_last_disparity / 4)
-        mod 2) = 1)) else not ((settings_first_disparity / 128) = 1);
-      if other_12_all then
-        other_14 <= other_14_choice_2 and (((settings_first_disparity / 4) mod 32) = 0);
+      other_13_choice_2 := (not ((settings_first_disparity / 128) = 1)) and slice2mask_searched_1_value_2 when
+        other_13_choice and (not ((settings_last_disparity / 128) = 1)) and (not slice2mask_searched_1_value) and (not
+        (((settings_last_disparity / 4) mod 2) = 1)) else not ((settings_first_disparity / 128) = 1);
+      if other_11_all then
+        other_13 <= other_13_choice_2 and (((settings_first_disparity / 4) mod 32) = 0);
       end if;
       if reset = '1' then
         size_windows_last_column <= 39;
@@ -2506,8 +2523,8 @@ begin
         map_out_end_of_line <= false;
         other_1 <= to_unsigned(0, 49);
         other_2 <= to_unsigned(0, 49);
-        other_18 <= true;
-        other_19 <= 4;
+        other_14 <= true;
+        other_15 <= 4;
       end if;
     end if;
   end process;

@@ -451,6 +451,7 @@ architecture rtl of stereo_core_tiny_sgm_size is
   signal entry_order_turned_output_column, entry_order_turned_first_column, entry_order_turned_start_of_frame : boolean;
   signal entry_tag_valid, entry_tag_map_column, entry_tag_first_column, entry_tag_end_of_line, entry_top : boolean;
   signal entry_turned_output_column, entry_turned_first_column, entry_turned_start_of_frame : boolean;
+  signal entry_turned_end_of_line : boolean;
   signal entry_next_column, entry_order_last_value, entry_order_address, entry_column : natural range 0 to 31;
   signal entry_place : natural range 0 to 31;
   -- forward
@@ -517,7 +518,7 @@ architecture rtl of stereo_core_tiny_sgm_size is
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
   signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
-  signal forward_first_1, forward_first_2, forward_first_3 : boolean;
+  signal forward_first_1, forward_first_2, forward_first_3, forward_first_4, forward_first_5, forward_first_6 : boolean;
   signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 44;
   signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 44;
   signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 44;
@@ -564,14 +565,13 @@ architecture rtl of stereo_core_tiny_sgm_size is
   signal sums_cost_1_2, sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6 : natural range 0 to 15;
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 15;
   signal sums_right_smallest : natural range 0 to 15;
-  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1 : boolean;
-  signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
-  signal sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
-  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
-  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
-  signal sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line, sums_tags_held_3_output_column : boolean;
-  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
-  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_1, sums_right_first_2 : boolean;
+  signal sums_tag_valid, sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame : boolean;
+  signal sums_tag_end_of_line, sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame : boolean;
+  signal sums_tags_held_0_end_of_line, sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame : boolean;
+  signal sums_tags_held_1_end_of_line, sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame : boolean;
+  signal sums_tags_held_3_output_column, sums_tags_held_3_start_of_frame, sums_tags_held_4_output_column : boolean;
+  signal sums_tags_held_4_start_of_frame, sums_tags_moved : boolean;
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 31;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 31;
   signal sums_turn_place_8, sums_turn_write_place, sums_right_room : natural range 0 to 31;
@@ -1269,23 +1269,23 @@ begin
     variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_5 : boolean;
     variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
     variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value : boolean;
-    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_5 : boolean;
-    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_value_9 : boolean;
-    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_7, winnerswinner1_of_four_0_8_choice : boolean;
-    variable winnerswinner1_of_four_0_8_value, winnerswinner1_of_four_0_8_value_2 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_2, winnerswinner1_of_four_0_8_value_3 : boolean;
-    variable winnerswinner1_of_four_0_8_value_4, winnerswinner1_of_four_0_8_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_8_value_5, winnerswinner1_of_four_0_8_value_6 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_4, winnerswinner1_of_four_0_8_value_7 : boolean;
-    variable winnerswinner1_of_four_0_8_value_8, winnerswinner1_of_four_0_8_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_8_value_9, winnerswinner1_of_four_0_8_value_10 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_6, winnerswinner1_of_four_0_8_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_3_choice, winnerswinner1_of_four_0_3_value : boolean;
+    variable winnerswinner1_of_four_0_3_value_2, winnerswinner1_of_four_0_3_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_3_value_3, winnerswinner1_of_four_0_3_value_4 : boolean;
+    variable winnerswinner1_of_four_0_3_choice_3, winnerswinner1_of_four_0_3_value_5 : boolean;
+    variable winnerswinner1_of_four_0_3_value_6, winnerswinner1_of_four_0_3_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_3_value_7, winnerswinner1_of_four_0_3_value_8 : boolean;
+    variable winnerswinner1_of_four_0_3_choice_5, winnerswinner1_of_four_0_3_value_9 : boolean;
+    variable winnerswinner1_of_four_0_3_value_10, winnerswinner1_of_four_0_3_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_3_choice_7, winnerswinner1_of_four_0_4_choice : boolean;
+    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
+    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_choice_7 : boolean;
     variable winnerswinner2_of_pair_0_0_choice, winnerswinner2_of_pair_0_0_choice_2 : boolean;
     variable winnerswinner2_of_pair_0_0_value, winnerswinner2_of_pair_0_0_choice_3 : boolean;
     variable winnerswinner2_of_pair_0_0_value_2, winnerswinner2_of_pair_0_0_choice_4 : boolean;
@@ -4795,7 +4795,6 @@ begin
       entry_tag_valid <= entry_next_tag_valid;
       entry_tag_map_column <= entry_next_tag_map_column;
       entry_tag_first_column <= entry_next_tag_first_column;
-      entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
       entry_top <= entry_next_top;
       entry_place <= entry_order_address;
@@ -4819,6 +4818,10 @@ begin
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_first <= slice0_tag_2_start_of_frame;
         entry_order_held_output <= entry_order_output and entry_order_complete;
+      end if;
+      if entry_tag_valid then
+        entry_tag_end_of_line <= forward_first_0;
+        entry_turned_end_of_line <= sums_turn_ready_first;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -4855,72 +4858,72 @@ begin
         forward_left_room_choice;
       forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
-      forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_0_choice;
       forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
-      forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_1_choice;
       forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
-      forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_2_choice;
       forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
-      forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_3_choice;
       forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
-      forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_4_choice;
       forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
-      forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_5_choice;
       forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
-      forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_6_choice;
       forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
-      forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_7_choice;
       forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
-      forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_8_choice;
       forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
-      forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_9_choice;
       forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
         else forward_left_cost_10;
-      forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_10_choice;
       forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
         else forward_left_cost_11;
-      forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 else
+      forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_first_6 else
         forward_left_cost_11_choice;
-      forward_left_arrived_0_choice := 32 when forward_left_first_2 else forward_left_cost_1;
-      forward_left_arrived_1_choice := 32 when forward_left_first_2 else forward_left_pair_0_choice;
-      forward_left_arrived_2_choice := 32 when forward_left_first_2 else forward_left_pair_1_choice;
+      forward_left_arrived_0_choice := 32 when forward_first_6 else forward_left_cost_1;
+      forward_left_arrived_1_choice := 32 when forward_first_6 else forward_left_pair_0_choice;
+      forward_left_arrived_2_choice := 32 when forward_first_6 else forward_left_pair_1_choice;
       forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
-      forward_left_arrived_3_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_3_choice;
+      forward_left_arrived_3_choice_2 := 32 when forward_first_6 else forward_left_arrived_3_choice;
       forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
-      forward_left_arrived_4_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_4_choice;
-      forward_left_arrived_5_choice := 32 when forward_left_first_2 else forward_left_pair_2_choice;
-      forward_left_arrived_6_choice := 32 when forward_left_first_2 else forward_left_pair_3_choice;
+      forward_left_arrived_4_choice_2 := 32 when forward_first_6 else forward_left_arrived_4_choice;
+      forward_left_arrived_5_choice := 32 when forward_first_6 else forward_left_pair_2_choice;
+      forward_left_arrived_6_choice := 32 when forward_first_6 else forward_left_pair_3_choice;
       forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
-      forward_left_arrived_7_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_7_choice;
+      forward_left_arrived_7_choice_2 := 32 when forward_first_6 else forward_left_arrived_7_choice;
       forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
-      forward_left_arrived_8_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_8_choice;
-      forward_left_arrived_9_choice := 32 when forward_left_first_2 else forward_left_pair_4_choice;
-      forward_left_arrived_10_choice := 32 when forward_left_first_2 else forward_left_pair_5_choice;
-      forward_left_arrived_11_choice := 32 when forward_left_first_2 else forward_left_cost_10;
+      forward_left_arrived_8_choice_2 := 32 when forward_first_6 else forward_left_arrived_8_choice;
+      forward_left_arrived_9_choice := 32 when forward_first_6 else forward_left_pair_4_choice;
+      forward_left_arrived_10_choice := 32 when forward_first_6 else forward_left_pair_5_choice;
+      forward_left_arrived_11_choice := 32 when forward_first_6 else forward_left_cost_10;
       forward_above_total_0_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(4
         downto 0));
       forward_above_total_1_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(9
@@ -4986,18 +4989,18 @@ begin
         forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
           (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
           forward_left_tree_next_smallest_0;
-        forward_left_start_cost_0 <= 22 when sums_right_first_2 else forward_left_start_cost_0_choice_2;
-        forward_left_start_cost_1 <= 0 when sums_right_first_2 else forward_left_start_cost_0;
-        forward_left_start_cost_2 <= 0 when sums_right_first_2 else forward_left_start_cost_1;
-        forward_left_start_cost_3 <= 0 when sums_right_first_2 else forward_left_start_cost_2;
-        forward_left_start_cost_4 <= 0 when sums_right_first_2 else forward_left_start_cost_3;
-        forward_left_start_cost_5 <= 0 when sums_right_first_2 else forward_left_start_cost_4;
-        forward_left_start_cost_6 <= 0 when sums_right_first_2 else forward_left_start_cost_5;
-        forward_left_room <= 0 when sums_right_first_2 else (forward_left_room_choice_2 + forward_left_start_cost_6)
-          mod 32;
+        forward_left_start_cost_0 <= 22 when sums_tags_held_1_end_of_line else forward_left_start_cost_0_choice_2;
+        forward_left_start_cost_1 <= 0 when sums_tags_held_1_end_of_line else forward_left_start_cost_0;
+        forward_left_start_cost_2 <= 0 when sums_tags_held_1_end_of_line else forward_left_start_cost_1;
+        forward_left_start_cost_3 <= 0 when forward_first_0 else sums_right_start_cost_5;
+        forward_left_start_cost_4 <= 0 when sums_tags_held_1_end_of_line else sums_right_start_cost_6;
+        forward_left_start_cost_5 <= 0 when sums_tags_held_1_end_of_line else forward_left_start_cost_4;
+        forward_left_start_cost_6 <= 0 when sums_tags_held_1_end_of_line else forward_left_start_cost_5;
+        forward_left_room <= 0 when sums_tags_held_1_end_of_line else (forward_left_room_choice_2 +
+          forward_left_start_cost_6) mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 59) mod 64;
-        forward_left_first_0 <= sums_right_first_2;
+        forward_left_first_0 <= forward_first_3;
         forward_left_first_1 <= forward_left_first_0;
         forward_left_first_2 <= forward_left_first_1;
         forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_smallest_cost_0) mod 64;
@@ -5132,55 +5135,55 @@ begin
           forward_above_cost_0;
         forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
           forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
-          forward_above_cost_2;
+        forward_above_beside_3 <= forward_above_cost_2;
         forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
           forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
-          forward_above_cost_4;
+        forward_above_beside_5 <= forward_above_cost_6;
         forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
           forward_above_cost_5;
         forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
           forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
-          forward_above_cost_7;
+        forward_above_beside_8 <= forward_above_cost_9;
         forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
           forward_above_cost_8;
         forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
           forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
-        forward_above_own_2 <= forward_above_cost_2;
+        forward_above_own_2 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
+          forward_above_cost_2;
         forward_above_own_3 <= forward_above_cost_3;
         forward_above_own_4 <= forward_above_cost_4;
         forward_above_own_5 <= forward_above_cost_5;
-        forward_above_own_6 <= forward_above_cost_6;
+        forward_above_own_6 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
+          forward_above_cost_4;
         forward_above_own_7 <= forward_above_cost_7;
         forward_above_own_8 <= forward_above_cost_8;
-        forward_above_own_9 <= forward_above_cost_9;
+        forward_above_own_9 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
+          forward_above_cost_7;
         forward_above_own_11 <= forward_above_cost_11;
         forward_above_step_0 <= forward_above_beside_0 + 5;
         forward_above_step_1 <= forward_above_beside_1 + 5;
         forward_above_step_2 <= forward_above_beside_2 + 5;
-        forward_above_step_3 <= forward_above_beside_3 + 5;
+        forward_above_step_3 <= forward_above_own_2 + 5;
         forward_above_step_4 <= forward_above_beside_4 + 5;
-        forward_above_step_5 <= forward_above_beside_5 + 5;
+        forward_above_step_5 <= forward_above_own_6 + 5;
         forward_above_step_6 <= forward_above_beside_6 + 5;
         forward_above_step_7 <= forward_above_beside_7 + 5;
-        forward_above_step_8 <= forward_above_beside_8 + 5;
+        forward_above_step_8 <= forward_above_beside_10 + 5;
         forward_above_step_9 <= forward_above_beside_9 + 5;
-        forward_above_step_10 <= forward_above_beside_10 + 5;
+        forward_above_step_10 <= forward_above_own_9 + 5;
         forward_above_step_11 <= forward_above_beside_11 + 5;
         forward_above_stay_0 <= forward_above_own_0 mod 32 when forward_above_own_0 < 22 else 22;
         forward_above_stay_1 <= forward_above_beside_0 mod 32 when forward_above_beside_0 < 22 else 22;
-        forward_above_stay_2 <= forward_above_own_2 mod 32 when forward_above_own_2 < 22 else 22;
+        forward_above_stay_2 <= forward_above_beside_3 mod 32 when forward_above_beside_3 < 22 else 22;
         forward_above_stay_3 <= forward_above_own_3 mod 32 when forward_above_own_3 < 22 else 22;
         forward_above_stay_4 <= forward_above_own_4 mod 32 when forward_above_own_4 < 22 else 22;
         forward_above_stay_5 <= forward_above_own_5 mod 32 when forward_above_own_5 < 22 else 22;
-        forward_above_stay_6 <= forward_above_own_6 mod 32 when forward_above_own_6 < 22 else 22;
+        forward_above_stay_6 <= forward_above_beside_5 mod 32 when forward_above_beside_5 < 22 else 22;
         forward_above_stay_7 <= forward_above_own_7 mod 32 when forward_above_own_7 < 22 else 22;
         forward_above_stay_8 <= forward_above_own_8 mod 32 when forward_above_own_8 < 22 else 22;
-        forward_above_stay_9 <= forward_above_own_9 mod 32 when forward_above_own_9 < 22 else 22;
+        forward_above_stay_9 <= forward_above_beside_8 mod 32 when forward_above_beside_8 < 22 else 22;
         forward_above_stay_10 <= forward_above_beside_11 mod 32 when forward_above_beside_11 < 22 else 22;
         forward_above_stay_11 <= forward_above_own_11 mod 32 when forward_above_own_11 < 22 else 22;
         forward_above_comes_0 <= entry_tag_map_column;
@@ -5216,9 +5219,11 @@ begin
         forward_sum_10 <= forward_left_cost_10 + forward_above_cost_10;
         forward_sum_11 <= forward_left_cost_11 + forward_above_cost_11;
         forward_first_0 <= entry_turned_first_column;
-        forward_first_1 <= forward_first_0;
         forward_first_2 <= forward_first_1;
         forward_first_3 <= forward_first_2;
+        forward_first_4 <= sums_tags_held_1_end_of_line;
+        forward_first_5 <= forward_first_4;
+        forward_first_6 <= forward_first_5;
         forward_cost_0_0 <= to_integer(forward_cost_delay_held_0(3 downto 0));
         forward_cost_0_1 <= to_integer(forward_cost_delay_held_0(7 downto 0)) / 16;
         forward_cost_0_2 <= to_integer(forward_cost_delay_held_0(11 downto 8));
@@ -5275,6 +5280,7 @@ begin
       end if;
       forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when
         forward_above_comes_9 else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
+      forward_first_1 <= entry_next_tag_end_of_line;
       forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
         else forward_above_stay_4;
       forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
@@ -5287,14 +5293,14 @@ begin
         0 else forward_above_stay_0;
       forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
         0 else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
-        < 0 else forward_above_stay_10;
+      forward_above_write_words_1_choice := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_10) <
+        0 else forward_above_stay_10;
       forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
         forward_above_stay_11) < 0 else forward_above_stay_11;
       forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
         0 else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
-        0 else forward_above_stay_8;
+      forward_above_write_words_1_choice_4 := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_8)
+        < 0 else forward_above_stay_8;
       forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
         0 else forward_above_stay_6;
       forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
@@ -5347,72 +5353,72 @@ begin
       sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 32) = 1 else sums_right_room_choice;
       sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
         sums_right_cost_0;
-      sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_0_choice;
       sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
         sums_right_cost_1;
-      sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_1_choice;
       sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
-      sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_2_choice;
       sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
-      sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_3_choice;
       sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
         sums_right_cost_4;
-      sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_4_choice;
       sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
         sums_right_cost_5;
-      sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_5_choice;
       sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
-      sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_6_choice;
       sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
-      sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_7_choice;
       sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
         sums_right_cost_8;
-      sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_8_choice;
       sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
         sums_right_cost_9;
-      sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_9_choice;
       sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
         sums_right_cost_10;
-      sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_10_choice;
       sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
         sums_right_cost_11;
-      sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or forward_first_3 else
+      sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_11_choice;
-      sums_right_arrived_0_choice := 32 when forward_first_3 else sums_right_cost_1;
-      sums_right_arrived_1_choice := 32 when forward_first_3 else sums_right_pair_0_choice;
-      sums_right_arrived_2_choice := 32 when forward_first_3 else sums_right_pair_1_choice;
+      sums_right_arrived_0_choice := 32 when sums_right_first_2 else sums_right_cost_1;
+      sums_right_arrived_1_choice := 32 when sums_right_first_2 else sums_right_pair_0_choice;
+      sums_right_arrived_2_choice := 32 when sums_right_first_2 else sums_right_pair_1_choice;
       sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
-      sums_right_arrived_3_choice_2 := 32 when forward_first_3 else sums_right_arrived_3_choice;
+      sums_right_arrived_3_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_3_choice;
       sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
-      sums_right_arrived_4_choice_2 := 32 when forward_first_3 else sums_right_arrived_4_choice;
-      sums_right_arrived_5_choice := 32 when forward_first_3 else sums_right_pair_2_choice;
-      sums_right_arrived_6_choice := 32 when forward_first_3 else sums_right_pair_3_choice;
+      sums_right_arrived_4_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_4_choice;
+      sums_right_arrived_5_choice := 32 when sums_right_first_2 else sums_right_pair_2_choice;
+      sums_right_arrived_6_choice := 32 when sums_right_first_2 else sums_right_pair_3_choice;
       sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
-      sums_right_arrived_7_choice_2 := 32 when forward_first_3 else sums_right_arrived_7_choice;
+      sums_right_arrived_7_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_7_choice;
       sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
-      sums_right_arrived_8_choice_2 := 32 when forward_first_3 else sums_right_arrived_8_choice;
-      sums_right_arrived_9_choice := 32 when forward_first_3 else sums_right_pair_4_choice;
-      sums_right_arrived_10_choice := 32 when forward_first_3 else sums_right_pair_5_choice;
-      sums_right_arrived_11_choice := 32 when forward_first_3 else sums_right_cost_10;
+      sums_right_arrived_8_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_8_choice;
+      sums_right_arrived_9_choice := 32 when sums_right_first_2 else sums_right_pair_4_choice;
+      sums_right_arrived_10_choice := 32 when sums_right_first_2 else sums_right_pair_5_choice;
+      sums_right_arrived_11_choice := 32 when sums_right_first_2 else sums_right_cost_10;
       if entry_tag_valid then
         sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
         sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
@@ -5477,12 +5483,11 @@ begin
         sums_right_start_cost_3 <= 0 when forward_first_0 else sums_right_start_cost_2;
         sums_right_start_cost_4 <= 0 when forward_first_0 else sums_right_start_cost_3;
         sums_right_start_cost_5 <= 0 when forward_first_0 else sums_right_start_cost_4;
-        sums_right_start_cost_6 <= 0 when forward_first_0 else sums_right_start_cost_5;
-        sums_right_room <= 0 when forward_first_0 else (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
+        sums_right_start_cost_6 <= 0 when sums_tags_held_1_end_of_line else forward_left_start_cost_2;
+        sums_right_room <= 0 when forward_first_0 else (sums_right_room_choice_2 + forward_left_start_cost_3) mod 32;
         sums_right_smallest <= sums_turn_ready_smallest_0;
         sums_right_smallest_less <= (sums_turn_ready_smallest_0 + 59) mod 64;
-        sums_right_first_0 <= sums_turn_ready_first;
-        sums_right_first_1 <= sums_right_first_0;
+        sums_right_first_1 <= entry_tag_end_of_line;
         sums_right_first_2 <= sums_right_first_1;
         sums_right_g_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest) mod 64;
         sums_right_g_less_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest_less) mod 64;
@@ -5539,19 +5544,16 @@ begin
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
         sums_tags_held_0_output_column <= entry_turned_output_column;
         sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
-        sums_tags_held_0_end_of_line <= entry_tag_end_of_line;
+        sums_tags_held_0_end_of_line <= entry_turned_end_of_line;
         sums_tags_held_1_output_column <= sums_tags_held_0_output_column;
         sums_tags_held_1_start_of_frame <= sums_tags_held_0_start_of_frame;
         sums_tags_held_1_end_of_line <= sums_tags_held_0_end_of_line;
         sums_tags_held_2_output_column <= sums_tags_held_1_output_column;
         sums_tags_held_2_start_of_frame <= sums_tags_held_1_start_of_frame;
-        sums_tags_held_2_end_of_line <= sums_tags_held_1_end_of_line;
         sums_tags_held_3_output_column <= sums_tags_held_2_output_column;
         sums_tags_held_3_start_of_frame <= sums_tags_held_2_start_of_frame;
-        sums_tags_held_3_end_of_line <= sums_tags_held_2_end_of_line;
         sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
-        sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
       end if;
       sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
@@ -5571,7 +5573,7 @@ begin
       sums_tag_map_column <= forward_above_comes_4;
       sums_tag_output_column <= sums_tags_held_4_output_column;
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
-      sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
+      sums_tag_end_of_line <= forward_left_first_2;
       sums_tags_moved <= entry_tag_valid;
       if sums_turn_writes_copy_0 then
         sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
@@ -5764,6 +5766,49 @@ begin
         ((winnerswinner1_of_pair_0_2 / 64) = 1)) when winnerswinner1_of_four_0_0_choice_6 else (not ((not
         ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_0 / 64) = 1)))) or ((not
         ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_2 / 64) = 1)));
+      winnerswinner1_of_four_0_3_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      winnerswinner1_of_four_0_3_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_3_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_3_choice_2 := winnerswinner1_of_four_0_3_choice or winnerswinner1_of_four_0_3_value or
+        winnerswinner1_of_four_0_3_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_3_choice and
+        (winnerswinner1_of_four_0_3_value or winnerswinner1_of_four_0_3_value_2);
+      winnerswinner1_of_four_0_3_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_3_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_3_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_3_value_3 or
+        winnerswinner1_of_four_0_3_value_4) when winnerswinner1_of_four_0_3_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_3_value_3 or winnerswinner1_of_four_0_3_value_4;
+      winnerswinner1_of_four_0_3_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_3_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_3_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_3_value_5 or
+        winnerswinner1_of_four_0_3_value_6 when winnerswinner1_of_four_0_3_choice_3 else (not
+        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_3_value_5 or winnerswinner1_of_four_0_3_value_6);
+      winnerswinner1_of_four_0_3_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_3_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_3_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_3_value_7 or
+        winnerswinner1_of_four_0_3_value_8 when winnerswinner1_of_four_0_3_choice_4 else (not
+        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_3_value_7 or winnerswinner1_of_four_0_3_value_8);
+      winnerswinner1_of_four_0_3_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_3_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_3_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_3_value_9 or
+        winnerswinner1_of_four_0_3_value_10 when winnerswinner1_of_four_0_3_choice_5 else (not
+        (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_3_value_9 or winnerswinner1_of_four_0_3_value_10);
+      winnerswinner1_of_four_0_3_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_8 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 / 64) = 1)) when winnerswinner1_of_four_0_3_choice_6 else (not ((not
+        ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 64) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 64) = 1)));
       winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
         ((winnerswinner1_of_pair_0_6 mod 2) = 1)) when (winnerswinner1_of_pair_0_5 mod 2) = 1 else
         ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
@@ -5807,49 +5852,6 @@ begin
         ((winnerswinner1_of_pair_0_6 / 64) = 1)) when winnerswinner1_of_four_0_4_choice_6 else (not ((not
         ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_4 / 64) = 1)))) or ((not
         ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_6 / 64) = 1)));
-      winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
-      winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
-        winnerswinner1_of_four_0_8_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_8_choice and
-        (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_value_2);
-      winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
-        winnerswinner1_of_four_0_8_value_4) when winnerswinner1_of_four_0_8_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_8_value_3 or winnerswinner1_of_four_0_8_value_4;
-      winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
-        winnerswinner1_of_four_0_8_value_6 when winnerswinner1_of_four_0_8_choice_3 else (not
-        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_5 or winnerswinner1_of_four_0_8_value_6);
-      winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
-        winnerswinner1_of_four_0_8_value_8 when winnerswinner1_of_four_0_8_choice_4 else (not
-        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_7 or winnerswinner1_of_four_0_8_value_8);
-      winnerswinner1_of_four_0_8_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_8_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
-        winnerswinner1_of_four_0_8_value_10 when winnerswinner1_of_four_0_8_choice_5 else (not
-        (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_9 or winnerswinner1_of_four_0_8_value_10);
-      winnerswinner1_of_four_0_8_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_8 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 / 64) = 1)) when winnerswinner1_of_four_0_8_choice_6 else (not ((not
-        ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 64) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 64) = 1)));
       winnerswinner1_of_pair_0_0 <= 0 when winnerswinner1_of_pair_0_0_choice_7 else sums_sum_0_0;
       winnerswinner1_of_pair_0_1 <= sums_sum_0_1 when winnerswinner1_of_pair_0_0_choice_7 else 0;
       winnerswinner1_of_pair_0_2 <= 0 when winnerswinner1_of_pair_0_2_choice_7 else sums_sum_0_2;
@@ -5876,20 +5878,20 @@ begin
       winnerswinner1_of_four_0_0 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_0;
       winnerswinner1_of_four_0_1 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_1;
       winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2 when winnerswinner1_of_four_0_0_choice_7 else 0;
-      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_7 else 0;
+      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_3_choice_7 else 0;
       winnerswinner1_of_four_0_4 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_4;
       winnerswinner1_of_four_0_5 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_5;
       winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6 when winnerswinner1_of_four_0_4_choice_7 else 0;
       winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7 when winnerswinner1_of_four_0_4_choice_7 else 0;
-      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_8;
-      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_9;
-      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_8_choice_7 else 0;
-      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_8_choice_7 else 0;
+      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_3_choice_7 else winnerswinner1_of_pair_0_8;
+      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_3_choice_7 else winnerswinner1_of_pair_0_9;
+      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_3_choice_7 else 0;
+      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_7 else 0;
       winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1 when winnerswinner1_of_four_0_0_choice_7 else
         as_number(winnerswinner1_pair_index_0_0);
       winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3 when winnerswinner1_of_four_0_4_choice_7 else
         winnerswinner1_pair_index_0_2;
-      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_8_choice_7 else
+      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_3_choice_7 else
         winnerswinner1_pair_index_0_4;
       winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
       winnerswinner1_four_tag_map_column <= winnerswinner1_pair_tag_map_column;
@@ -5897,13 +5899,13 @@ begin
       winnerswinner1_four_tag_start_of_frame <= winnerswinner1_pair_tag_start_of_frame;
       winnerswinner1_four_tag_end_of_line <= winnerswinner1_pair_tag_end_of_line;
       winnerswinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_2, 7)) or
-        (to_unsigned(winnerswinner1_of_four_0_3, 7)))) or (to_unsigned(winnerswinner1_of_four_0_1, 7)))) or
+        (to_unsigned(winnerswinner1_of_four_0_11, 7)))) or (to_unsigned(winnerswinner1_of_four_0_1, 7)))) or
         (to_unsigned(winnerswinner1_of_four_0_0, 7))));
       winnerswinner1_best_cost_0_1 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_6, 7)) or
         (to_unsigned(winnerswinner1_of_four_0_7, 7)))) or (to_unsigned(winnerswinner1_of_four_0_5, 7)))) or
         (to_unsigned(winnerswinner1_of_four_0_4, 7))));
       winnerswinner1_best_cost_0_2 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_10, 7)) or
-        (to_unsigned(winnerswinner1_of_four_0_11, 7)))) or (to_unsigned(winnerswinner1_of_four_0_9, 7)))) or
+        (to_unsigned(winnerswinner1_of_four_0_3, 7)))) or (to_unsigned(winnerswinner1_of_four_0_9, 7)))) or
         (to_unsigned(winnerswinner1_of_four_0_8, 7))));
       winnerswinner1_best_index_0_0 <= winnerswinner1_four_index_0_0;
       winnerswinner1_best_index_0_1 <= winnerswinner1_four_index_0_1;
@@ -6180,13 +6182,15 @@ begin
         entry_order_turned_start_of_frame <= false;
         entry_tag_valid <= false;
         entry_tag_map_column <= false;
-        entry_tag_end_of_line <= false;
         entry_column <= 0;
         entry_place <= 0;
         entry_turned_output_column <= false;
         entry_turned_start_of_frame <= false;
         forward_cost_delay_ring_read_address <= 1;
         forward_cost_delay_ring_write_address <= 0;
+        forward_left_first_0 <= false;
+        forward_left_first_1 <= false;
+        forward_left_first_2 <= false;
         forward_above_delay_ring_read_address <= 1;
         forward_above_delay_ring_write_address <= 0;
         forward_above_comes_0 <= false;
@@ -6211,6 +6215,9 @@ begin
         forward_above_column_9 <= 0;
         forward_above_writes_copy_0 <= false;
         forward_above_write_column <= 0;
+        forward_first_1 <= false;
+        forward_first_2 <= false;
+        forward_first_3 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -6231,19 +6238,14 @@ begin
         sums_tag_end_of_line <= false;
         sums_tags_held_0_output_column <= false;
         sums_tags_held_0_start_of_frame <= false;
-        sums_tags_held_0_end_of_line <= false;
         sums_tags_held_1_output_column <= false;
         sums_tags_held_1_start_of_frame <= false;
-        sums_tags_held_1_end_of_line <= false;
         sums_tags_held_2_output_column <= false;
         sums_tags_held_2_start_of_frame <= false;
-        sums_tags_held_2_end_of_line <= false;
         sums_tags_held_3_output_column <= false;
         sums_tags_held_3_start_of_frame <= false;
-        sums_tags_held_3_end_of_line <= false;
         sums_tags_held_4_output_column <= false;
         sums_tags_held_4_start_of_frame <= false;
-        sums_tags_held_4_end_of_line <= false;
         sums_tags_moved <= false;
         winnerswinner1_pair_tag_valid <= false;
         winnerswinner1_pair_tag_map_column <= false;

@@ -519,9 +519,9 @@ architecture rtl of stereo_core_tiny_sgm_size_all is
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
   signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
-  signal forward_first_1, forward_first_2, forward_first_3, forward_first_4, forward_starts_moved_0 : boolean;
-  signal forward_starts_moved_1, forward_starts_moved_2, forward_starts_moved_3, forward_starts_moved_4 : boolean;
-  signal forward_starts_moved_5, forward_starts_moved_6, forward_starts_moved_7 : boolean;
+  signal forward_first_1, forward_first_2, forward_first_3, forward_first_4, forward_first_8 : boolean;
+  signal forward_starts_moved_0, forward_starts_moved_1, forward_starts_moved_2, forward_starts_moved_3 : boolean;
+  signal forward_starts_moved_4, forward_starts_moved_5, forward_starts_moved_6, forward_starts_moved_7 : boolean;
   signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 44;
   signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 44;
   signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 44;
@@ -582,12 +582,12 @@ architecture rtl of stereo_core_tiny_sgm_size_all is
   signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1 : boolean;
   signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
   signal sums_tag_first_column, sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
-  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
-  signal sums_tags_held_1_first_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
-  signal sums_tags_held_2_output_column, sums_tags_held_2_first_column, sums_tags_held_2_start_of_frame : boolean;
-  signal sums_tags_held_2_end_of_line, sums_tags_held_3_output_column, sums_tags_held_3_first_column : boolean;
-  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
-  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
+  signal sums_tags_held_0_start_of_frame, sums_tags_held_1_output_column, sums_tags_held_1_first_column : boolean;
+  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
+  signal sums_tags_held_2_first_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
+  signal sums_tags_held_3_output_column, sums_tags_held_3_first_column, sums_tags_held_3_start_of_frame : boolean;
+  signal sums_tags_held_3_end_of_line, sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame : boolean;
+  signal sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 31;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 31;
   signal sums_turn_place_8, sums_turn_write_place, sums_right_p2, sums_right_room : natural range 0 to 31;
@@ -710,9 +710,10 @@ architecture rtl of stereo_core_tiny_sgm_size_all is
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 11;
   signal winners_best_below_0_0, winners_best_above_0_0, winners_best_late_cost_0_0 : natural range 0 to 254;
+  signal winners_best_place_0, winners_best_at_start_0, winners_best_at_end_0, winners_best_tag_valid : boolean;
+  signal winners_best_tag_map_column, winners_best_tag_output_column, winners_best_tag_start_of_frame : boolean;
+  signal winners_best_tag_end_of_line : boolean;
   signal winners_best_second_0_0 : natural range 0 to 255;
-  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
-  signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
   -- refinement
   signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 11;
   signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 11;
@@ -740,9 +741,10 @@ architecture rtl of stereo_core_tiny_sgm_size_all is
   signal refinement_tag_10_valid, refinement_tag_10_map_column, refinement_tag_10_output_column : boolean;
   signal refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line, refinement_tag_11_valid : boolean;
   signal refinement_tag_11_map_column, refinement_tag_11_output_column, refinement_tag_11_start_of_frame : boolean;
-  signal refinement_tag_11_end_of_line, refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0 : boolean;
-  signal refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0 : boolean;
-  signal refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
+  signal refinement_tag_11_end_of_line, refinement_alone_0_0, refinement_alone_1_0, refinement_quotient_0 : boolean;
+  signal refinement_negative_0_0, refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0 : boolean;
+  signal refinement_negative_4_0, refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0 : boolean;
+  signal refinement_negative_8_0 : boolean;
   signal refinement_gap_0, refinement_scaled_cost_0, refinement_distance, refinement_u_0 : natural range 0 to 255;
   signal refinement_v_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 255;
   signal refinement_remainder_3_0, refinement_remainder_4_0, refinement_remainder_5_0 : natural range 0 to 255;
@@ -790,20 +792,20 @@ architecture rtl of stereo_core_tiny_sgm_size_all is
   signal map_counter_column, map_counter_group, map_write_column, map_at_column : natural range 0 to 31;
   signal map_comparing_column, map_sorted_column : natural range 0 to 31;
   signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
-  signal map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
-  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
-  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
-  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
+  signal map_at_top, map_at_bottom, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_column_passed_0, map_column_passed_0_0, map_column_passed_1_0 : boolean;
+  signal map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output : boolean;
+  signal map_sorted_arrives, map_sorted_behind, map_sorted_top, map_sorted_output, map_window_complete : boolean;
   signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
   signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
   signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
   signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
   signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
-  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
-  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
-  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last, map_out_valid : boolean;
+  signal map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
   signal map_rows_write_words_0 : natural range 0 to 536870911;
+  signal map_column_0 : natural range 0 to 8190;
   signal map_column_1 : natural range 0 to 8191;
   signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
   signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
@@ -814,17 +816,16 @@ architecture rtl of stereo_core_tiny_sgm_size_all is
   signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
   signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
-  signal other_0, other_2 : unsigned(48 downto 0);
-  signal other_1 : natural range 0 to 8190;
-  signal other_3 : natural range 0 to 67108863;
-  signal other_4 : unsigned(25 downto 0);
-  signal other_5 : natural range 0 to 254;
-  signal other_6 : natural range 0 to 252;
-  signal other_7 : natural range 0 to 248;
-  signal other_8 : natural range 0 to 240;
-  signal other_9 : natural range 0 to 224;
-  signal other_10 : natural range 0 to 192;
-  signal other_11 : natural range 0 to 128;
+  signal other_0, other_1 : unsigned(48 downto 0);
+  signal other_2 : natural range 0 to 67108863;
+  signal other_3 : unsigned(25 downto 0);
+  signal other_4 : natural range 0 to 254;
+  signal other_5 : natural range 0 to 252;
+  signal other_6 : natural range 0 to 248;
+  signal other_7 : natural range 0 to 240;
+  signal other_8 : natural range 0 to 224;
+  signal other_9 : natural range 0 to 192;
+  signal other_10 : natural range 0 to 128;
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -848,7 +849,7 @@ architecture rtl of stereo_core_tiny_sgm_size_all is
   signal delay_delayed_0_memory_write_data : unsigned(23 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal other_4_memory_write_data : unsigned(25 downto 0);
+  signal other_3_memory_write_data : unsigned(25 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
@@ -865,7 +866,7 @@ begin
   in_p2 <= to_integer(unsigned(p2));
   in_p1 <= to_integer(unsigned(p1));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
-  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(winners_best_place_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
@@ -1054,13 +1055,13 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_4_memory : entity work.line_memory
+  other_3_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  other_3_memory : entity work.line_memory
     generic map (depth => 29, width => 26)
     port map (
       clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => other_4,
-      write_address => map_at_column, write_data => other_4_memory_write_data);
+      read_address => map_counter_column, read_data => other_3,
+      write_address => map_at_column, write_data => other_3_memory_write_data);
 
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
   turn_read_words_0_memory : entity work.line_memory
@@ -5832,6 +5833,7 @@ begin
         forward_first_2 <= forward_first_1;
         forward_first_3 <= forward_first_2;
         forward_first_4 <= forward_first_3;
+        forward_first_8 <= entry_tag_end_of_line;
         forward_starts_moved_0 <= entry_tag_start_of_frame;
         forward_starts_moved_1 <= forward_starts_moved_0;
         forward_starts_moved_2 <= forward_starts_moved_1;
@@ -6173,11 +6175,10 @@ begin
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
         sums_tags_held_0_output_column <= entry_turned_output_column;
         sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
-        sums_tags_held_0_end_of_line <= entry_tag_end_of_line;
         sums_tags_held_1_output_column <= sums_tags_held_0_output_column;
         sums_tags_held_1_first_column <= sums_turn_ready_first;
         sums_tags_held_1_start_of_frame <= sums_tags_held_0_start_of_frame;
-        sums_tags_held_1_end_of_line <= sums_tags_held_0_end_of_line;
+        sums_tags_held_1_end_of_line <= forward_first_8;
         sums_tags_held_2_output_column <= sums_tags_held_1_output_column;
         sums_tags_held_2_first_column <= sums_tags_held_1_first_column;
         sums_tags_held_2_start_of_frame <= sums_tags_held_1_start_of_frame;
@@ -7313,6 +7314,9 @@ begin
       winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
       winners_best_below_0_0 <= winnerswinner4_best_below_0_0;
       winners_best_above_0_0 <= winnerswinner4_best_above_0_0;
+      winners_best_place_0 <= winners_best_at_start_0;
+      winners_best_at_start_0 <= winners_best_at_end_0;
+      winners_best_at_end_0 <= refinement_quotient_0;
       winners_best_late_cost_0_0 <= winnerswinner4_best_late_cost_0_0;
       winners_best_second_0_0 <= winnerswinner4_best_second_0_0;
       winners_best_tag_valid <= winnerswinner4_tag_valid;
@@ -7458,7 +7462,8 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((refinement_remainder_7_0 * 2) + 512) - refinement_divisor_7_0) / 512) + ((other_5
+      refinement_quotient_0 <= map_counter_next_frame;
+      refinement_quotient_8_0 <= ((((refinement_remainder_7_0 * 2) + 512) - refinement_divisor_7_0) / 512) + ((other_4
         / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -7671,9 +7676,9 @@ begin
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_of_column_0_a_choice := other_1 / 2;
+        map_of_column_0_a_choice := map_column_0 / 2;
       end if;
-      if map_counter_next_frame then
+      if map_at_bottom then
         map_of_column_0_c_choice := map_column_1 / 2;
       else
         map_of_column_0_c_choice := map_column_2 / 2;
@@ -7720,7 +7725,8 @@ begin
       map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
       map_counter_group <= map_counter_group_choice when turn_ready_tag_start_of_frame and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group_choice_3;
-      map_counter_next_frame <= to_integer(other_0(40 downto 40)) = 1;
+      map_counter_next_frame <= map_counter_next_frame or map_sorted_arrives or map_sorted_behind when
+        map_column_passed_1_0 else map_counter_next_frame and (not map_sorted_arrives) and (not map_sorted_behind);
       map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
         8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
       map_arrives <= turn_ready_tag_row_start_all_3;
@@ -7730,11 +7736,13 @@ begin
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
       map_write_column <= to_integer(other_0(4 downto 0));
-      map_column_1 <= other_3 / 8192;
+      map_column_0 <= ((other_2 mod 8192) / 2) * 2;
+      map_column_1 <= other_2 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
       map_at_arrives <= map_at_arrives_value;
       map_at_behind <= to_integer(other_0(24 downto 24)) = 1;
       map_at_top <= to_integer(other_0(32 downto 32)) = 1;
+      map_at_bottom <= to_integer(other_0(40 downto 40)) = 1;
       map_at_output <= to_integer(other_0(48 downto 48)) = 1;
       map_of_column_0_a <= map_of_column_0_a_choice;
       map_of_column_0_b <= map_column_1 / 2;
@@ -7742,8 +7750,8 @@ begin
       map_of_column_0_b_below_a <= ((map_column_1 / 2) - map_of_column_0_a_choice) < 0;
       map_of_column_0_c_below_a <= (map_of_column_0_c_choice - map_of_column_0_a_choice) < 0;
       map_of_column_0_c_below_b <= (map_of_column_0_c_choice - (map_column_1 / 2)) < 0;
+      map_column_passed_0 <= map_column_passed_0_0;
       map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
-      map_column_passed_1_0 <= map_column_passed_0_0;
       map_comparing_column <= map_write_column;
       map_comparing_arrives <= map_at_arrives;
       map_comparing_behind <= map_at_behind;
@@ -7758,8 +7766,6 @@ begin
       map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
         map_sorted_middle_0_choice_2;
       map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
       map_window_complete <= (not map_window_complete_choice_2) and map_sorted_output;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
@@ -7800,17 +7806,16 @@ begin
       map_waiting_2_complete <= map_waiting_1_complete;
       map_waiting_2_first <= map_waiting_1_first;
       map_waiting_2_last <= map_waiting_1_last;
-      map_waiting_passed_0_0 <= map_passed_1_0;
-      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
-      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
       map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
-      map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
       if map_at_arrives_value then
-        map_rows_write_words_0 <= (other_3 / 8192) + (map_rows_ready_newest_0 * 8192);
+        map_rows_write_words_0 <= (other_2 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_0(4 downto 0));
+      end if;
+      if map_sorted_arrives then
+        map_column_passed_1_0 <= map_column_passed_0;
       end if;
       map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
@@ -7827,24 +7832,20 @@ begin
         map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
       end if;
-      if map_sorted_arrives then
-        map_passed_0_0 <= map_column_passed_1_0;
-      end if;
       -- other
-      other_0 <= other_2;
-      other_1 <= ((other_3 mod 8192) / 2) * 2;
-      other_2 <= to_unsigned(as_number(((((map_counter_group + 65535) mod 65536) - size_windows_groups) < 0)), 1) &
+      other_0 <= other_1;
+      other_1 <= to_unsigned(as_number(((((map_counter_group + 65535) mod 65536) - size_windows_groups) < 0)), 1) &
         to_unsigned(as_number(turn_ready_tag_row_start_all), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_3 <= to_integer(other_4);
-      other_5 <= ((refinement_remainder_7_0_difference / 512) * 2) + ((other_6 / 4) * 4);
-      other_6 <= ((refinement_remainder_6_0_difference / 512) * 4) + ((other_7 / 8) * 8);
-      other_7 <= ((refinement_remainder_5_0_difference / 512) * 8) + ((other_8 / 16) * 16);
-      other_8 <= ((refinement_remainder_4_0_difference / 512) * 16) + ((other_9 / 32) * 32);
-      other_9 <= ((refinement_remainder_3_0_difference / 512) * 32) + ((other_10 / 64) * 64);
-      other_10 <= ((refinement_remainder_2_0_difference / 512) * 64) + ((other_11 / 128) * 128);
-      other_11 <= (refinement_remainder_1_0_difference / 512) * 128;
+      other_2 <= to_integer(other_3);
+      other_4 <= ((refinement_remainder_7_0_difference / 512) * 2) + ((other_5 / 4) * 4);
+      other_5 <= ((refinement_remainder_6_0_difference / 512) * 4) + ((other_6 / 8) * 8);
+      other_6 <= ((refinement_remainder_5_0_difference / 512) * 8) + ((other_7 / 16) * 16);
+      other_7 <= ((refinement_remainder_4_0_difference / 512) * 16) + ((other_8 / 32) * 32);
+      other_8 <= ((refinement_remainder_3_0_difference / 512) * 32) + ((other_9 / 64) * 64);
+      other_9 <= ((refinement_remainder_2_0_difference / 512) * 64) + ((other_10 / 128) * 128);
+      other_10 <= (refinement_remainder_1_0_difference / 512) * 128;
       if reset = '1' then
         size_windows_last_column <= 39;
         size_windows_last_group <= 19;
@@ -8011,6 +8012,7 @@ begin
         forward_above_column_9 <= 0;
         forward_above_writes_copy_0 <= false;
         forward_above_write_column <= 0;
+        forward_first_8 <= false;
         forward_starts_moved_0 <= false;
         forward_starts_moved_1 <= false;
         forward_starts_moved_2 <= false;
@@ -8039,7 +8041,6 @@ begin
         sums_tag_end_of_line <= false;
         sums_tags_held_0_output_column <= false;
         sums_tags_held_0_start_of_frame <= false;
-        sums_tags_held_0_end_of_line <= false;
         sums_tags_held_1_output_column <= false;
         sums_tags_held_1_start_of_frame <= false;
         sums_tags_held_1_end_of_line <= false;
@@ -8212,7 +8213,7 @@ begin
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
         other_0 <= to_unsigned(0, 49);
-        other_2 <= to_unsigned(0, 49);
+        other_1 <= to_unsigned(0, 49);
       end if;
     end if;
   end process;

@@ -820,20 +820,20 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   signal map_counter_column, map_write_column, map_at_column, map_comparing_column : natural range 0 to 63;
   signal map_sorted_column : natural range 0 to 63;
   signal map_counter_group : natural range 0 to 31;
-  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
-  signal map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
-  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
-  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
-  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
-  signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
-  signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
-  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
-  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
-  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
-  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
-  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
-  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
+  signal map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind, map_at_top, map_at_bottom : boolean;
+  signal map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b : boolean;
+  signal map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives, map_comparing_behind : boolean;
+  signal map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind, map_sorted_top : boolean;
+  signal map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete, map_window_first : boolean;
+  signal map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b : boolean;
+  signal map_of_middle_0_b_below_a, map_of_middle_0_c_below_a, map_of_middle_0_c_below_b : boolean;
+  signal map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b, map_of_all_0_b_below_a : boolean;
+  signal map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete, map_waiting_0_first : boolean;
+  signal map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first, map_waiting_1_last : boolean;
+  signal map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last, map_waiting_passed_0_0 : boolean;
+  signal map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0, map_out_valid : boolean;
+  signal map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_rows_write_words_0 : natural range 0 to 536870911;
   signal map_column_1 : natural range 0 to 8191;
   signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
@@ -1394,7 +1394,7 @@ begin
     variable delay_split_search_inside_0_choice_5, delay_split_search_inside_0_choice_6 : boolean;
     variable delay_split_search_inside_0_is_equal_2, delay_split_search_inside_0_choice_7 : boolean;
     variable delay_split_search_inside_0_all, delay_split_search_inside_1_all : boolean;
-    variable delay_split_inside_before_2_all, slice0cost_pixels_first_0_0_count_0_value : boolean;
+    variable delay_split_search_inside_2_all, slice0cost_pixels_first_0_0_count_0_value : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value_2, slice0cost_pixels_first_0_0_count_1_value : boolean;
     variable slice0cost_pixels_first_0_0_count_1_value_2, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_2_value, slice0cost_pixels_first_0_0_count_2_value_2 : boolean;
@@ -3509,7 +3509,7 @@ begin
         transform_counter_group_value_8)) else delay_split_search_inside_0_is_equal_2 and raster_features_valid;
       delay_split_search_inside_0_all := (not delay_split_search_inside_0_choice_7) and delay_split_inside_before_0;
       delay_split_search_inside_1_all := (not delay_split_search_inside_0_choice_7) and delay_split_inside_before_1;
-      delay_split_inside_before_2_all := (not delay_split_search_inside_0_choice_7) and delay_split_inside_before_2;
+      delay_split_search_inside_2_all := (not delay_split_search_inside_0_choice_7) and delay_split_inside_before_2;
       delay_ahead_0 <= raster_features_reference_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_all;
@@ -3530,7 +3530,8 @@ begin
         delay_row_inside_0_all;
       delay_split_search_inside_1 <= delay_split_search_inside_1_all when delay_split_search_inside_0_is_equal else
         delay_row_inside_1_choice;
-      delay_split_search_inside_2 <= rows_read_inside_2;
+      delay_split_search_inside_2 <= delay_split_search_inside_2_all when delay_split_search_inside_0_is_equal else
+        delay_row_inside_2_is_less;
       delay_split_inside_before_0 <= (not (raster_place_group_choice_9 and raster_place_group_choice_12 and
         raster_place_group_differs_2 and raster_place_group_differs_3 and raster_features_valid)) or
         delay_row_inside_0_all when delay_split_search_inside_0_all else raster_place_group_choice_9 and
@@ -3543,7 +3544,7 @@ begin
         raster_features_valid and delay_row_inside_1_choice;
       delay_split_inside_before_2 <= (not (raster_place_group_choice_9 and raster_place_group_choice_12 and
         raster_place_group_differs_2 and raster_place_group_differs_3 and raster_features_valid)) or
-        delay_row_inside_2_is_less when delay_split_inside_before_2_all else raster_place_group_choice_9 and
+        delay_row_inside_2_is_less when delay_split_search_inside_2_all else raster_place_group_choice_9 and
         raster_place_group_choice_12 and raster_place_group_differs_2 and raster_place_group_differs_3 and
         raster_features_valid and delay_row_inside_2_is_less;
       -- rows
@@ -3567,12 +3568,11 @@ begin
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_read_search_inside_0 <= delay_split_search_inside_0;
       rows_read_search_inside_1 <= delay_split_search_inside_1;
-      rows_read_search_inside_2 <= rows_ready_inside_2;
+      rows_read_search_inside_2 <= delay_split_search_inside_2;
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
       rows_ready_inside_1 <= rows_read_inside_1;
-      rows_ready_inside_2 <= delay_split_inside_before_2_all when delay_split_search_inside_0_is_equal else
-        delay_row_inside_2_is_less;
+      rows_ready_inside_2 <= rows_read_inside_2;
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_map_column <= rows_read_tag_map_column;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
@@ -3587,7 +3587,7 @@ begin
       rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_search_inside_2 else 0;
       rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
       rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when delay_split_search_inside_2 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_map_column <= rows_ready_tag_map_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
@@ -5750,19 +5750,19 @@ begin
       forward_above_stay_5_choice_5 := ((forward_above_own_5 / 32) = 1) or (forward_above_stay_5_value and (not
         ((forward_above_p2 / 16) = 1))) when forward_above_stay_5_choice_4 else ((forward_above_own_5 / 32) = 1) or
         forward_above_stay_5_value or (not ((forward_above_p2 / 16) = 1));
-      forward_above_stay_6_choice := forward_above_stay_1_any when (forward_above_own_6 mod 2) = 1 else not
+      forward_above_stay_6_choice := forward_above_stay_1_any when (forward_above_beside_7 mod 2) = 1 else not
         forward_above_stay_0_value;
-      forward_above_stay_6_choice_2 := forward_above_stay_6_choice when ((forward_above_own_6 / 2) mod 2) = 1 else
-        ((forward_above_own_6 mod 2) = 1) and forward_above_stay_1_is_equal;
-      forward_above_stay_6_choice_3 := (not (((forward_above_own_6 / 4) mod 2) = 1)) and forward_above_stay_0_value_2
-        when forward_above_stay_6_choice_2 else (not (((forward_above_own_6 / 4) mod 2) = 1)) or
-        forward_above_stay_0_value_2;
-      forward_above_stay_6_choice_4 := (not (((forward_above_own_6 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
-        when forward_above_stay_6_choice_3 else (not (((forward_above_own_6 / 8) mod 2) = 1)) and
+      forward_above_stay_6_choice_2 := forward_above_stay_6_choice when ((forward_above_beside_7 / 2) mod 2) = 1 else
+        ((forward_above_beside_7 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_6_choice_3 := (not (((forward_above_beside_7 / 4) mod 2) = 1)) and
+        forward_above_stay_0_value_2 when forward_above_stay_6_choice_2 else (not (((forward_above_beside_7 / 4) mod 2)
+        = 1)) or forward_above_stay_0_value_2;
+      forward_above_stay_6_choice_4 := (not (((forward_above_beside_7 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_6_choice_3 else (not (((forward_above_beside_7 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_6_value := ((forward_above_own_6 / 16) mod 2) = 1;
-      forward_above_stay_6_choice_5 := ((forward_above_own_6 / 32) = 1) or (forward_above_stay_6_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_6_choice_4 else ((forward_above_own_6 / 32) = 1) or
+      forward_above_stay_6_value := ((forward_above_beside_7 / 16) mod 2) = 1;
+      forward_above_stay_6_choice_5 := ((forward_above_beside_7 / 32) = 1) or (forward_above_stay_6_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_6_choice_4 else ((forward_above_beside_7 / 32) = 1) or
         forward_above_stay_6_value or (not ((forward_above_p2 / 16) = 1));
       forward_above_stay_7_choice := forward_above_stay_1_any when (forward_above_own_7 mod 2) = 1 else not
         forward_above_stay_0_value;
@@ -6030,8 +6030,7 @@ begin
           forward_above_cost_4;
         forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
           forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
-          forward_above_cost_6;
+        forward_above_beside_7 <= forward_above_cost_6;
         forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
           forward_above_cost_7;
         forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
@@ -6044,7 +6043,8 @@ begin
         forward_above_own_3 <= forward_above_cost_3;
         forward_above_own_4 <= forward_above_cost_4;
         forward_above_own_5 <= forward_above_cost_5;
-        forward_above_own_6 <= forward_above_cost_6;
+        forward_above_own_6 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
+          forward_above_cost_6;
         forward_above_own_7 <= forward_above_cost_7;
         forward_above_own_8 <= forward_above_cost_8;
         forward_above_own_9 <= forward_above_cost_9;
@@ -6056,7 +6056,7 @@ begin
         forward_above_step_4 <= forward_above_beside_4 + forward_above_p1;
         forward_above_step_5 <= forward_above_beside_5 + forward_above_p1;
         forward_above_step_6 <= forward_above_beside_6 + forward_above_p1;
-        forward_above_step_7 <= forward_above_beside_7 + forward_above_p1;
+        forward_above_step_7 <= forward_above_own_6 + forward_above_p1;
         forward_above_step_8 <= forward_above_beside_8 + forward_above_p1;
         forward_above_step_9 <= forward_above_beside_9 + forward_above_p1;
         forward_above_step_10 <= forward_above_beside_10 + forward_above_p1;
@@ -6067,7 +6067,7 @@ begin
         forward_above_stay_3 <= forward_above_p2 when forward_above_stay_3_choice_5 else forward_above_own_3;
         forward_above_stay_4 <= forward_above_p2 when forward_above_stay_4_choice_5 else forward_above_own_4;
         forward_above_stay_5 <= forward_above_p2 when forward_above_stay_5_choice_5 else forward_above_own_5;
-        forward_above_stay_6 <= forward_above_p2 when forward_above_stay_6_choice_5 else forward_above_own_6;
+        forward_above_stay_6 <= forward_above_p2 when forward_above_stay_6_choice_5 else forward_above_beside_7;
         forward_above_stay_7 <= forward_above_p2 when forward_above_stay_7_choice_5 else forward_above_own_7;
         forward_above_stay_8 <= forward_above_p2 when forward_above_stay_8_choice_5 else forward_above_own_8;
         forward_above_stay_9 <= forward_above_p2 when forward_above_stay_9_choice_5 else forward_above_own_9;
@@ -8047,7 +8047,7 @@ begin
       else
         map_of_column_0_a_choice := other_12 / 2;
       end if;
-      if map_counter_next_frame then
+      if map_at_bottom then
         map_of_column_0_c_choice := map_column_1 / 2;
       else
         map_of_column_0_c_choice := map_column_2 / 2;
@@ -8093,7 +8093,6 @@ begin
       map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
       map_counter_group <= map_counter_group_choice when turn_ready_tag_start_of_frame and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group_choice_3;
-      map_counter_next_frame <= to_integer(other_11(40 downto 40)) = 1;
       map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
         8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
       map_arrives <= turn_ready_tag_row_start_all_3;
@@ -8108,6 +8107,7 @@ begin
       map_at_arrives <= map_at_arrives_value;
       map_at_behind <= to_integer(other_11(24 downto 24)) = 1;
       map_at_top <= to_integer(other_11(32 downto 32)) = 1;
+      map_at_bottom <= to_integer(other_11(40 downto 40)) = 1;
       map_at_output <= to_integer(other_11(48 downto 48)) = 1;
       map_of_column_0_a <= map_of_column_0_a_choice;
       map_of_column_0_b <= map_column_1 / 2;

@@ -66,7 +66,7 @@ begin
       latency_clocks => 59,
       flush_groups => 267,
       gap_groups => 0,
-      core_id => x"f6a43774",
+      core_id => x"96f0d1e2",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (7, 198, 11, 31, 11, 11, 40, 20),
       settings_start => (5, 3, 1, 22, 0, 11, 40, 20),

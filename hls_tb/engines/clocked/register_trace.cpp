@@ -96,24 +96,25 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream
 
 namespace {
 
-/// Without resets the width may change only while the core is empty, that is in the first `empty` clocks, and the height
-/// may only grow: a counter or an address that has passed the end of a smaller image would leave the memories.
-std::vector<SizeChange> sizes_of_a_trace(const CoreShape& shape, int empty, uint64_t clocks, Random& random) {
-   constexpr int kClocksOfAWidth = 2;
+/// Without resets the size of the images may only grow: a counter that has passed the last column of a smaller image
+/// would leave the memories. Where addresses fall, that of a row that grows would, too: the width changes only while the
+/// core is empty, that is in the first `empty` clocks.
+std::vector<SizeChange> growing_sizes(const CoreShape& shape, int empty, uint64_t clocks, Random& random) {
+   constexpr int kSizes = 8, kClocksOfAWidth = 2;
    std::vector<SizeChange> sizes;
    for (int clock = 0; clock < empty; clock += kClocksOfAWidth) {
       const Image size = random_size(shape, random);
       sizes.push_back({uint64_t(clock), size.width_px, size.height_px});
    }
-   constexpr int kHeights = 8;
-   int least = shape.image.height_px;
+   Image least = shape.image;
    for (const Setting& port : shape.settings)
-      if (std::string_view(port.name) == "image_height") least = port.least;
-   for (int i = 0; i < kHeights; ++i) {
-      const int pixels = shape.image.pixels_per_clock, steps = (shape.image.height_px - least) / pixels;
-      const int height = least + steps * i * i / ((kHeights - 1) * (kHeights - 1)) * pixels;
-      const uint64_t clock = uint64_t(empty) + (clocks - uint64_t(empty)) * uint64_t(i) / kHeights;
-      sizes.push_back({clock, shape.image.width_px, height});
+      if (port.held) (std::string_view(port.name) == "image_width" ? least.width_px : least.height_px) = port.least;
+   for (int i = 0; i < kSizes; ++i) {
+      const int more = shape.turns_rows ? 0 : (shape.image.width_px - least.width_px) * i / (kSizes - 1);
+      const int groups =
+          least.row_groups() + (shape.image.row_groups() - least.row_groups()) * i * i / ((kSizes - 1) * (kSizes - 1));
+      const uint64_t clock = uint64_t(empty) + (clocks - uint64_t(empty)) * uint64_t(i) / kSizes;
+      sizes.push_back({clock, least.width_px + more, groups * shape.image.pixels_per_clock});
    }
    return sizes;
 }
@@ -125,7 +126,7 @@ Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, 
    constexpr uint64_t kSeed = 1;
    const Image& image = shape.image;
    StimulusWriter writer(image.pixels_per_clock, kStallPercent, kSeed, shape.pixel_bits);
-   const int empty = has_size_ports(shape.settings) ? 24 : 0;
+   const int empty = has_size_ports(shape.settings) && shape.turns_rows ? 24 : 0;
    writer.bubbles(empty + 4);
    const auto records_of_a_frame = [&writer](int count) {
       writer.record({.left = {0x5a}, .right = {0xa5}, .start_of_frame = true, .valid = true});
@@ -141,7 +142,7 @@ Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, 
    const SettingList& ports = shape.settings;
    Random random(kSeed);
    const auto next = [&] { return random_settings(ports, random); };
-   set_frames(stimulus, ports, random, next, sizes_of_a_trace(shape, empty, stimulus.clocks.size(), random));
+   set_frames(stimulus, ports, random, next, growing_sizes(shape, empty, stimulus.clocks.size(), random));
    return stimulus;
 }
 
