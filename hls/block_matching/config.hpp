@@ -179,8 +179,8 @@ struct Config : Image, Matching, Structure {
       if (run_time_settings && has_texture_check() && int64_t(prefilter_cap) * window_px * window_px >= 1 << 16)
          return "with run-time settings prefilter_cap * window_px^2 must stay below 2^16";
       if (run_time_size && (!has_whole_windows() || row_groups() < 2))
-         return "with a run-time size all disparities must fit at as many columns as the window has, and the image must "
-                "have two groups of rows";
+         return "with a run-time size all disparities must fit at as many columns as the window has, and the image "
+                "must have two groups of rows";
       if (run_time_size && median && output_width_px() < 2)
          return "with a run-time size and a median the map must have two columns";
       if (int64_t(largest_column_cost()) * window_px >= 1 << 26) return "window costs must stay below 2^26";
@@ -204,7 +204,8 @@ struct Config : Image, Matching, Structure {
       return groups_to_first_window() + check + clocks_to_last_check() < row_groups() * width_px;
    }
    /// Whether all disparities fit at as many columns as a window has. In narrower images a column would leave the
-   /// windows of a row after the row's end, and with full_width a row's first pixel would lack candidates on both sides.
+   /// windows of a row after the row's end, and with full_width a row's first pixel would lack candidates on both
+   /// sides.
    constexpr bool has_whole_windows() const { return width_px - first_whole_column() >= window_px; }
    static constexpr int at_least_0(int value) { return value < 0 ? 0 : value; }
    static constexpr int larger(int a, int b) { return a < b ? b : a; }

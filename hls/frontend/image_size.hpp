@@ -34,7 +34,8 @@ template <const auto& C>
 HLS_INLINE constexpr ColumnRange reference_columns(int first, int left_out, int width) {
    constexpr int kDelay = C.reference_delay();
    const int from = first + kDelay;
-   const bool starts_here = from < width, ends_here = left_out > kDelay;
+   const bool starts_here = from < width;
+   const bool ends_here = left_out > kDelay;
    const int to = ends_here ? width - left_out + kDelay : kDelay - left_out;
    return {uint16_t(starts_here ? from : from - width), uint16_t(to), starts_here && !ends_here};
 }

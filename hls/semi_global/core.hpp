@@ -51,8 +51,7 @@ struct Core {
        std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>;
    static constexpr bool kHasMapBlock = C.median || C.subpixel;
    static constexpr bool kTurnsRows = C.path_right;
-   using Settings =
-       std::conditional_t<C.run_time_size, SizedSettings<semi_global::Settings>, semi_global::Settings>;
+   using Settings = std::conditional_t<C.run_time_size, SizedSettings<semi_global::Settings>, semi_global::Settings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
    using Size = std::conditional_t<C.run_time_size, RunTimeSize<kWindowConfig<C>>, FixedSize<kWindowConfig<C>>>;
 

@@ -18,8 +18,8 @@ struct RowOrder {
 
    [[no_unique_address]] Last last;  ///< address of the last column of a row that is written upward
    uint16_t address;                 ///< 0 ... last: of the column that comes in
-   bool falls;        ///< addresses fall in this row
-   bool inside;       ///< the last column was one of the map
+   bool falls;                       ///< addresses fall in this row
+   bool inside;                      ///< the last column was one of the map
    // Of the row that comes in.
    bool complete;       ///< with its last column
    bool output, first;  ///< the row is one of the map, its first one

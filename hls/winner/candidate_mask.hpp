@@ -36,9 +36,9 @@ struct CandidateMask {
    using End = typename OfWidth<C, kWidth - (kFalls ? 1 : -1) * (C.min_disparity + First + kNewest) - 1>::Type;
    using NoEnd = FixedNumber<0>;
 
-   bool inside[Count];  ///< [i]: of disparity First + i
-   bool left_out;       ///< of the column that has just left
-   uint16_t column;     ///< of the centre
+   bool inside[Count];                                                  ///< [i]: of disparity First + i
+   bool left_out;                                                       ///< of the column that has just left
+   uint16_t column;                                                     ///< of the centre
    [[no_unique_address]] std::conditional_t<kIsFirst, End, NoEnd> end;  ///< from this `column` on, none enters
    [[no_unique_address]] std::conditional_t<kSetAtRunTime<C>, SearchedHere<Count>, NoSettings> searched;
 

@@ -119,8 +119,8 @@ TEST(BlockMatchingConfig, SaysWhichSizesARunTimeSizeCanHave) {
    }
    config.width_px = 63 + 8;
    const std::string too_small =
-       "with a run-time size all disparities must fit at as many columns as the window has, and the image must have two "
-       "groups of rows";
+       "with a run-time size all disparities must fit at as many columns as the window has, and the image must have "
+       "two groups of rows";
    EXPECT_EQ(config.problem().text, too_small);
    // What a map of full width has beside these columns makes no difference.
    config.full_width = true;

@@ -70,7 +70,7 @@ void expect_candidates(const int narrower) {
    int compared = 0;
    for (int row = 0; row < 50; ++row) {
       const int columns = row % 7 == 6 ? 1 + random.below(width) : C.width_px - narrower;  // some rows break off
-      int of_second = -1;                                                        // the column whose tag it has
+      int of_second = -1;  // the column whose tag it has
       for (int x = 0; x <= columns;) {
          PixelTag tag = random_tag(random);
          if (x == columns) tag.valid = false;  // the second block's last column

@@ -97,8 +97,8 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream
 namespace {
 
 /// Without resets the size of the images may only grow: a counter that has passed the last column of a smaller image
-/// would leave the memories. Where addresses fall, that of a row that grows would, too: the width changes only while the
-/// core is empty, that is in the first `empty` clocks.
+/// would leave the memories. Where addresses fall, that of a row that grows would, too: the width changes only while
+/// the core is empty, that is in the first `empty` clocks.
 std::vector<SizeChange> growing_sizes(const CoreShape& shape, int empty, uint64_t clocks, Random& random) {
    constexpr int kSizes = 8, kClocksOfAWidth = 2;
    std::vector<SizeChange> sizes;
