@@ -27,6 +27,7 @@ stereo_add_unit_tests(
   blocks/support/packed_test.cpp
   blocks/support/ring_test.cpp
   blocks/support/row_buffer_test.cpp
+  blocks/frontend/image_size_test.cpp
   blocks/frontend/line_buffer_test.cpp
   blocks/frontend/pair_delay_test.cpp
   blocks/frontend/raster_test.cpp
@@ -64,6 +65,7 @@ stereo_add_unit_tests(
   blocks/semi_global/path_above_test.cpp
   blocks/semi_global/row_order_test.cpp
   blocks/semi_global/row_path_test.cpp
+  blocks/trellis/config_test.cpp
   blocks/trellis/forward_test.cpp
   cores/block_matching/core_large_test.cpp
   cores/block_matching/core_memories_test.cpp)
@@ -74,8 +76,8 @@ stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/name
 add_dependencies(cores_named_cores_test cores)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/settings_test.cpp)
 foreach(row tiny_settings tiny_settings_all tiny_settings_full tiny_settings_left_p2 tiny_settings_recursive
-        tiny_size tiny_size_all tiny_size_census_p2 tiny_size_recursive
-        tiny_sgm_settings tiny_sgm_settings_full)
+        tiny_size tiny_size_all tiny_size_census_p2 tiny_size_recursive tiny_size_full tiny_size_full_all
+        tiny_sgm_settings tiny_sgm_settings_full tiny_sgm_size tiny_sgm_size_all tiny_sgm_size_full)
   add_dependencies(cores_settings_test core_${row})
 endforeach()
 add_dependencies(engines_clocked_stimulus_test cores)

@@ -3,6 +3,7 @@
 
 #include "block_matching/matching.hpp"
 #include "support/image.hpp"
+#include "support/least_size.hpp"
 
 namespace stereo::block_matching {
 
@@ -139,21 +140,7 @@ struct Config : Image, Matching, Structure {
       set("left_right_threshold", 8, has_left_right_check(), disparities - 1, left_right_threshold);
       set("first_disparity", 8, full_width, disparities - 1, first_disparity);
       set("last_disparity", 8, full_width, disparities - 1, last_searched());
-      if (!run_time_size) return;
-      visit.held("image_width", 16, width_px, least_width_px(), 1);
-      visit.held("image_height", 16, height_px, least_height_px(), pixels_per_clock);
-   }
-
-   /// Smallest images of a core with a run-time size, which takes each width from here on together with each height:
-   /// the narrowest ones of half the height, then the lowest ones of that width.
-   constexpr int least_width_px() const {
-      const int half = (row_groups() + 1) / 2 * pixels_per_clock;
-      const int height = takes_size(width_px, half) ? half : height_px;
-      return least_of(width_px, 1, [&](int width) { return takes_size(width, height); });
-   }
-   constexpr int least_height_px() const {
-      const int width = least_width_px();
-      return least_of(height_px, pixels_per_clock, [&](int height) { return takes_size(width, height); });
+      visit_size(*this, visit);
    }
 
    template <class Self, class Visitor>
@@ -191,9 +178,11 @@ struct Config : Image, Matching, Structure {
                 "next one";
       if (run_time_settings && has_texture_check() && int64_t(prefilter_cap) * window_px * window_px >= 1 << 16)
          return "with run-time settings prefilter_cap * window_px^2 must stay below 2^16";
-      if (run_time_size && full_width) return "a run-time size and a map of full width are not built together";
       if (run_time_size && (!has_whole_windows() || row_groups() < 2))
-         return "with a run-time size the image must have as many cost columns as the window, and two groups of rows";
+         return "with a run-time size all disparities must fit at as many columns as the window has, and the image "
+                "must have two groups of rows";
+      if (run_time_size && median && output_width_px() < 2)
+         return "with a run-time size and a median the map must have two columns";
       if (int64_t(largest_column_cost()) * window_px >= 1 << 26) return "window costs must stay below 2^26";
       if (has_uniqueness_check() && largest_window_cost() >= 1 << 24)
          return "with a uniqueness check window costs must stay below 2^24";
@@ -214,27 +203,10 @@ struct Config : Image, Matching, Structure {
       const int check = has_left_right_check() ? disparities - 1 : 0;
       return groups_to_first_window() + check + clocks_to_last_check() < row_groups() * width_px;
    }
-   /// Whether some window's columns all are cost columns. In narrower images a column would leave the windows of a row
-   /// after the row's end.
-   constexpr bool has_whole_windows() const { return width_px - first_cost_column() >= window_px; }
-   /// Whether the core would take images of another size.
-   constexpr bool takes_size(int width, int height) const {
-      Config other = *this;
-      other.width_px = width;
-      other.height_px = height;
-      other.run_time_size = false;
-      return other.problem().empty() && other.has_whole_windows() && other.row_groups() > 1;
-   }
-   /// The smallest multiple of `step` up to `largest` that fits; what is larger than one that fits does, too.
-   template <class Fits>
-   static constexpr int least_of(int largest, int step, Fits fits) {
-      int below = 0, fitting = largest / step;
-      while (fitting - below > 1) {
-         const int middle = (below + fitting) / 2;
-         (fits(middle * step) ? fitting : below) = middle;
-      }
-      return fitting * step;
-   }
+   /// Whether all disparities fit at as many columns as a window has. In narrower images a column would leave the
+   /// windows of a row after the row's end, and with full_width a row's first pixel would lack candidates on both
+   /// sides.
+   constexpr bool has_whole_windows() const { return width_px - first_whole_column() >= window_px; }
    static constexpr int at_least_0(int value) { return value < 0 ? 0 : value; }
    static constexpr int larger(int a, int b) { return a < b ? b : a; }
    /// Columns by which the reference must lag behind the searched image, for the newest searched pixel to be the match

@@ -182,6 +182,9 @@ STEREO_ROW(tiny_size_all, option, tiny_all, width_px = 40, height_px = 16, run_t
 STEREO_ROW(tiny_size_census_p2, option, tiny_census_p2, height_px = 20, median = true, run_time_size = true);
 STEREO_ROW(tiny_size_recursive, option, tiny_all_recursive, width_px = 40, height_px = 24, run_time_settings = true,
            run_time_size = true);
+STEREO_ROW(tiny_size_full, option, tiny_full, run_time_size = true);
+STEREO_ROW(tiny_size_full_all, option, tiny_full_all, width_px = 40, height_px = 16, reference = Reference::left,
+           run_time_settings = true, run_time_size = true);
 // clang-format on
 
 }  // namespace stereo::block_matching::configurations

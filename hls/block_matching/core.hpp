@@ -39,7 +39,7 @@ struct Core {
    /// What makes the map of the winners. Whole disparities without a median are ready as they are.
    using MapBlock = std::conditional_t<C.median, Median<C>, Optional<C.subpixel, MapRegister<C>>>;
    static constexpr bool kHasMapBlock = C.median || C.subpixel;
-   using Settings = std::conditional_t<C.run_time_size, SizedSettings, CheckSettings>;
+   using Settings = std::conditional_t<C.run_time_size, SizedSettings<CheckSettings>, CheckSettings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
    using Size = std::conditional_t<C.run_time_size, RunTimeSize<C>, FixedSize<C>>;
 
@@ -127,7 +127,7 @@ struct Core {
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(slices.last(), texture, settings);
       if constexpr (C.has_texture_check()) texture.clock(rows, settings);
-      slices.clock(rows.search, rows.reference, rows.tag, NoRival<C>(), settings, rows.ready.column);
+      slices.clock(rows.search, rows.reference, rows.tag, NoRival<C>(), settings, size, rows.ready.column);
       rows.clock(delay);
       delay.clock(raster, size);
       if constexpr (C.has_transform()) {

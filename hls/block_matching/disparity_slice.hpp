@@ -77,12 +77,13 @@ struct DisparitySlice {
 
    /// `rival`: the slice before this one, or NoRival. early_column: of the rows that come two clocks later; only signs
    /// are remembered by it.
-   template <class Rival, class Settings = NoSettings>
+   template <class Rival, class Settings = NoSettings, class Size = FixedSize<C>>
    HLS_INLINE void clock(const Feature<C> (&search)[kTaps], const Feature<C> (&reference)[kTaps], const PixelTag& tag,
-                         const Rival& rival, const Settings& settings = Settings(), uint16_t early_column = 0) {
+                         const Rival& rival, const Settings& settings = Settings(), const Size& size = Size(),
+                         uint16_t early_column = 0) {
       if constexpr (C.remembers_signs())
-         next.clock(shift.search_out, shift.reference, shift.tag, *this, settings, cost.signs.column);
-      else next.clock(shift.search_out, shift.reference, shift.tag, *this, settings);
+         next.clock(shift.search_out, shift.reference, shift.tag, *this, settings, size, cost.signs.column);
+      else next.clock(shift.search_out, shift.reference, shift.tag, *this, settings, size);
       const auto& root = winner.root();
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
@@ -110,7 +111,7 @@ struct DisparitySlice {
          if constexpr (C.has_left_right_check()) other.clock(window.sum, window.tag, kFirst, rival.other);
       }
       window.clock(cost);
-      if constexpr (kFullWidth<C>) mask.clock(window.tag, rival.mask, settings);
+      if constexpr (kFullWidth<C>) mask.clock(window.tag, rival.mask, settings, size);
       if constexpr (C.remembers_signs()) cost.clock(shift, early_column);
       else cost.clock(shift);
       shift.clock(search, reference, tag);
@@ -140,9 +141,9 @@ struct DisparitySlice<C, 0, Number> {
 
    template <class Visitor>
    HLS_INLINE void slices(Visitor&) {}
-   template <class Rival, class Settings = NoSettings>
+   template <class Rival, class Settings = NoSettings, class Size = FixedSize<C>>
    HLS_INLINE void clock(const Feature<C> (&)[C.tap_rows()], const Feature<C> (&)[C.tap_rows()], const PixelTag&,
-                         const Rival&, const Settings& = Settings(), uint16_t = 0) {}
+                         const Rival&, const Settings& = Settings(), const Size& = Size(), uint16_t = 0) {}
 };
 
 }  // namespace stereo::block_matching

@@ -67,7 +67,7 @@ struct PairDelay {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) ahead[p] = kDelaysReference ? in.search[p] : in.reference[p];
       if constexpr (kFullWidth<C>) {
-         tag_full_width(raster);
+         tag_full_width(raster, size);
          column = raster.place.column;
       } else {
          column = raster.place.column;
@@ -117,26 +117,19 @@ struct PairDelay {
       tag.end_of_line = column_now == last_map;
    }
 
-   /// Whether the reference's column is one of first ... last; the delay is less than a row.
-   static HLS_INLINE bool is_column(uint16_t column_now, int first, int last) {
-      const int from = first + C.reference_delay(), to = last + C.reference_delay();
-      if (to < C.width_px) return (column_now >= from) & (column_now <= to);
-      if (from >= C.width_px) return (column_now >= from - C.width_px) & (column_now <= to - C.width_px);
-      return (column_now >= from) | (column_now <= to - C.width_px);
-   }
-
    /// All that a tag says is of the reference's pixel.
-   HLS_INLINE void tag_full_width(const Raster<C>& raster) {
-      constexpr int kFirst = C.columns_before(), kLast = kFirst + C.output_width_px() - 1;
+   template <class Size>
+   HLS_INLINE void tag_full_width(const Raster<C>& raster, const Size& size) {
       const uint16_t column_now = raster.place.column, group = raster.place.group;
-      bool output_group = (group >= C.delay_groups()) & (group < decltype(raster.place)::kIdle);
+      bool output_group = (group >= C.delay_groups()) & (group < size.windows.idle);
       bool first_group = group == 0, start_group = group == C.delay_groups(), is_whole = true;
       HLS_UNROLL
-      for (int t = 0; t < kTaps; ++t) row_inside[t] = is_inside(group, t);
+      for (int t = 0; t < kTaps; ++t) row_inside[t] = is_inside(group, t, size);
       if constexpr (kSplitsRows) {
          const bool move = raster.features.valid;
-         const bool ends = move & (column_now == C.width_px - 1);
-         const bool goes_on = !move | (column_now != 0) | (column == C.width_px - 1);  // no row has been broken off
+         const bool ends = move & (column_now == size.windows.last_column);
+         // No row has been broken off.
+         const bool goes_on = !move | (column_now != 0) | (column == size.windows.last_column);
          const bool is_before = column_now < kDelay;
          HLS_UNROLL
          for (int t = 0; t < kTaps; ++t) {
@@ -160,13 +153,13 @@ struct PairDelay {
       for (int p = 0; p < kPixels; ++p)
          tag.newest_inside = uint8_t(tag.newest_inside | uint8_t(row_inside[kTaps - kPixels + p]) << p);
       tag.border_column = false;
-      tag.first_cost = is_column(column_now, 0, 0);
-      tag.leaves_window = is_column(column_now, C.window_px, C.width_px - 1);
-      tag.map_column = is_column(column_now, kFirst, kLast) & is_whole;
+      tag.first_cost = column_now == C.reference_delay();
+      tag.leaves_window = size.leaving_columns.has(column_now);
+      tag.map_column = size.map_columns.has(column_now) & is_whole;
       tag.output_column = tag.map_column & output_group;
-      tag.first_column = is_column(column_now, kFirst, kFirst) & is_whole;
+      tag.first_column = (column_now == size.map_columns.from) & is_whole;
       tag.start_of_frame = tag.first_column & start_group;
-      tag.end_of_line = is_column(column_now, kLast, kLast) & is_whole;
+      tag.end_of_line = (column_now == size.map_columns.to) & is_whole;
    }
 
    /// What holds for the image that is held back: in its first columns what held for the row before, or nothing. Keeps

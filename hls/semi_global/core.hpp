@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "frontend/image_size.hpp"
 #include "frontend/line_buffer.hpp"
 #include "frontend/pair_delay.hpp"
 #include "frontend/raster.hpp"
@@ -49,8 +50,10 @@ struct Core {
    using MapBlock =
        std::conditional_t<C.median, Median<kSumConfig<C>>, Optional<C.subpixel, MapRegister<kSumConfig<C>>>>;
    static constexpr bool kHasMapBlock = C.median || C.subpixel;
-   using Settings = semi_global::Settings;
+   static constexpr bool kTurnsRows = C.path_right;
+   using Settings = std::conditional_t<C.run_time_size, SizedSettings<semi_global::Settings>, semi_global::Settings>;
    using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
+   using Size = std::conditional_t<C.run_time_size, RunTimeSize<kWindowConfig<C>>, FixedSize<kWindowConfig<C>>>;
 
    //            a pixel pair
    //                 |
@@ -88,6 +91,7 @@ struct Core {
                  "the bound in Config is too low");
 
    [[no_unique_address]] SettingsBlock settings;
+   [[no_unique_address]] Size size;
    TransformBlock transform;
    Raster<kWindowConfig<C>> raster;
    PairDelay<kWindowConfig<C>> delay;
@@ -127,6 +131,7 @@ struct Core {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       if constexpr (C.run_time_settings) visit.block("settings", settings);
+      if constexpr (C.run_time_size) visit.block("size", size);
       visit.block("transform", transform);
       visit.block("raster", raster);
       visit.block("delay", delay);
@@ -147,31 +152,33 @@ struct Core {
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (kHasMapBlock) map_block.clock(turned());
-      if constexpr (C.path_right) turn.clock(checked());
+      if constexpr (C.median) map_block.clock(turned(), size);
+      else if constexpr (kHasMapBlock) map_block.clock(turned());
+      if constexpr (C.path_right) turn.clock(checked(), size);
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(winners, NoTexture(), settings);
       winners.clock(sums);
       sums.clock(entry, forward, settings);
-      winners.follow(sums.tag, settings);
+      winners.follow(sums.tag, settings, size);
       forward.clock(entry, settings);
-      entry.clock(slices);
-      slices.clock(rows.search, rows.reference, rows.tag, settings);
+      entry.clock(slices, size);
+      slices.clock(rows.search, rows.reference, rows.tag, settings, size);
       rows.clock(delay);
-      delay.clock(raster);
+      delay.clock(raster, size);
       if constexpr (kWindows.has_transform()) {
-         raster.clock(transform.output());
-         transform.clock(in);
+         raster.clock(transform.output(), size);
+         transform.clock(in, size);
       } else {
-         raster.clock(grey_values<kWindowConfig<C>>(in));
+         raster.clock(grey_values<kWindowConfig<C>>(in), size);
       }
    }
 
-   /// The same where the configuration has run-time settings. `now`: what the ports show; it counts in the clock of a
-   /// start of frame.
+   /// The same where the configuration has run-time settings or a run-time size. `now`: what the ports show. Settings
+   /// count in the clock of a start of frame; the size is that of all frames from one reset to the next.
    HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
       clock(in);
-      settings.clock(in, now);
+      if constexpr (C.run_time_settings) settings.clock(in, now);
+      if constexpr (C.run_time_size) size.clock(now.image_width, now.image_height);
    }
 
   private:

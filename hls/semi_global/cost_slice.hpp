@@ -100,11 +100,12 @@ struct CostSlice {
    HLS_INLINE const PixelTag& shown_tag() const { return tag[kSlices - 1]; }
 
    /// mask_before: of the slice before this one.
-   template <class Settings = NoSettings, class MaskBefore = NoMask>
+   template <class Settings = NoSettings, class Size = FixedSize<kWindowConfig<C>>, class MaskBefore = NoMask>
    HLS_INLINE void clock(const Feature<kWindowConfig<C>> (&search)[kTaps],
                          const Feature<kWindowConfig<C>> (&reference)[kTaps], const PixelTag& tag_in,
-                         const Settings& settings = Settings(), const MaskBefore& mask_before = MaskBefore()) {
-      next.clock(shift.search_out, shift.reference, shift.tag, settings, mask);
+                         const Settings& settings = Settings(), const Size& size = Size(),
+                         const MaskBefore& mask_before = MaskBefore()) {
+      next.clock(shift.search_out, shift.reference, shift.tag, settings, size, mask);
       HLS_UNROLL
       for (int age = kSlices - 1; age > 0; --age) {
          HLS_UNROLL
@@ -119,7 +120,7 @@ struct CostSlice {
       }
       tag[0] = window.tag;
       window.clock(cost);
-      if constexpr (C.full_width) mask.clock(window.tag, mask_before, settings);
+      if constexpr (C.full_width) mask.clock(window.tag, mask_before, settings, size);
       cost.clock(shift);
       shift.clock(search, reference, tag_in);
    }

@@ -13,7 +13,7 @@ template <const Config& C>
 struct PathEntry {
    static constexpr int kClocks = 2;
    static constexpr int kWidth = C.output_width_px();
-   using Order = RowOrder<kWidth>;
+   using Order = RowOrder<kWidth, typename OfWidth<C, kWidth - 1>::Type>;
 
    // clock 1
    PathCost<C> next_cost[C.disparities];
@@ -57,8 +57,8 @@ struct PathEntry {
       visit("turned", turned);
    }
 
-   template <class Slices>
-   HLS_INLINE void clock(const Slices& slices) {
+   template <class Slices, class Size = FixedSize<kWindowConfig<C>>>
+   HLS_INLINE void clock(const Slices& slices, const Size& size = Size()) {
       HLS_UNROLL
       for (int d = 0; d < C.disparities; ++d) cost[d] = next_cost[d];
       tag = next_tag;
@@ -79,7 +79,7 @@ struct PathEntry {
       const uint16_t beside = select<uint16_t>(in.first_column, 0, uint16_t(next_column + 1));
       next_column = at_most<kWidth - 1>(select<uint16_t>(comes, beside, next_column));
       next_top = select<bool>(comes && in.first_column, in.start_of_frame, next_top);
-      order.clock(in);
+      order.clock(in, size);
    }
 };
 

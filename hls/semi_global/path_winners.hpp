@@ -52,9 +52,9 @@ struct PathWinners {
    }
 
    /// With full_width, when the sums have been clocked: what is a candidate in their new column.
-   template <class Settings>
-   HLS_INLINE void follow(const PixelTag& sums_tag, const Settings& settings) {
-      if constexpr (C.full_width) mask.clock(sums_tag, NoMask(), settings);
+   template <class Settings, class Size>
+   HLS_INLINE void follow(const PixelTag& sums_tag, const Settings& settings, const Size& size) {
+      if constexpr (C.full_width) mask.clock(sums_tag, NoMask(), settings, size);
    }
 };
 

@@ -22,7 +22,7 @@ struct WinnerTurn {
 
    Memory memory;
    // clock 1
-   RowOrder<kWidth> order;
+   RowOrder<kWidth, typename OfWidth<C, kWidth - 1>::Type> order;
    Word newest;
    bool comes;
    // clock 2; the newest goes to the place that has just been read
@@ -61,7 +61,8 @@ struct WinnerTurn {
       return out;
    }
 
-   HLS_INLINE void clock(const Winners<kSumConfig<C>>& in) {
+   template <class Size = FixedSize<kWindowConfig<C>>>
+   HLS_INLINE void clock(const Winners<kSumConfig<C>>& in, const Size& size = Size()) {
       ready = read_words[0];
       ready_tag = read_tag;
       Word stored[1];
@@ -74,7 +75,7 @@ struct WinnerTurn {
       newest = Word(Word(in.disparity[0]) | Word(in.passed[0]) << 8);
       if constexpr (C.subpixel) newest |= Word(Word(in.fraction[0]) << 9);
       comes = in.tag.valid && in.tag.map_column;
-      order.clock(in.tag);
+      order.clock(in.tag, size);
    }
 };
 

@@ -70,14 +70,15 @@ struct CheckSettings {
    }
 };
 
-/// The same, and the size of the images.
-struct SizedSettings : CheckSettings {
+/// Those of a family, and the size of the images.
+template <class Settings>
+struct SizedSettings : Settings {
    uint16_t image_width = 0;
    uint16_t image_height = 0;
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
-      CheckSettings::registers(visit);
+      Settings::registers(visit);
       visit("image_width", image_width);
       visit("image_height", image_height);
    }

@@ -58,6 +58,7 @@ struct Config : Image, Matching, Structure {
    constexpr Sentence problem() const {
       if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
       if (run_time_settings) return "run-time settings are for block matching and semi-global matching";
+      if (run_time_size) return "a run-time size is for block matching and semi-global matching";
       return costs().problem();
    }
 };

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "cost/costs.hpp"
+#include "frontend/image_size.hpp"
 #include "frontend/pixel_tag.hpp"
 #include "support/matching_options.hpp"
 #include "support/registers.hpp"
@@ -32,10 +33,13 @@ struct CandidateMask {
    static constexpr int kOldest = Count - 1 - kNewest;     ///< and where it leaves
    static constexpr int kWidth = C.output_width_px();
    static constexpr bool kIsFirst = First + kNewest == (kFalls ? C.disparities - 1 : 0);
+   using End = typename OfWidth<C, kWidth - (kFalls ? 1 : -1) * (C.min_disparity + First + kNewest) - 1>::Type;
+   using NoEnd = FixedNumber<0>;
 
-   bool inside[Count];  ///< [i]: of disparity First + i
-   bool left_out;       ///< of the column that has just left
-   uint16_t column;     ///< of the centre
+   bool inside[Count];                                                  ///< [i]: of disparity First + i
+   bool left_out;                                                       ///< of the column that has just left
+   uint16_t column;                                                     ///< of the centre
+   [[no_unique_address]] std::conditional_t<kIsFirst, End, NoEnd> end;  ///< from this `column` on, none enters
    [[no_unique_address]] std::conditional_t<kSetAtRunTime<C>, SearchedHere<Count>, NoSettings> searched;
 
    HLS_INLINE CandidateMask() { start(*this); }
@@ -45,12 +49,14 @@ struct CandidateMask {
       visit("inside", inside);
       visit("left_out", left_out);
       if constexpr (kIsFirst) visit("column", column);
+      if constexpr (kIsFirst && kRunTimeSize<C>) visit("end", end);
       if constexpr (kSetAtRunTime<C>) visit("searched", searched.disparity, 1);
    }
 
    /// centre: the tag of the centres that come now; before: the block before this one, or NoMask.
-   template <class Before, class Settings = NoSettings>
-   HLS_INLINE void clock(const PixelTag& centre, const Before& before, const Settings& settings = Settings()) {
+   template <class Before, class Settings = NoSettings, class Size = FixedSize<C>>
+   HLS_INLINE void clock(const PixelTag& centre, const Before& before, const Settings& settings = Settings(),
+                         const Size& size = Size()) {
       if constexpr (kSetAtRunTime<C>) take_over(centre, settings);
       const bool move = centre.valid;
       const bool starts = centre.first_column;
@@ -67,6 +73,7 @@ struct CandidateMask {
       if constexpr (kIsFirst) {
          const uint16_t next = select<uint16_t>(starts, 0, uint16_t(column + 1));
          column = at_most<C.width_px - 1>(select<uint16_t>(move, next, column));
+         end.clock(size);
       }
    }
 
@@ -118,7 +125,7 @@ struct CandidateMask {
    HLS_INLINE bool enters(const Before& before) const {
       if constexpr (kIsFirst) {
          const int shift = at(1, First + kNewest);  // from `column` on
-         return (int(column) >= -shift) & (int(column) < kWidth - shift);
+         return (int(column) >= -shift) & (int(column) < end.get());
       } else {
          return before.left_out;
       }

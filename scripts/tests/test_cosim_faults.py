@@ -104,6 +104,16 @@ SETTING_FAULTS = {
         r"size_last_map_column <= .*;",
         "size_last_map_column <= size_last_map_column;",
     ),
+    "a row turned round at the largest width": (
+        "tiny_sgm_size",
+        r"entry_order_last_value <= \(.*;",
+        "entry_order_last_value <= entry_order_last_value;",
+    ),
+    "candidates beyond the map of a narrower image": (
+        "tiny_size_full",
+        r"slice0mask_end_value <= .*;",
+        "slice0mask_end_value <= 30;",
+    ),
     "P1 stays": ("tiny_sgm_settings", "forward_above_p1 <= settings_p1", "forward_above_p1 <= forward_above_p1"),
 }
 

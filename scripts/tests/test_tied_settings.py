@@ -15,8 +15,14 @@ from flow.implementation.targets import TARGETS, TOP
 from flow.synthesis import manifest
 
 TARGET = replace(TARGETS["ecp5"], device=None)  # area only
-# All settings of block matching. Those of semi-global matching cost more: its paths must hold what ports may bring.
-PAIRS = [("tiny_settings_full", "tiny_full_all"), ("tiny_size", "tiny")]
+# All settings of block matching; of semi-global matching the size. Its penalties cost more: its paths must hold what
+# ports may bring.
+PAIRS = [
+    ("tiny_settings_full", "tiny_full_all"),
+    ("tiny_size", "tiny"),
+    ("tiny_size_full", "tiny_full"),
+    ("tiny_sgm_size", "tiny_sgm"),
+]
 LARGEST_PERCENT = 2.0
 
 

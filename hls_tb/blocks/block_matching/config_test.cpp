@@ -109,8 +109,8 @@ TEST(BlockMatchingConfig, SaysWhichSizesARunTimeSizeCanHave) {
        {.width_px = 640, .height_px = 480, .pixels_per_clock = 2}, {.disparities = 64, .window_px = 9}, {}};
    config.run_time_size = true;
    EXPECT_EQ(config.problem().text, std::string());
-   EXPECT_EQ(config.least_width_px(), 63 + 9);
-   EXPECT_EQ(config.least_height_px(), 10);
+   EXPECT_EQ(least_size(config).width_px, 63 + 9);
+   EXPECT_EQ(least_size(config).height_px, 10);
    for (const auto& [width, height] : {std::pair(63 + 9, 10), std::pair(640, 10), std::pair(63 + 9, 480)}) {
       block_matching::Config smaller = config;
       smaller.width_px = width;
@@ -118,11 +118,25 @@ TEST(BlockMatchingConfig, SaysWhichSizesARunTimeSizeCanHave) {
       EXPECT_EQ(smaller.problem().text, std::string()) << width << "x" << height;
    }
    config.width_px = 63 + 8;
-   EXPECT_EQ(config.problem().text, std::string("with a run-time size the image must have as many cost columns as the "
-                                                "window, and two groups of rows"));
-   config.width_px = 640;
+   const std::string too_small =
+       "with a run-time size all disparities must fit at as many columns as the window has, and the image must have "
+       "two groups of rows";
+   EXPECT_EQ(config.problem().text, too_small);
+   // What a map of full width has beside these columns makes no difference.
    config.full_width = true;
-   EXPECT_EQ(config.problem().text, std::string("a run-time size and a map of full width are not built together"));
+   EXPECT_EQ(config.problem().text, too_small);
+   config.width_px = 640;
+   EXPECT_EQ(config.problem().text, std::string());
+   EXPECT_EQ(least_size(config).width_px, 63 + 9);
+   EXPECT_EQ(least_size(config).height_px, 10);
+   // A map of one column has its first median behind the line's end: not where the width comes from ports.
+   config.full_width = false;
+   config.window_px = 2;
+   EXPECT_EQ(least_size(config).width_px, 63 + 2);
+   config.median = true;
+   EXPECT_EQ(least_size(config).width_px, 63 + 3);
+   config.width_px = 63 + 2;
+   EXPECT_EQ(config.problem().text, std::string("with a run-time size and a median the map must have two columns"));
 }
 
 TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {

@@ -77,6 +77,34 @@ TEST(SemiGlobalConfig, PortsBringAllNumbersOfTheirBits) {
    EXPECT_EQ(config.largest_path_above(), 44);
 }
 
+/// The limits of the window costs, and of the rows that are turned round: 11 columns between two maps.
+TEST(SemiGlobalConfig, SaysWhichSizesARunTimeSizeCanHave) {
+   Config config = kGood;
+   config.run_time_size = true;
+   EXPECT_EQ(config.problem().text, std::string());
+   EXPECT_EQ(least_size(config).width_px, 11 + 3);
+   EXPECT_EQ(least_size(config).height_px, 3);
+   SettingList list;
+   config.settings(list);
+   ASSERT_EQ(list.count, 8);
+   for (int i = 0; i < 6; ++i) EXPECT_EQ(list.setting[i].largest, 0) << list.setting[i].name;
+   EXPECT_EQ(list.setting[6].name, std::string("image_width"));
+   EXPECT_EQ(list.setting[6].largest, 40);
+   EXPECT_EQ(list.setting[6].least, 14);
+   EXPECT_EQ(list.setting[7].largest, 12);
+   EXPECT_EQ(list.setting[7].least, 3);
+   config.full_width = true;
+   EXPECT_EQ(least_size(config).width_px, 11 + 4) << "a row's last column must be there when the next one comes";
+   config.full_width = false;
+   config.run_time_settings = true;
+   const Image least = least_size(config);
+   config.width_px = least.width_px;
+   config.height_px = least.height_px;
+   EXPECT_EQ(config.problem().text, std::string());
+   --config.height_px;
+   EXPECT_NE(config.problem().text, std::string()) << "a frame's first disparity leaves before the next frame";
+}
+
 TEST(SemiGlobalConfig, AFewDisparitiesDoWhereTheyAreFar) {
    EXPECT_EQ(problem([](Config& c) {
                 c.disparities = 8;

@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <vector>
 
 #include "engines/clocked/heap_memories.hpp"
+#include "frontend/image_size.hpp"
 #include "scene/random.hpp"
 #include "semi_global/winner_turn.hpp"
 #include "testing/seed.hpp"
@@ -28,13 +29,14 @@ std::vector<Row> random_rows(Random& random, int width, int count) {
    return rows;
 }
 
-template <int Width>
-void expect_order() {
+/// Rows of `width` columns.
+template <class Order, class Size>
+void expect_order(const int width, const Size& size) {
    Random random(test_seed());
-   semi_global::RowOrder<Width> order;
-   std::array<int, Width> memory;
-   memory.fill(-1);
-   const std::vector<Row> rows = random_rows(random, Width, 60);
+   Order order;
+   order.last.clock(size);
+   std::vector<int> memory(std::size_t(width), -1);
+   const std::vector<Row> rows = random_rows(random, width, 60);
    int turned_rows = 0;
    for (std::size_t r = 0; r < rows.size(); ++r)
       for (int i = 0; i < rows[r].columns + 3;) {
@@ -44,23 +46,23 @@ void expect_order() {
          tag.output_column = tag.map_column && rows[r].output;
          tag.first_column = i == 0;
          tag.start_of_frame = i == 0 && rows[r].first;
-         tag.end_of_line = i == Width - 1;
-         order.clock(tag);
+         tag.end_of_line = i == width - 1;
+         order.clock(tag, size);
          ASSERT_EQ(order.turned.valid, tag.valid);
          if (!tag.valid) continue;
          if (tag.map_column) {
-            const bool held = r > 0 && rows[r - 1].columns == Width;
-            int& word = memory[order.address];
+            const bool held = r > 0 && rows[r - 1].columns == width;
+            int& word = memory.at(order.address);
             // The row before, from its last column to its first.
             if (held) {
-               ASSERT_EQ(word, int(r - 1) * Width + Width - 1 - i) << "row " << r << " column " << i;
+               ASSERT_EQ(word, int(r - 1) * width + width - 1 - i) << "row " << r << " column " << i;
             }
-            word = int(r) * Width + i;
+            word = int(r) * width + i;
             ASSERT_EQ(order.turned.output_column, held && rows[r - 1].output) << "row " << r << " column " << i;
             ASSERT_EQ(order.turned.first_column, i == 0);
             ASSERT_EQ(order.turned.start_of_frame, i == 0 && held && rows[r - 1].output && rows[r - 1].first);
-            ASSERT_EQ(order.turned.end_of_line, i == Width - 1);
-            turned_rows += held && i == Width - 1 ? 1 : 0;
+            ASSERT_EQ(order.turned.end_of_line, i == width - 1);
+            turned_rows += held && i == width - 1 ? 1 : 0;
          }
          ASSERT_EQ(order.turned.map_column, tag.map_column);
          ++i;
@@ -69,10 +71,26 @@ void expect_order() {
 }
 
 TEST(RowOrder, GivesEachWholeRowBackFromItsLastColumnOn) {
-   expect_order<1>();
-   expect_order<2>();
-   expect_order<9>();
-   expect_order<32>();
+   using semi_global::RowOrder;
+   expect_order<RowOrder<1>>(1, 0);
+   expect_order<RowOrder<2>>(2, 0);
+   expect_order<RowOrder<9>>(9, 0);
+   expect_order<RowOrder<32>>(32, 0);
+}
+
+/// What RowOrder reads of a RunTimeSize.
+struct Width {
+   struct {
+      uint16_t last_column;
+   } windows;
+};
+constexpr Image kWide{.width_px = 45, .height_px = 2};
+
+TEST(RowOrder, GivesNarrowerRowsBackToo) {
+   constexpr int kMap = 32;
+   using Order = semi_global::RowOrder<kMap, RunTimeNumber<kWide, kMap - 1>>;
+   for (const int narrower : {0, 1, 13, 30, 31})
+      expect_order<Order>(kMap - narrower, Width{{uint16_t(kWide.width_px - 1 - narrower)}});
 }
 
 constexpr semi_global::Config kWhole{{.width_px = 30, .height_px = 9}, {.disparities = 12}, {}};

@@ -15,9 +15,16 @@ struct CoreShape {
    int disparity_bits;   ///< of one pixel in the output word: 8 or 16
    int steps_per_pixel;  ///< of a disparity: 1, or 16 for sixteenths of a pixel
    Schedule schedule;
-   SettingList settings;  ///< that its ports take; none where they are constants
-   int pixel_bits = 8;    ///< of a grey value
+   SettingList settings;     ///< that its ports take; none where they are constants
+   int pixel_bits = 8;       ///< of a grey value
+   bool turns_rows = false;  ///< rows go back and forth in memories: addresses rise in one row and fall in the next
 };
+
+template <class Core>
+inline constexpr bool kTurnsRows = [] {
+   if constexpr (requires { Core::kTurnsRows; }) return Core::kTurnsRows;
+   else return false;
+}();
 
 template <class Core>
 constexpr CoreShape core_shape() {
@@ -29,7 +36,8 @@ constexpr CoreShape core_shape() {
            Core::kConfig.steps_per_pixel(),
            Core::kSchedule,
            settings,
-           kPixelBits<Core::kConfig>};
+           kPixelBits<Core::kConfig>,
+           kTurnsRows<Core>};
 }
 
 }  // namespace stereo

@@ -97,18 +97,24 @@ void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream
 namespace {
 
 /// Without resets the size of the images may only grow: a counter that has passed the last column of a smaller image
-/// would leave the memories.
-std::vector<SizeChange> growing_sizes(const CoreShape& shape, uint64_t clocks) {
+/// would leave the memories. Where addresses fall, that of a row that grows would, too: the width changes only while
+/// the core is empty, that is in the first `empty` clocks.
+std::vector<SizeChange> growing_sizes(const CoreShape& shape, int empty, uint64_t clocks, Random& random) {
+   constexpr int kSizes = 8, kClocksOfAWidth = 2;
    std::vector<SizeChange> sizes;
-   constexpr int kSizes = 8;
+   for (int clock = 0; clock < empty; clock += kClocksOfAWidth) {
+      const Image size = random_size(shape, random);
+      sizes.push_back({uint64_t(clock), size.width_px, size.height_px});
+   }
    Image least = shape.image;
    for (const Setting& port : shape.settings)
       if (port.held) (std::string_view(port.name) == "image_width" ? least.width_px : least.height_px) = port.least;
    for (int i = 0; i < kSizes; ++i) {
-      const int width = least.width_px + (shape.image.width_px - least.width_px) * i / (kSizes - 1);
+      const int more = shape.turns_rows ? 0 : (shape.image.width_px - least.width_px) * i / (kSizes - 1);
       const int groups =
           least.row_groups() + (shape.image.row_groups() - least.row_groups()) * i * i / ((kSizes - 1) * (kSizes - 1));
-      sizes.push_back({clocks * uint64_t(i) / kSizes, width, groups * shape.image.pixels_per_clock});
+      const uint64_t clock = uint64_t(empty) + (clocks - uint64_t(empty)) * uint64_t(i) / kSizes;
+      sizes.push_back({clock, least.width_px + more, groups * shape.image.pixels_per_clock});
    }
    return sizes;
 }
@@ -120,7 +126,8 @@ Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, 
    constexpr uint64_t kSeed = 1;
    const Image& image = shape.image;
    StimulusWriter writer(image.pixels_per_clock, kStallPercent, kSeed, shape.pixel_bits);
-   writer.bubbles(4);
+   const int empty = has_size_ports(shape.settings) && shape.turns_rows ? 24 : 0;
+   writer.bubbles(empty + 4);
    const auto records_of_a_frame = [&writer](int count) {
       writer.record({.left = {0x5a}, .right = {0xa5}, .start_of_frame = true, .valid = true});
       writer.random_records(count - 1);
@@ -135,7 +142,7 @@ Stimulus make_trace_stimulus(const std::string& config, const CoreShape& shape, 
    const SettingList& ports = shape.settings;
    Random random(kSeed);
    const auto next = [&] { return random_settings(ports, random); };
-   set_frames(stimulus, ports, random, next, growing_sizes(shape, stimulus.clocks.size()));
+   set_frames(stimulus, ports, random, next, growing_sizes(shape, empty, stimulus.clocks.size(), random));
    return stimulus;
 }
 

@@ -166,7 +166,11 @@ SETTINGS_TOPS = {
     "block_matching": "hls/top/settings_top.cpp",
     "semi_global": "hls/top/semi_global_settings_top.cpp",
 }
-SIZE_TOP = "hls/top/size_top.cpp"  # where the size of the images is among them
+# Where the size of the images is among them.
+SIZE_TOPS = {
+    "block_matching": "hls/top/size_top.cpp",
+    "semi_global": "hls/top/semi_global_size_top.cpp",
+}
 # By the folder that stands where a matching core has its family.
 STAGES = {
     "rectification": Kind(
@@ -201,9 +205,10 @@ def kind_of(parameters: Mapping[str, Any]) -> Kind:
         return stage._replace(ports=_with_pixels(stage.ports, pixel_bits_of(parameters)))
     kind = CORE._replace(ports=ports_of(parameters))
     settings = settings_of(parameters)
-    if any(setting.held for setting in settings):
-        return kind._replace(top=SIZE_TOP)
-    return kind._replace(top=SETTINGS_TOPS[parameters["family"]]) if settings else kind
+    if not settings:
+        return kind
+    tops = SIZE_TOPS if any(setting.held for setting in settings) else SETTINGS_TOPS
+    return kind._replace(top=tops[parameters["family"]])
 
 
 def core_entity(config: str) -> str:

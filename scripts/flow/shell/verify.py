@@ -47,6 +47,11 @@ FRAMES = {
     "tiny_size_all": 256,
     "tiny_size_census_p2": 256,
     "tiny_size_recursive": 256,
+    "tiny_size_full": 256,
+    "tiny_size_full_all": 256,
+    "tiny_sgm_size": 256,
+    "tiny_sgm_size_all": 256,
+    "tiny_sgm_size_full": 256,
 }
 LARGEST_FOR_CASES = 10000  # groups of a frame: larger ones meet the broken streams in the mixture only
 SHORT_FRAMES = {

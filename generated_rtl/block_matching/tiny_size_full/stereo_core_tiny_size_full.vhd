@@ -1,0 +1,1006 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration tiny_size_full: 32x12, 8 disparities, window 3x3, 1 pixel pair a clock.
+-- Options: disparities 8, full_width true, slice_disparities 3, run_time_size true.
+-- Made from hls/top/size_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_size_full
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_size_full is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 32;
+    height_px : positive := 12;
+    disparities : positive := 8;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 30;
+    latency_clocks : positive := 16;
+    flush_groups : positive := 39;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    texture_threshold : in std_logic_vector(15 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    uniqueness_percent : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    image_width : in std_logic_vector(15 downto 0);  -- 10 ... 32, changes in a reset only
+    image_height : in std_logic_vector(15 downto 0);  -- 3 ... 12, changes in a reset only
+    disparity : out std_logic_vector(7 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 32 report "stereo_core_tiny_size_full: width_px is " & integer'image(width_px) & " but this core has 32" severity failure;
+  assert height_px = 12 report "stereo_core_tiny_size_full: height_px is " & integer'image(height_px) & " but this core has 12" severity failure;
+  assert disparities = 8 report "stereo_core_tiny_size_full: disparities is " & integer'image(disparities) & " but this core has 8" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_size_full: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 8 report "stereo_core_tiny_size_full: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 30 report "stereo_core_tiny_size_full: output_width_px is " & integer'image(output_width_px) & " but this core has 30" severity failure;
+  assert latency_clocks = 16 report "stereo_core_tiny_size_full: latency_clocks is " & integer'image(latency_clocks) & " but this core has 16" severity failure;
+  assert flush_groups = 39 report "stereo_core_tiny_size_full: flush_groups is " & integer'image(flush_groups) & " but this core has 39" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_size_full: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_size_full is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_left_pixel : natural range 0 to 255;
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_image_height : natural range 0 to 65535;
+  signal in_image_width : natural range 0 to 65535;
+  -- size
+  signal size_windows_last_column : natural range 0 to 31;
+  signal size_windows_last_group, size_windows_groups, size_windows_idle : natural range 0 to 15;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 31;
+  signal raster_place_group : natural range 0 to 15;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 7;
+  signal delay_ahead_0 : natural range 0 to 255;
+  signal delay_delayed_0 : unsigned(7 downto 0);
+  signal delay_column : natural range 0 to 31;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_output_column : boolean;
+  signal delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line, delay_split_search_inside_0 : boolean;
+  signal delay_split_search_inside_1, delay_split_search_inside_2, delay_split_inside_before_0 : boolean;
+  signal delay_split_inside_before_1, delay_split_inside_before_2, delay_split_output_before : boolean;
+  signal delay_split_start_before, delay_split_whole_before : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 255;
+  signal rows_search_1, rows_search_2, rows_reference_0, rows_reference_1, rows_reference_2 : natural range 0 to 255;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 65535;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
+  signal rows_read_tag_output_column, rows_read_tag_first_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_read_search_inside_0, rows_read_search_inside_1 : boolean;
+  signal rows_read_search_inside_2, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2 : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_output_column, rows_ready_tag_first_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_ready_search_inside_0 : boolean;
+  signal rows_ready_search_inside_1, rows_ready_search_inside_2, rows_tag_valid, rows_tag_output_column : boolean;
+  signal rows_tag_first_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
+  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 255;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
+  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
+  signal slice0shift_tag_valid, slice0shift_tag_output_column, slice0shift_tag_first_column : boolean;
+  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
+  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
+  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_output_column : boolean;
+  signal slice0cost_difference_tag_first_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_first_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_first_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
+  -- slice0mask
+  signal slice0mask_inside_0, slice0mask_inside_1, slice0mask_inside_2, slice0mask_left_out : boolean;
+  signal slice0mask_column, slice0mask_end_value : natural range 0 to 31;
+  -- slice0winner1
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 4095;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_first_column, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
+  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 2;
+  -- slice0
+  signal slice0_best_cost_0_0 : natural range 0 to 4095;
+  signal slice0_best_index_0_0 : natural range 0 to 7;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 255;
+  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 255;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 255;
+  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 255;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
+  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
+  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
+  signal slice1cost_tag_first_column : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice1window_centre_first_column_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
+  -- slice1mask
+  signal slice1mask_inside_0, slice1mask_inside_1, slice1mask_inside_2, slice1mask_left_out : boolean;
+  -- slice1winner1
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 4095;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_best_index_0_0 : natural range 0 to 2;
+  -- slice1
+  signal slice1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice1_best_index_0_0 : natural range 0 to 7;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 255;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 255;
+  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 255;
+  -- slice2cost
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
+  signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
+  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 767;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 767;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 1534;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 2301;
+  -- slice2mask
+  signal slice2mask_inside_0, slice2mask_inside_1 : boolean;
+  -- slice2winner1
+  signal slice2winner1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice2winner1_best_index_0_0 : boolean;
+  -- slice2winner2
+  signal slice2winner2_best_cost_0_0 : natural range 0 to 4095;
+  signal slice2winner2_best_index_0_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0 : natural range 0 to 4095;
+  signal slice2winner3_best_index_0_0 : boolean;
+  -- slice2
+  signal slice2_best_index_0_0 : natural range 0 to 7;
+  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
+  signal slice2_best_tag_end_of_line : boolean;
+  -- refinement
+  signal refinement_divisor_0 : boolean;
+  signal refinement_fraction : natural range 0 to 65535;
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
+
+begin
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_image_height <= to_integer(unsigned(image_height));
+  in_image_width <= to_integer(unsigned(image_width));
+  disparity <= std_logic_vector(to_unsigned(slice2_best_index_0_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(1, 1));
+  disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
+  disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
+  disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  process (clock)
+    variable raster_place_group_value, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
+    variable raster_place_group_choice, raster_place_group_is_equal_3, raster_place_group_is_equal_4 : boolean;
+    variable raster_place_group_choice_2, raster_place_group_choice_3, raster_place_group_is_equal_5 : boolean;
+    variable raster_place_group_is_equal_6, raster_place_group_choice_4, raster_place_group_is_equal_7 : boolean;
+    variable raster_place_group_is_equal_8, raster_place_group_choice_5, raster_place_group_choice_6 : boolean;
+    variable raster_place_group_value_2, raster_place_group_choice_7, raster_place_group_is_equal_9 : boolean;
+    variable raster_place_group_choice_8, raster_place_group_choice_9, raster_place_group_choice_10 : boolean;
+    variable raster_place_group_choice_11, raster_place_group_choice_12, raster_place_group_value_3 : boolean;
+    variable raster_place_group_value_4, raster_place_group_differs, raster_place_group_all : boolean;
+    variable raster_place_group_value_5, raster_place_group_choice_14, raster_place_group_choice_15 : boolean;
+    variable raster_place_group_value_6, raster_place_group_choice_16, raster_place_group_choice_17 : boolean;
+    variable raster_place_group_value_7, raster_place_group_choice_18, raster_place_group_choice_19 : boolean;
+    variable raster_place_group_choice_20, raster_place_group_choice_21, raster_place_group_choice_22 : boolean;
+    variable raster_place_group_choice_23, raster_place_column_all, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, delay_row_inside_0_choice, delay_row_inside_0_value : boolean;
+    variable delay_row_inside_0_choice_2, delay_row_inside_0_choice_3, delay_row_inside_0_choice_4 : boolean;
+    variable delay_row_inside_0_choice_5, delay_row_inside_0_choice_6, delay_row_inside_0_choice_7 : boolean;
+    variable delay_row_inside_0_all, delay_row_inside_0_all_2, delay_row_inside_1_all : boolean;
+    variable delay_row_inside_1_is_less, delay_row_inside_1_choice, delay_row_inside_2_all : boolean;
+    variable delay_row_inside_2_is_less, delay_tag_output_column_all, delay_tag_output_column_all_2 : boolean;
+    variable delay_tag_output_column_any, delay_tag_output_column_all_3, delay_tag_output_column_all_4 : boolean;
+    variable delay_tag_output_column_choice, delay_tag_output_column_choice_2 : boolean;
+    variable delay_tag_output_column_choice_3, delay_tag_output_column_is_not_less : boolean;
+    variable delay_tag_output_column_choice_4, delay_tag_first_column_is_equal, delay_tag_first_column_choice : boolean;
+    variable delay_tag_start_of_frame_all, delay_tag_start_of_frame_is_equal, delay_tag_start_of_frame_choice : boolean;
+    variable delay_split_inside_before_0_all, slice0mask_inside_0_choice, slice0mask_inside_1_choice : boolean;
+    variable slice0mask_inside_2_choice, slice0mask_inside_2_choice_2, slice0mask_inside_2_value : boolean;
+    variable slice0mask_inside_2_choice_3, slice0mask_inside_2_value_2, slice0mask_inside_2_choice_4 : boolean;
+    variable slice0mask_inside_2_choice_5, slice0mask_inside_2_choice_6, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice1mask_inside_0_choice, slice1mask_inside_1_choice : boolean;
+    variable slice1mask_inside_2_choice, slice1winner1_of_pair_0_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice2mask_inside_0_choice, slice2mask_inside_1_choice : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, refinement_divisor_0_is_less : boolean;
+    variable raster_place_group_choice_13, raster_place_group_choice_24 : natural range 0 to 15;
+    variable raster_place_group_choice_25 : natural range 0 to 15;
+    variable delay_row_inside_0_difference : integer range -15 to 15;
+    variable slice0winner1_of_pair_0_0_choice, slice0winner1_of_pair_0_0_any : natural range 0 to 4095;
+    variable slice0winner1_of_pair_0_0_choice_2, slice0winner1_of_pair_0_0_any_2 : natural range 0 to 4095;
+    variable slice0winner1_of_pair_0_2_choice, slice1winner1_of_pair_0_0_choice : natural range 0 to 4095;
+    variable slice1winner1_of_pair_0_0_any, slice1winner1_of_pair_0_0_choice_2 : natural range 0 to 4095;
+    variable slice1winner1_of_pair_0_0_any_2, slice1winner1_of_pair_0_2_choice : natural range 0 to 4095;
+    variable slice2winner1_best_cost_0_0_choice, slice2winner1_best_cost_0_0_any : natural range 0 to 4095;
+    variable slice2winner1_best_cost_0_0_choice_2, slice2winner1_best_cost_0_0_any_2 : natural range 0 to 4095;
+  begin
+    if rising_edge(clock) then
+      -- size
+      size_windows_last_column <= (in_image_width + 31) mod 32;
+      size_windows_last_group <= (in_image_height + 15) mod 16;
+      size_windows_groups <= in_image_height mod 16;
+      size_windows_idle <= (in_image_height + 1) mod 16;
+      -- raster
+      raster_place_group_value := ((size_windows_last_group / 4) mod 2) = 1;
+      raster_place_group_is_equal := (raster_place_group / 4) = 3;
+      raster_place_group_is_equal_2 := (raster_place_group / 4) = 2;
+      raster_place_group_choice := raster_place_group_is_equal when raster_place_group_value else
+        raster_place_group_is_equal_2;
+      raster_place_group_is_equal_3 := (raster_place_group / 4) = 1;
+      raster_place_group_is_equal_4 := (raster_place_group / 4) = 0;
+      raster_place_group_choice_2 := raster_place_group_is_equal_3 when raster_place_group_value else
+        raster_place_group_is_equal_4;
+      raster_place_group_choice_3 := raster_place_group_choice when (size_windows_last_group / 8) = 1 else
+        raster_place_group_choice_2;
+      raster_place_group_is_equal_5 := (raster_place_group mod 4) = 3;
+      raster_place_group_is_equal_6 := (raster_place_group mod 4) = 2;
+      raster_place_group_choice_4 := raster_place_group_is_equal_5 when (size_windows_last_group mod 2) = 1 else
+        raster_place_group_is_equal_6;
+      raster_place_group_is_equal_7 := (raster_place_group mod 4) = 1;
+      raster_place_group_is_equal_8 := (raster_place_group mod 4) = 0;
+      raster_place_group_choice_5 := raster_place_group_is_equal_7 when (size_windows_last_group mod 2) = 1 else
+        raster_place_group_is_equal_8;
+      raster_place_group_choice_6 := raster_place_group_choice_4 when ((size_windows_last_group / 2) mod 2) = 1 else
+        raster_place_group_choice_5;
+      raster_place_group_value_2 := ((size_windows_last_column / 8) mod 2) = 1;
+      raster_place_group_choice_7 := (raster_place_column / 8) = 3 when raster_place_group_value_2 else
+        (raster_place_column / 8) = 2;
+      raster_place_group_is_equal_9 := (raster_place_column / 8) = 0;
+      raster_place_group_choice_8 := (raster_place_column / 8) = 1 when raster_place_group_value_2 else
+        raster_place_group_is_equal_9;
+      raster_place_group_choice_9 := raster_place_group_choice_7 when (size_windows_last_column / 16) = 1 else
+        raster_place_group_choice_8;
+      raster_place_group_choice_10 := (raster_place_column mod 4) = 3 when (size_windows_last_column mod 2) = 1 else
+        (raster_place_column mod 4) = 2;
+      raster_place_group_choice_11 := (raster_place_column mod 4) = 1 when (size_windows_last_column mod 2) = 1 else
+        (raster_place_column mod 4) = 0;
+      raster_place_group_choice_12 := raster_place_group_choice_10 when ((size_windows_last_column / 2) mod 2) = 1 else
+        raster_place_group_choice_11;
+      raster_place_group_value_3 := ((size_windows_last_column / 4) mod 2) = 1;
+      raster_place_group_value_4 := ((raster_place_column / 4) mod 2) = 1;
+      raster_place_group_differs := raster_place_group_value_3 /= (not raster_place_group_value_4);
+      raster_place_group_all := raster_place_group_choice_3 and raster_place_group_choice_6 and
+        raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs;
+      raster_place_group_choice_13 := size_windows_groups when raster_place_group_all else 0;
+      raster_place_group_value_5 := ((raster_place_group / 2) mod 2) = 1;
+      raster_place_group_choice_14 := (not ((raster_place_group mod 2) = 1)) or (not raster_place_group_value_5) when
+        (size_windows_idle mod 2) = 1 else not raster_place_group_value_5;
+      raster_place_group_choice_15 := raster_place_group_choice_14 when ((size_windows_idle / 2) mod 2) = 1 else
+        ((size_windows_idle mod 2) = 1) and raster_place_group_is_equal_8;
+      raster_place_group_value_6 := ((raster_place_group / 4) mod 2) = 1;
+      raster_place_group_choice_16 := (not (((size_windows_idle / 4) mod 2) = 1)) and raster_place_group_value_6 when
+        raster_place_group_choice_15 else (not (((size_windows_idle / 4) mod 2) = 1)) or raster_place_group_value_6;
+      raster_place_group_choice_17 := (not ((size_windows_idle / 8) = 1)) or ((raster_place_group / 8) = 1) when
+        raster_place_group_choice_16 else (not ((size_windows_idle / 8) = 1)) and ((raster_place_group / 8) = 1);
+      raster_place_group_value_7 := ((size_windows_groups / 4) mod 2) = 1;
+      raster_place_group_choice_18 := raster_place_group_is_equal when raster_place_group_value_7 else
+        raster_place_group_is_equal_2;
+      raster_place_group_choice_19 := raster_place_group_is_equal_3 when raster_place_group_value_7 else
+        raster_place_group_is_equal_4;
+      raster_place_group_choice_20 := raster_place_group_choice_18 when (size_windows_groups / 8) = 1 else
+        raster_place_group_choice_19;
+      raster_place_group_choice_21 := raster_place_group_is_equal_5 when (size_windows_groups mod 2) = 1 else
+        raster_place_group_is_equal_6;
+      raster_place_group_choice_22 := raster_place_group_is_equal_7 when (size_windows_groups mod 2) = 1 else
+        raster_place_group_is_equal_8;
+      raster_place_group_choice_23 := raster_place_group_choice_21 when ((size_windows_groups / 2) mod 2) = 1 else
+        raster_place_group_choice_22;
+      raster_place_group_choice_24 := 1 when raster_place_group_choice_20 and raster_place_group_choice_23 and
+        raster_place_next_frame else (raster_place_group + 1) mod 16;
+      raster_place_group_choice_25 := raster_place_group_choice_24 when (not raster_place_group_choice_17) and
+        raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs and in_valid else
+        raster_place_group;
+      raster_features_search_0 <= in_left_pixel;
+      raster_features_reference_0 <= in_right_pixel;
+      raster_features_valid <= in_valid;
+      raster_place_group <= raster_place_group_choice_13 when in_start_of_frame and in_valid else
+        raster_place_group_choice_25;
+      raster_place_column_all := raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs;
+      raster_place_next_frame_choice := raster_place_next_frame when raster_place_group_choice_17 else (not
+        raster_place_column_all) and raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_choice_20 and
+        raster_place_group_choice_23 else raster_place_next_frame;
+      if in_valid then
+        raster_place_column <= 0 when raster_place_column_all or in_start_of_frame else (raster_place_column + 1) mod
+          32;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_choice_3 and raster_place_group_choice_6 and
+          raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs and
+          in_start_of_frame;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_0_choice := (not ((raster_place_column / 16) = 1)) and (not (((raster_place_column / 8) mod 2) =
+        1)) and (not ((raster_place_column mod 2) = 1)) when ((raster_place_column / 2) mod 4) = 3 else
+        raster_place_group_is_equal_9;
+      delay_row_inside_0_value := ((delay_column / 8) mod 2) = 1;
+      delay_row_inside_0_choice_2 := (size_windows_last_column / 8) = 3 when delay_row_inside_0_value else
+        (size_windows_last_column / 8) = 2;
+      delay_row_inside_0_choice_3 := (size_windows_last_column / 8) = 1 when delay_row_inside_0_value else
+        (size_windows_last_column / 8) = 0;
+      delay_row_inside_0_choice_4 := delay_row_inside_0_choice_2 when (delay_column / 16) = 1 else
+        delay_row_inside_0_choice_3;
+      delay_row_inside_0_choice_5 := (size_windows_last_column mod 4) = 3 when (delay_column mod 2) = 1 else
+        (size_windows_last_column mod 4) = 2;
+      delay_row_inside_0_choice_6 := (size_windows_last_column mod 4) = 1 when (delay_column mod 2) = 1 else
+        (size_windows_last_column mod 4) = 0;
+      delay_row_inside_0_choice_7 := delay_row_inside_0_choice_5 when ((delay_column / 2) mod 2) = 1 else
+        delay_row_inside_0_choice_6;
+      delay_row_inside_0_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
+        ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
+        (raster_place_column = 0))) and delay_split_inside_before_0;
+      delay_row_inside_0_difference := raster_place_group - size_windows_groups;
+      delay_row_inside_0_all_2 := (delay_row_inside_0_difference < 2) and (((raster_place_group / 8) = 1) or
+        raster_place_group_value_6 or raster_place_group_value_5);
+      delay_row_inside_1_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
+        ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
+        (raster_place_column = 0))) and delay_split_output_before;
+      delay_row_inside_1_is_less := delay_row_inside_0_difference < 1;
+      delay_row_inside_1_choice := delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1) when
+        (raster_place_group / 2) = 0 else delay_row_inside_1_is_less;
+      delay_row_inside_2_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
+        ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
+        (raster_place_column = 0))) and delay_split_inside_before_2;
+      delay_row_inside_2_is_less := delay_row_inside_0_difference < 0;
+      delay_tag_output_column_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
+        ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
+        (raster_place_column = 0))) and delay_split_whole_before;
+      delay_tag_output_column_all_2 := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
+        ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
+        (raster_place_column = 0))) and delay_split_inside_before_1;
+      delay_tag_output_column_any := ((raster_place_group / 2) /= 0) or ((raster_place_group mod 2) = 1);
+      delay_tag_output_column_all_3 := (not raster_place_group_choice_17) and delay_tag_output_column_any;
+      delay_tag_output_column_all_4 := (not raster_place_group_choice_17) and delay_tag_output_column_any and (not
+        delay_row_inside_0_choice);
+      delay_tag_output_column_choice := delay_tag_output_column_all_3 or delay_row_inside_0_choice when
+        delay_tag_output_column_all_2 else delay_tag_output_column_all_4;
+      delay_tag_output_column_choice_2 := delay_tag_output_column_choice when delay_tag_output_column_all else
+        delay_tag_output_column_all_4;
+      delay_tag_output_column_choice_3 := (not ((raster_place_column / 16) = 1)) and (not (((raster_place_column / 8)
+        mod 2) = 1)) and (not (((raster_place_column / 2) mod 2) = 1)) when raster_place_group_value_4 else
+        raster_place_group_is_equal_9;
+      delay_tag_output_column_is_not_less := (raster_place_column - refinement_fraction) >= 0;
+      delay_tag_output_column_choice_4 := refinement_divisor_0 or delay_tag_output_column_is_not_less when
+        delay_tag_output_column_choice_3 else refinement_divisor_0 and delay_tag_output_column_is_not_less;
+      delay_tag_first_column_is_equal := raster_place_column = refinement_fraction;
+      delay_tag_first_column_choice := delay_tag_first_column_is_equal when delay_tag_output_column_all else (not
+        delay_row_inside_0_choice) and delay_tag_first_column_is_equal;
+      delay_tag_start_of_frame_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
+        ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
+        (raster_place_column = 0))) and delay_split_start_before;
+      delay_tag_start_of_frame_is_equal := raster_place_group = 1;
+      delay_tag_start_of_frame_choice := delay_tag_start_of_frame_all when delay_row_inside_0_choice else
+        delay_tag_start_of_frame_is_equal;
+      delay_split_inside_before_0_all := raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs and raster_features_valid;
+      delay_ahead_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= delay_row_inside_0_all when delay_row_inside_0_choice else delay_row_inside_0_all_2;
+      delay_row_inside_1 <= delay_row_inside_1_all when delay_row_inside_0_choice else delay_row_inside_1_choice;
+      delay_row_inside_2 <= delay_row_inside_2_all when delay_row_inside_0_choice else delay_row_inside_2_is_less;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_output_column <= delay_tag_output_column_choice_2 and delay_tag_output_column_choice_4;
+      delay_tag_first_column <= delay_tag_first_column_choice;
+      delay_tag_start_of_frame <= delay_tag_first_column_choice and delay_tag_start_of_frame_choice;
+      delay_tag_end_of_line <= (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
+        ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
+        (raster_place_column = 0))) and delay_split_whole_before and (raster_place_column = 5);
+      delay_split_search_inside_0 <= delay_row_inside_0_all_2;
+      delay_split_search_inside_1 <= delay_row_inside_1_choice;
+      delay_split_search_inside_2 <= delay_row_inside_2_is_less;
+      delay_split_inside_before_0 <= delay_row_inside_0_all_2 when delay_split_inside_before_0_all else
+        delay_row_inside_0_all;
+      delay_split_inside_before_1 <= delay_tag_output_column_all_3 or (not delay_split_inside_before_0_all) when
+        delay_tag_output_column_all_2 else (not raster_place_group_choice_17) and delay_tag_output_column_any and
+        raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs and
+        raster_features_valid;
+      delay_split_inside_before_2 <= (not delay_split_inside_before_0_all) or delay_row_inside_2_is_less when
+        delay_row_inside_2_all else raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs and raster_features_valid and delay_row_inside_2_is_less;
+      delay_split_output_before <= (not delay_split_inside_before_0_all) or delay_row_inside_1_choice when
+        delay_row_inside_1_all else raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs and raster_features_valid and delay_row_inside_1_choice;
+      delay_split_start_before <= delay_tag_start_of_frame_is_equal or (not delay_split_inside_before_0_all) when
+        delay_tag_start_of_frame_all else delay_tag_start_of_frame_is_equal and raster_place_group_choice_9 and
+        raster_place_group_choice_12 and raster_place_group_differs and raster_features_valid;
+      delay_split_whole_before <= delay_tag_output_column_all or delay_split_inside_before_0_all;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_ahead_0;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_first_column <= delay_tag_first_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_search_inside_0 <= delay_split_search_inside_0;
+      rows_read_search_inside_1 <= delay_split_search_inside_1;
+      rows_read_search_inside_2 <= delay_split_search_inside_2;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_first_column <= rows_read_tag_first_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_ready_search_inside_0 <= rows_read_search_inside_0;
+      rows_ready_search_inside_1 <= rows_read_search_inside_1;
+      rows_ready_search_inside_2 <= rows_read_search_inside_2;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_search_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_words_0 / 256 when rows_ready_search_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_search_inside_2 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_first_column <= rows_ready_tag_first_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
+          256);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_newest_0 * 256) +
+          (rows_reference_rows_ready_words_0 / 256);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= slice0shift_search_0_1;
+        slice0shift_search_0_1 <= slice0shift_search_0_2;
+        slice0shift_search_0_2 <= rows_search_0;
+        slice0shift_search_1_0 <= slice0shift_search_1_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_2;
+        slice0shift_search_1_2 <= rows_search_1;
+        slice0shift_search_2_0 <= slice0shift_search_2_1;
+        slice0shift_search_2_1 <= slice0shift_search_2_2;
+        slice0shift_search_2_2 <= rows_search_2;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_search_out_0 <= slice0shift_search_0_0;
+      slice0shift_search_out_1 <= slice0shift_search_1_0;
+      slice0shift_search_out_2 <= slice0shift_search_2_0;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_first_column <= rows_tag_first_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_first_column <= slice0shift_tag_first_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_first_column <= slice0cost_difference_tag_first_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_first_column <= slice0cost_pair_tag_first_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+      end if;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      if slice0window_tag_valid then
+        slice0window_tag_first_column <= slice0window_centre_first_column_0;
+      end if;
+      -- slice0mask
+      slice0mask_inside_0_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_0;
+      slice0mask_inside_1_choice := slice0mask_inside_2 when slice0cost_tag_valid else slice0mask_inside_1;
+      slice0mask_inside_2_choice := not (((slice0mask_end_value / 2) mod 2) = 1) when (slice0mask_column mod 2) = 1
+        else (slice0mask_end_value mod 4) = 0;
+      slice0mask_inside_2_choice_2 := ((slice0mask_column mod 2) = 1) or (not (((slice0mask_end_value / 2) mod 2) = 1))
+        or (not ((slice0mask_end_value mod 2) = 1)) when ((slice0mask_column / 2) mod 2) = 1 else
+        slice0mask_inside_2_choice;
+      slice0mask_inside_2_value := ((slice0mask_end_value / 4) mod 2) = 1;
+      slice0mask_inside_2_choice_3 := (not (((slice0mask_column / 4) mod 2) = 1)) and slice0mask_inside_2_value when
+        slice0mask_inside_2_choice_2 else (not (((slice0mask_column / 4) mod 2) = 1)) or slice0mask_inside_2_value;
+      slice0mask_inside_2_value_2 := ((slice0mask_end_value / 8) mod 2) = 1;
+      slice0mask_inside_2_choice_4 := (not (((slice0mask_column / 8) mod 2) = 1)) or slice0mask_inside_2_value_2 when
+        slice0mask_inside_2_choice_3 else (not (((slice0mask_column / 8) mod 2) = 1)) and slice0mask_inside_2_value_2;
+      slice0mask_inside_2_choice_5 := not slice1cost_tag_first_column when (slice0mask_column / 16) = 1 else (not
+        ((slice0mask_end_value / 16) = 1)) and (not slice1cost_tag_first_column);
+      slice0mask_inside_2_choice_6 := ((slice0mask_column / 16) = 1) and (not ((slice0mask_end_value / 16) = 1)) and
+        (not slice1cost_tag_first_column) when slice0mask_inside_2_choice_4 else slice0mask_inside_2_choice_5;
+      slice0mask_inside_0 <= slice0cost_tag_valid or slice0mask_inside_0 when slice1cost_tag_first_column else
+        slice0mask_inside_0_choice;
+      slice0mask_inside_1 <= slice0cost_tag_valid or slice0mask_inside_1 when slice1cost_tag_first_column else
+        slice0mask_inside_1_choice;
+      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice0mask_inside_2_choice_6 else
+        slice0cost_tag_valid or slice0mask_inside_2;
+      slice0mask_left_out <= slice0mask_inside_0;
+      slice0mask_end_value <= (size_windows_last_column + 23) mod 32;
+      if slice0cost_tag_valid then
+        slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 32;
+      end if;
+      -- slice0winner1
+      slice0winner1_of_pair_0_0_choice := 0 when slice0mask_inside_1 else 4095;
+      slice0winner1_of_pair_0_0_any := to_integer(((to_unsigned(slice0window_sum_0_1, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_0_choice, 12))));
+      slice0winner1_of_pair_0_0_choice_2 := 0 when slice0mask_inside_0 else 4095;
+      slice0winner1_of_pair_0_0_any_2 := to_integer(((to_unsigned(slice0window_sum_0_0, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_0_choice_2, 12))));
+      slice0winner1_of_pair_0_0_is_less := (slice0winner1_of_pair_0_0_any - slice0winner1_of_pair_0_0_any_2) < 0;
+      slice0winner1_of_pair_0_2_choice := 0 when slice0mask_inside_2 else 4095;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0winner1_of_pair_0_0_any_2;
+      slice0winner1_of_pair_0_1 <= slice0winner1_of_pair_0_0_any when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= to_integer(((to_unsigned(slice0window_sum_0_2, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_2_choice, 12))));
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 12)))) or (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_pair_tag_first_column <= slice1window_centre_first_column_0;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      end if;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice1shift_search_0_1;
+        slice1shift_search_0_1 <= slice1shift_search_0_2;
+        slice1shift_search_0_2 <= slice0shift_search_out_0;
+        slice1shift_search_1_0 <= slice1shift_search_1_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_2;
+        slice1shift_search_1_2 <= slice0shift_search_out_1;
+        slice1shift_search_2_0 <= slice1shift_search_2_1;
+        slice1shift_search_2_1 <= slice1shift_search_2_2;
+        slice1shift_search_2_2 <= slice0shift_search_out_2;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_search_out_0 <= slice1shift_search_0_0;
+      slice1shift_search_out_1 <= slice1shift_search_1_0;
+      slice1shift_search_out_2 <= slice1shift_search_2_0;
+      -- slice1cost
+      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
+      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
+      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
+      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
+        as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
+        as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
+        as_number((slice1cost_difference_1_2 < 0));
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_column_0_0 <= as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2;
+      if slice0cost_tag_valid then
+        slice1cost_tag_first_column <= slice0cost_tag_first_column;
+      end if;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+      end if;
+      slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      -- slice1mask
+      slice1mask_inside_0_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_0;
+      slice1mask_inside_1_choice := slice1mask_inside_2 when slice0window_tag_valid else slice1mask_inside_1;
+      slice1mask_inside_2_choice := slice0window_tag_first_column when slice0window_tag_valid else slice1mask_inside_2;
+      slice1mask_inside_0 <= slice0window_tag_valid or slice1mask_inside_0 when slice0window_tag_first_column else
+        slice1mask_inside_0_choice;
+      slice1mask_inside_1 <= slice0window_tag_valid or slice1mask_inside_1 when slice0window_tag_first_column else
+        slice1mask_inside_1_choice;
+      slice1mask_inside_2 <= slice0window_tag_valid or slice1mask_inside_2 when slice0mask_left_out else
+        slice1mask_inside_2_choice;
+      slice1mask_left_out <= slice1mask_inside_0;
+      -- slice1winner1
+      slice1winner1_of_pair_0_0_choice := 0 when slice1mask_inside_1 else 4095;
+      slice1winner1_of_pair_0_0_any := to_integer(((to_unsigned(slice1window_sum_0_1, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_0_choice, 12))));
+      slice1winner1_of_pair_0_0_choice_2 := 0 when slice1mask_inside_0 else 4095;
+      slice1winner1_of_pair_0_0_any_2 := to_integer(((to_unsigned(slice1window_sum_0_0, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_0_choice_2, 12))));
+      slice1winner1_of_pair_0_0_is_less := (slice1winner1_of_pair_0_0_any - slice1winner1_of_pair_0_0_any_2) < 0;
+      slice1winner1_of_pair_0_2_choice := 0 when slice1mask_inside_2 else 4095;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1winner1_of_pair_0_0_any_2;
+      slice1winner1_of_pair_0_1 <= slice1winner1_of_pair_0_0_any when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= to_integer(((to_unsigned(slice1window_sum_0_2, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_2_choice, 12))));
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      -- slice1
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- slice2shift
+      if slice0cost_difference_tag_valid then
+        slice2shift_search_0_0 <= slice2shift_search_0_1;
+        slice2shift_search_0_1 <= slice1shift_search_out_0;
+        slice2shift_search_1_0 <= slice2shift_search_1_1;
+        slice2shift_search_1_1 <= slice1shift_search_out_1;
+        slice2shift_search_2_0 <= slice2shift_search_2_1;
+        slice2shift_search_2_1 <= slice1shift_search_out_2;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      -- slice2cost
+      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
+      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
+      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
+      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
+      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
+      slice2cost_column_0_0 <= as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_0_1;
+      -- slice2window
+      if slice0winner1_pair_tag_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      -- slice2mask
+      slice2mask_inside_0_choice := slice2mask_inside_1 when slice0winner1_pair_tag_valid else slice2mask_inside_0;
+      slice2mask_inside_1_choice := slice0winner1_pair_tag_first_column when slice0winner1_pair_tag_valid else
+        slice2mask_inside_1;
+      slice2mask_inside_0 <= slice0winner1_pair_tag_valid or slice2mask_inside_0 when
+        slice0winner1_pair_tag_first_column else slice2mask_inside_0_choice;
+      slice2mask_inside_1 <= slice0winner1_pair_tag_valid or slice2mask_inside_1 when slice1mask_left_out else
+        slice2mask_inside_1_choice;
+      -- slice2winner1
+      slice2winner1_best_cost_0_0_choice := 0 when slice2mask_inside_1 else 4095;
+      slice2winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice2winner1_best_cost_0_0_choice, 12)) or
+        (to_unsigned(slice2window_sum_0_1, 12))));
+      slice2winner1_best_cost_0_0_choice_2 := 0 when slice2mask_inside_0 else 4095;
+      slice2winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice2winner1_best_cost_0_0_choice_2, 12)) or
+        (to_unsigned(slice2window_sum_0_0, 12))));
+      slice2winner1_best_cost_0_0_is_less := (slice2winner1_best_cost_0_0_any - slice2winner1_best_cost_0_0_any_2) < 0;
+      slice2winner1_best_cost_0_0 <= slice2winner1_best_cost_0_0_any when slice2winner1_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0_any_2;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      -- slice2winner2
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      -- slice2
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      -- refinement
+      refinement_divisor_0_is_less := 8 < in_image_width;
+      refinement_divisor_0 <= refinement_divisor_0_is_less;
+      refinement_fraction <= 8 when refinement_divisor_0_is_less else (8 - in_image_width) mod 65536;
+      if reset = '1' then
+        size_windows_last_column <= 31;
+        size_windows_last_group <= 11;
+        size_windows_groups <= 12;
+        size_windows_idle <= 13;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 13;
+        raster_place_next_frame <= false;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        delay_split_inside_before_1 <= false;
+        delay_split_start_before <= false;
+        delay_split_whole_before <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        slice2_best_tag_valid <= false;
+        slice2_best_tag_output_column <= false;
+        slice2_best_tag_start_of_frame <= false;
+        slice2_best_tag_end_of_line <= false;
+        refinement_divisor_0 <= true;
+        refinement_fraction <= 8;
+      end if;
+    end if;
+  end process;
+end architecture;

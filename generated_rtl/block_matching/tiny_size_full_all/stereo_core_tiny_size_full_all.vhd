@@ -1,0 +1,2531 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration tiny_size_full_all: 40x16, 8 disparities, window 3x3, 1 pixel pair a clock.
+-- Options: disparities 8, min_disparity -3, reference left, prefilter xsobel, left_right_threshold 1,
+--   uniqueness_percent 10, texture_threshold 30, subpixel true, median true, full_width true,
+--   slice_disparities 3, run_time_settings true, run_time_size true.
+-- Made from hls/top/size_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_size_full_all
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_size_full_all is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 40;
+    height_px : positive := 16;
+    disparities : positive := 8;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 16;
+    output_width_px : positive := 38;
+    latency_clocks : positive := 49;
+    flush_groups : positive := 132;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    texture_threshold : in std_logic_vector(15 downto 0);  -- 0 ... 279, taken over with start_of_frame
+    uniqueness_percent : in std_logic_vector(7 downto 0);  -- 0 ... 100, taken over with start_of_frame
+    left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 7, taken over with start_of_frame
+    first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 7, taken over with start_of_frame
+    last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 7, taken over with start_of_frame
+    image_width : in std_logic_vector(15 downto 0);  -- 15 ... 40, changes in a reset only
+    image_height : in std_logic_vector(15 downto 0);  -- 8 ... 16, changes in a reset only
+    disparity : out std_logic_vector(15 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 40 report "stereo_core_tiny_size_full_all: width_px is " & integer'image(width_px) & " but this core has 40" severity failure;
+  assert height_px = 16 report "stereo_core_tiny_size_full_all: height_px is " & integer'image(height_px) & " but this core has 16" severity failure;
+  assert disparities = 8 report "stereo_core_tiny_size_full_all: disparities is " & integer'image(disparities) & " but this core has 8" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_size_full_all: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 16 report "stereo_core_tiny_size_full_all: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
+  assert output_width_px = 38 report "stereo_core_tiny_size_full_all: output_width_px is " & integer'image(output_width_px) & " but this core has 38" severity failure;
+  assert latency_clocks = 49 report "stereo_core_tiny_size_full_all: latency_clocks is " & integer'image(latency_clocks) & " but this core has 49" severity failure;
+  assert flush_groups = 132 report "stereo_core_tiny_size_full_all: flush_groups is " & integer'image(flush_groups) & " but this core has 132" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_size_full_all: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_size_full_all is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_left_pixel : natural range 0 to 255;
+  signal in_image_height : natural range 0 to 65535;
+  signal in_image_width : natural range 0 to 65535;
+  signal in_last_disparity : natural range 0 to 255;
+  signal in_first_disparity : natural range 0 to 255;
+  signal in_left_right_threshold : natural range 0 to 255;
+  signal in_uniqueness_percent : natural range 0 to 255;
+  signal in_texture_threshold : natural range 0 to 65535;
+  -- settings
+  signal settings_texture_threshold : natural range 0 to 65535;
+  signal settings_uniqueness_percent, settings_left_right_threshold, settings_first_disparity : natural range 0 to 255;
+  signal settings_last_disparity : natural range 0 to 255;
+  -- size
+  signal size_windows_last_column, size_map_last_column : natural range 0 to 63;
+  signal size_windows_last_group : natural range 0 to 15;
+  signal size_windows_groups, size_windows_idle : natural range 0 to 31;
+  -- transform
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
+  signal transform_left_column_2, transform_right_column_0, transform_right_column_1 : natural range 0 to 255;
+  signal transform_right_column_2 : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
+  signal transform_read_row_inside_2, transform_read_column_inside_0, transform_read_column_inside_1 : boolean;
+  signal transform_read_column_inside_2, transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside_0, transform_ready_row_inside_2, transform_ready_column_inside_0 : boolean;
+  signal transform_ready_column_inside_2, transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside_0, transform_columns_row_inside_2, transform_columns_column_inside_0 : boolean;
+  signal transform_columns_column_inside_2, transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_left_filter_whole, transform_filtering_0_column_inside_0 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
+  signal transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
+  signal transform_write_column : natural range 0 to 63;
+  signal transform_counter_group : natural range 0 to 31;
+  signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(15 downto 0);
+  signal transform_left_rows_ready_words_0, transform_left_rows_write_words_0 : natural range 0 to 65535;
+  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : natural range 0 to 65535;
+  signal transform_left_filter_column_0_0, transform_left_filter_column_1_0 : natural range 0 to 1020;
+  signal transform_left_filter_column_2_0, transform_right_filter_column_0_0 : natural range 0 to 1020;
+  signal transform_right_filter_column_1_0, transform_right_filter_column_2_0 : natural range 0 to 1020;
+  signal transform_left_filter_slope_0, transform_right_filter_slope_0 : integer range -1020 to 1020;
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 127;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 127;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 63;
+  signal raster_place_group : natural range 0 to 31;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 3;
+  signal delay_ahead_0 : natural range 0 to 127;
+  signal delay_delayed_0 : unsigned(6 downto 0);
+  signal delay_column : natural range 0 to 63;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_map_column : boolean;
+  signal delay_tag_output_column, delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_split_search_inside_0, delay_split_search_inside_1, delay_split_search_inside_2 : boolean;
+  signal delay_split_inside_before_0, delay_split_inside_before_1, delay_split_inside_before_2 : boolean;
+  signal delay_split_output_before, delay_split_start_before, delay_split_whole_before : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(13 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 127;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 127;
+  signal rows_search_1, rows_search_2, rows_reference_0, rows_reference_1, rows_reference_2 : natural range 0 to 127;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 16383;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 16383;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
+  signal rows_read_tag_map_column, rows_read_tag_output_column, rows_read_tag_first_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_read_search_inside_0 : boolean;
+  signal rows_read_search_inside_1, rows_read_search_inside_2, rows_ready_inside_0, rows_ready_inside_1 : boolean;
+  signal rows_ready_inside_2, rows_ready_tag_valid, rows_ready_tag_map_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_first_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
+  signal rows_ready_search_inside_0, rows_ready_search_inside_1, rows_ready_search_inside_2, rows_inside_0 : boolean;
+  signal rows_inside_1, rows_inside_2, rows_tag_valid, rows_tag_map_column, rows_tag_output_column : boolean;
+  signal rows_tag_first_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 127;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 127;
+  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 127;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 127;
+  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 127;
+  signal slice0shift_tag_valid, slice0shift_tag_map_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_first_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -127 to 127;
+  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -127 to 127;
+  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -127 to 127;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_map_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_first_column : boolean;
+  signal slice0cost_difference_tag_start_of_frame, slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_negative_0_0, slice0cost_negative_0_1, slice0cost_negative_0_2, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_map_column, slice0cost_pair_tag_output_column, slice0cost_pair_tag_first_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_map_column, slice0cost_tag_output_column, slice0cost_tag_first_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_column_0_0 : natural range 0 to 255;
+  signal slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 128;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 255;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 510;
+  signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
+  signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_first_cost : boolean;
+  signal slice0window_tag_map_column, slice0window_tag_output_column, slice0window_tag_first_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 765;
+  signal slice0window_tag_first_group : natural range 0 to 2;
+  -- slice0mask
+  signal slice0mask_inside_0, slice0mask_inside_1, slice0mask_inside_2, slice0mask_left_out : boolean;
+  signal slice0mask_searched_0, slice0mask_searched_1, slice0mask_searched_2 : boolean;
+  signal slice0mask_column, slice0mask_end_value : natural range 0 to 63;
+  -- slice0other
+  signal slice0other_cost_0_0, slice0other_cost_0_1, slice0other_cost_0_2 : natural range 0 to 1023;
+  signal slice0other_cost_out_0 : natural range 0 to 1023;
+  signal slice0other_winner_out : natural range 0 to 2;
+  -- slice0winner1
+  signal slice0winner1_held_0_0, slice0winner1_held_0_1, slice0winner1_held_0_2 : natural range 0 to 1023;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_below_0_0 : natural range 0 to 1023;
+  signal slice0winner1_best_above_0_0, slice0winner1_best_late_cost_0_0 : natural range 0 to 1023;
+  signal slice0winner1_best_late_cost_0_1, slice0winner1_best_but_last_0_0 : natural range 0 to 1023;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_first_column, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_below_0_0 : natural range 0 to 1023;
+  signal slice0winner2_best_above_0_0, slice0winner2_best_late_cost_0_0 : natural range 0 to 1023;
+  signal slice0winner2_best_second_0_0, slice0winner2_best_but_last_0_0 : natural range 0 to 1023;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner2_best_place_0_0, slice0winner2_best_at_start_0_0, slice0winner2_best_at_end_0_0 : boolean;
+  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_output_column : boolean;
+  signal slice0winner2_tag_first_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_best_index_0_0 : natural range 0 to 2;
+  signal slice0_best_below_0_0, slice0_best_above_0_0, slice0_best_last_0_0 : natural range 0 to 1023;
+  signal slice0_best_late_cost_0_0, slice0_best_second_0_0, slice0_best_but_last_0_0 : natural range 0 to 1023;
+  signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_output_column : boolean;
+  signal slice0_best_tag_start_of_frame, slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 127;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 127;
+  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 127;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 127;
+  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 127;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -127 to 127;
+  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -127 to 127;
+  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -127 to 127;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_column_0_0 : natural range 0 to 255;
+  signal slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 255;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
+  signal slice1cost_tag_output_column, slice1cost_tag_first_column, slice1cost_tag_start_of_frame : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 128;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 255;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 510;
+  signal slice1window_centre_output_column_0, slice1window_centre_first_column_0 : boolean;
+  signal slice1window_centre_start_of_frame_0, slice1window_tag_output_column, slice1window_tag_first_column : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 765;
+  -- slice1mask
+  signal slice1mask_inside_0, slice1mask_inside_1, slice1mask_inside_2, slice1mask_left_out : boolean;
+  -- slice1other
+  signal slice1other_cost_0_0, slice1other_cost_0_1, slice1other_cost_0_2 : natural range 0 to 1023;
+  signal slice1other_cost_out_0 : natural range 0 to 1023;
+  signal slice1other_winner_0_0 : natural range 0 to 3;
+  signal slice1other_winner_0_1 : natural range 0 to 4;
+  signal slice1other_winner_0_2, slice1other_winner_out_0 : natural range 0 to 5;
+  -- slice1winner1
+  signal slice1winner1_held_0_0, slice1winner1_held_0_1, slice1winner1_held_0_2 : natural range 0 to 1023;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_below_0_0 : natural range 0 to 1023;
+  signal slice1winner1_best_above_0_0, slice1winner1_best_late_cost_0_0 : natural range 0 to 1023;
+  signal slice1winner1_best_late_cost_0_1, slice1winner1_best_but_first_0_0 : natural range 0 to 1023;
+  signal slice1winner1_best_but_last_0_0 : natural range 0 to 1023;
+  signal slice1winner1_best_index_0_0 : boolean;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_below_0_0 : natural range 0 to 1023;
+  signal slice1winner2_best_above_0_0, slice1winner2_best_first_0_0 : natural range 0 to 1023;
+  signal slice1winner2_best_late_cost_0_0, slice1winner2_best_second_0_0 : natural range 0 to 1023;
+  signal slice1winner2_best_but_first_0_0, slice1winner2_best_but_last_0_0 : natural range 0 to 1023;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner2_best_place_0_0, slice1winner2_best_at_start_0_0, slice1winner2_best_at_end_0_0 : boolean;
+  -- slice1
+  signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 1023;
+  signal slice1_best_last_0_0, slice1_best_late_cost_0_0, slice1_best_second_0_0 : natural range 0 to 1023;
+  signal slice1_best_but_last_0_0 : natural range 0 to 1023;
+  signal slice1_best_index_0_0 : natural range 0 to 5;
+  signal slice1_best_place_0_0, slice1_best_at_start_0_0, slice1_best_at_end_0_0, slice1_best_tag_valid : boolean;
+  signal slice1_best_tag_map_column, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 127;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 127;
+  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 127;
+  -- slice2cost
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -127 to 127;
+  signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -127 to 127;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_column_0_0 : natural range 0 to 255;
+  signal slice2cost_column_0_1 : natural range 0 to 255;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_tag_output_column : boolean;
+  signal slice2cost_tag_first_column : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 128;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 255;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 510;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 765;
+  -- slice2mask
+  signal slice2mask_inside_0, slice2mask_inside_1, slice2mask_searched_1 : boolean;
+  -- slice2other
+  signal slice2other_cost_0_0 : natural range 0 to 1023;
+  signal slice2other_winner_0_0 : natural range 0 to 6;
+  signal slice2other_winner_0_1, slice2other_winner_out_0 : natural range 0 to 7;
+  -- slice2winner1
+  signal slice2winner1_held_0_0, slice2winner1_held_0_1, slice2winner1_best_cost_0_0 : natural range 0 to 1023;
+  signal slice2winner1_best_below_0_0, slice2winner1_best_above_0_0 : natural range 0 to 1023;
+  signal slice2winner1_best_late_cost_0_0, slice2winner1_best_but_first_0_0 : natural range 0 to 1023;
+  signal slice2winner1_best_index_0_0 : boolean;
+  -- slice2winner2
+  signal slice2winner2_best_index_0_0 : boolean;
+  signal slice2winner2_best_below_0_0, slice2winner2_best_above_0_0 : natural range 0 to 1023;
+  signal slice2winner2_best_first_0_0, slice2winner2_best_late_cost_0_0 : natural range 0 to 1023;
+  signal slice2winner2_best_but_first_0_0 : natural range 0 to 1023;
+  -- slice2
+  signal slice2_best_cost_0_0, slice2_best_below_0_0, slice2_best_above_0_0 : natural range 0 to 1023;
+  signal slice2_best_late_cost_0_0, slice2_best_second_0_0 : natural range 0 to 1023;
+  signal slice2_best_index_0_0 : natural range 0 to 7;
+  signal slice2_best_place_0_0, slice2_best_at_start_0_0, slice2_best_at_end_0_0, slice2_best_tag_valid : boolean;
+  signal slice2_best_tag_map_column, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
+  signal slice2_best_tag_end_of_line : boolean;
+  -- texture
+  signal texture_taps_search_0_0, texture_taps_search_1_0, texture_taps_search_2_0 : natural range 0 to 31;
+  signal texture_passes_0_0, texture_passes_1_0, texture_passes_2_0, texture_passes_3_0, texture_passes_4_0 : boolean;
+  signal texture_least : natural range 0 to 65535;
+  -- texturecost
+  signal texturecost_difference_0_0, texturecost_difference_1_0, texturecost_difference_2_0 : integer range -127 to 31;
+  signal texturecost_pair_0_0 : natural range 0 to 253;
+  signal texturecost_negative_0_0 : boolean;
+  signal texturecost_single_0_0 : natural range 0 to 127;
+  signal texturecost_column_0_0 : natural range 0 to 255;
+  -- texturewindow
+  signal texturewindow_partial_0_0_0 : natural range 0 to 255;
+  signal texturewindow_partial_0_1_0 : natural range 0 to 510;
+  signal texturewindow_sum_0_0 : natural range 0 to 765;
+  -- refinement
+  signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 7;
+  signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 7;
+  signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 7;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 7;
+  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
+  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
+  signal refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0, refinement_passed_11_0 : boolean;
+  signal refinement_tag_0_valid, refinement_tag_0_map_column, refinement_tag_0_output_column : boolean;
+  signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
+  signal refinement_tag_1_map_column, refinement_tag_1_output_column, refinement_tag_1_start_of_frame : boolean;
+  signal refinement_tag_1_end_of_line, refinement_tag_2_valid, refinement_tag_2_map_column : boolean;
+  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
+  signal refinement_tag_3_valid, refinement_tag_3_map_column, refinement_tag_3_output_column : boolean;
+  signal refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line, refinement_tag_4_valid : boolean;
+  signal refinement_tag_4_map_column, refinement_tag_4_output_column, refinement_tag_4_start_of_frame : boolean;
+  signal refinement_tag_4_end_of_line, refinement_tag_5_valid, refinement_tag_5_map_column : boolean;
+  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
+  signal refinement_tag_6_valid, refinement_tag_6_map_column, refinement_tag_6_output_column : boolean;
+  signal refinement_tag_6_start_of_frame, refinement_tag_6_end_of_line, refinement_tag_7_valid : boolean;
+  signal refinement_tag_7_map_column, refinement_tag_7_output_column, refinement_tag_7_start_of_frame : boolean;
+  signal refinement_tag_7_end_of_line, refinement_tag_8_valid, refinement_tag_8_map_column : boolean;
+  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
+  signal refinement_tag_9_valid, refinement_tag_9_map_column, refinement_tag_9_output_column : boolean;
+  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_tag_10_valid : boolean;
+  signal refinement_tag_10_map_column, refinement_tag_10_output_column, refinement_tag_10_start_of_frame : boolean;
+  signal refinement_tag_10_end_of_line, refinement_tag_11_valid, refinement_tag_11_map_column : boolean;
+  signal refinement_tag_11_output_column, refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line : boolean;
+  signal refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0, refinement_negative_1_0 : boolean;
+  signal refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0, refinement_negative_5_0 : boolean;
+  signal refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
+  signal refinement_gap_0, refinement_lowest_0, refinement_below_0, refinement_above_0 : natural range 0 to 1023;
+  signal refinement_u_0, refinement_v_0, refinement_remainder_0_0, refinement_remainder_1_0 : natural range 0 to 1023;
+  signal refinement_remainder_2_0, refinement_remainder_3_0, refinement_remainder_4_0 : natural range 0 to 1023;
+  signal refinement_remainder_5_0, refinement_remainder_6_0, refinement_remainder_7_0 : natural range 0 to 1023;
+  signal refinement_divisor_0_0, refinement_divisor_1_0, refinement_divisor_2_0 : natural range 0 to 1023;
+  signal refinement_divisor_3_0, refinement_divisor_4_0, refinement_divisor_5_0 : natural range 0 to 1023;
+  signal refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 1023;
+  signal refinement_scaled_gap_0 : natural range 0 to 102300;
+  signal refinement_scaled_cost_0 : natural range 0 to 260865;
+  signal refinement_percent, refinement_quotient_8_0 : natural range 0 to 255;
+  signal refinement_difference_0 : integer range -1023 to 1023;
+  signal refinement_fraction_0 : natural range 0 to 31;
+  -- leftright
+  signal leftright_other_1_0, leftright_other_2_0, leftright_other_3_0, leftright_other_4_0 : natural range 0 to 7;
+  signal leftright_other_5_0, leftright_other_6_0, leftright_other_7_0, leftright_other_8_0 : natural range 0 to 7;
+  signal leftright_other_9_0, leftright_other_10_0, leftright_other_11_0, leftright_other_12_0 : natural range 0 to 7;
+  signal leftright_other_13_0, leftright_ring_read_address, leftright_ring_write_address : natural range 0 to 7;
+  signal leftright_asking_disparity_0, leftright_answered_disparity_0 : natural range 0 to 7;
+  signal leftright_checked_disparity_0 : natural range 0 to 7;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
+  signal leftright_asking_tag_map_column, leftright_asking_tag_output_column : boolean;
+  signal leftright_asking_tag_start_of_frame, leftright_asking_tag_end_of_line, leftright_answered_passed_0 : boolean;
+  signal leftright_answered_tag_valid, leftright_answered_tag_map_column : boolean;
+  signal leftright_answered_tag_start_of_frame, leftright_answered_tag_end_of_line : boolean;
+  signal leftright_checked_passed_0, leftright_checked_tag_valid, leftright_checked_tag_row_start : boolean;
+  signal leftright_checked_tag_map_column, leftright_checked_tag_start_of_frame : boolean;
+  signal leftright_checked_tag_end_of_line : boolean;
+  signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 15;
+  signal leftright_held_0 : unsigned(17 downto 0);
+  signal leftright_asking_fraction_0, leftright_answered_fraction_0 : natural range 0 to 31;
+  signal leftright_checked_fraction_0 : natural range 0 to 31;
+  signal leftright_found_0 : unsigned(2 downto 0);
+  signal leftright_threshold : natural range 0 to 255;
+  -- map
+  signal map_counter_column, map_write_column, map_at_column, map_comparing_column : natural range 0 to 63;
+  signal map_sorted_column : natural range 0 to 63;
+  signal map_counter_group : natural range 0 to 31;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
+  signal map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
+  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
+  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
+  signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
+  signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
+  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
+  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
+  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
+  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
+  signal map_rows_read_words_0 : unsigned(25 downto 0);
+  signal map_rows_ready_words_0 : natural range 0 to 67108863;
+  signal map_rows_write_words_0 : natural range 0 to 536870911;
+  signal map_column_1 : natural range 0 to 8191;
+  signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
+  signal map_low_0_0, map_low_1_0, map_low_2_0, map_middle_0_0, map_middle_1_0 : natural range 0 to 32767;
+  signal map_middle_2_0, map_high_0_0, map_high_1_0, map_high_2_0, map_of_low_0_a : natural range 0 to 32767;
+  signal map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b : natural range 0 to 32767;
+  signal map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c : natural range 0 to 32767;
+  signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
+  signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
+  -- other
+  signal other_0 : natural range 0 to 8190;
+  signal other_1, other_2 : unsigned(48 downto 0);
+  signal other_3 : natural range 0 to 254;
+  signal other_4 : natural range 0 to 252;
+  signal other_5 : natural range 0 to 248;
+  signal other_6 : natural range 0 to 240;
+  signal other_7 : natural range 0 to 224;
+  signal other_8 : natural range 0 to 192;
+  signal other_9 : natural range 0 to 128;
+  signal other_10, other_11, other_12, other_13, other_14 : boolean;
+  signal other_15 : natural range 0 to 65535;
+  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+
+begin
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_image_height <= to_integer(unsigned(image_height));
+  in_image_width <= to_integer(unsigned(image_width));
+  in_last_disparity <= to_integer(unsigned(last_disparity));
+  in_first_disparity <= to_integer(unsigned(first_disparity));
+  in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
+  in_uniqueness_percent <= to_integer(unsigned(uniqueness_percent));
+  in_texture_threshold <= to_integer(unsigned(texture_threshold));
+  disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
+  disparity_valid <= as_bit(map_out_valid);
+  disparity_start_of_frame <= as_bit(map_out_start_of_frame);
+  disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  map_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 38, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => map_rows_read_words_0,
+      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_13_0, 3);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 3)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 14);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 14);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 7);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 4, width => 7)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  process (clock)
+    variable settings_texture_threshold_any, transform_counter_group_value, transform_counter_group_differs : boolean;
+    variable transform_counter_group_value_2, transform_counter_group_is_equal : boolean;
+    variable transform_counter_group_is_equal_2, transform_counter_group_choice : boolean;
+    variable transform_counter_group_is_equal_3, transform_counter_group_is_equal_4 : boolean;
+    variable transform_counter_group_choice_2, transform_counter_group_choice_3 : boolean;
+    variable transform_counter_group_value_3, transform_counter_group_value_4 : boolean;
+    variable transform_counter_group_differs_2, transform_counter_group_value_5 : boolean;
+    variable transform_counter_group_is_equal_5, transform_counter_group_is_equal_6 : boolean;
+    variable transform_counter_group_choice_4, transform_counter_group_is_equal_7 : boolean;
+    variable transform_counter_group_is_equal_8, transform_counter_group_choice_5 : boolean;
+    variable transform_counter_group_choice_6, transform_counter_group_value_6 : boolean;
+    variable transform_counter_group_value_7, transform_counter_group_is_equal_9 : boolean;
+    variable transform_counter_group_is_equal_10, transform_counter_group_choice_7 : boolean;
+    variable transform_counter_group_is_equal_11, transform_counter_group_is_equal_12 : boolean;
+    variable transform_counter_group_choice_8, transform_counter_group_choice_9 : boolean;
+    variable transform_counter_group_differs_3, transform_counter_group_value_9 : boolean;
+    variable transform_counter_group_differs_4, transform_counter_group_all, transform_counter_group_value_10 : boolean;
+    variable transform_counter_group_any, transform_counter_group_is_equal_13 : boolean;
+    variable transform_counter_group_choice_11, transform_counter_group_choice_12 : boolean;
+    variable transform_counter_group_value_11, transform_counter_group_choice_13 : boolean;
+    variable transform_counter_group_value_12, transform_counter_group_choice_14 : boolean;
+    variable transform_counter_group_choice_15, transform_counter_group_is_equal_14 : boolean;
+    variable transform_counter_group_is_equal_15, transform_counter_group_choice_16 : boolean;
+    variable transform_counter_group_is_equal_16, transform_counter_group_is_equal_17 : boolean;
+    variable transform_counter_group_choice_17, transform_counter_group_choice_18 : boolean;
+    variable transform_counter_group_is_equal_18, transform_counter_group_is_equal_19 : boolean;
+    variable transform_counter_group_choice_19, transform_counter_group_is_equal_20 : boolean;
+    variable transform_counter_group_is_equal_21, transform_counter_group_choice_20 : boolean;
+    variable transform_counter_group_choice_21, transform_counter_group_value_13 : boolean;
+    variable transform_counter_group_differs_5, transform_read_row_inside_0_is_less : boolean;
+    variable transform_counter_next_frame_choice, transform_left_filter_column_0_0_choice_3 : boolean;
+    variable transform_right_filter_column_0_0_choice_3, raster_place_group_value, raster_place_group_differs : boolean;
+    variable raster_place_group_value_2, raster_place_group_choice, raster_place_group_choice_2 : boolean;
+    variable raster_place_group_choice_3, raster_place_group_value_3, raster_place_group_differs_2 : boolean;
+    variable raster_place_group_value_4, raster_place_group_choice_4, raster_place_group_is_equal : boolean;
+    variable raster_place_group_choice_5, raster_place_group_choice_6, raster_place_group_value_5 : boolean;
+    variable raster_place_group_choice_7, raster_place_group_choice_8, raster_place_group_choice_9 : boolean;
+    variable raster_place_group_differs_3, raster_place_group_differs_4, raster_place_group_all : boolean;
+    variable raster_place_group_choice_11, raster_place_group_choice_12, raster_place_group_choice_13 : boolean;
+    variable raster_place_group_choice_14, raster_place_group_choice_15, raster_place_group_choice_16 : boolean;
+    variable raster_place_group_choice_17, raster_place_group_choice_18, raster_place_group_choice_19 : boolean;
+    variable raster_place_group_choice_20, raster_place_group_choice_21, raster_place_group_differs_5 : boolean;
+    variable raster_place_next_frame_all, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, raster_place_next_frame_choice_4, delay_row_inside_0_choice : boolean;
+    variable delay_row_inside_0_all, delay_row_inside_0_value, delay_row_inside_0_choice_2 : boolean;
+    variable delay_row_inside_0_choice_3, delay_row_inside_0_choice_4, delay_row_inside_0_value_2 : boolean;
+    variable delay_row_inside_0_choice_5, delay_row_inside_0_choice_6, delay_row_inside_0_choice_7 : boolean;
+    variable delay_row_inside_0_is_equal, delay_row_inside_0_choice_8, delay_row_inside_0_all_2 : boolean;
+    variable delay_row_inside_0_differs, delay_row_inside_0_all_3, delay_row_inside_1_all : boolean;
+    variable delay_row_inside_1_is_less, delay_row_inside_1_choice, delay_row_inside_2_all : boolean;
+    variable delay_row_inside_2_is_less, delay_tag_map_column_is_not_less, delay_tag_map_column_choice : boolean;
+    variable delay_tag_map_column_choice_2, delay_tag_map_column_all, delay_tag_map_column_any : boolean;
+    variable delay_tag_output_column_all, delay_tag_output_column_any, delay_tag_output_column_all_2 : boolean;
+    variable delay_tag_output_column_choice, delay_tag_first_column_is_equal, delay_tag_first_column_choice : boolean;
+    variable delay_tag_start_of_frame_all, delay_tag_start_of_frame_is_equal, delay_tag_start_of_frame_choice : boolean;
+    variable delay_split_inside_before_0_all, slice0window_tag_first_group_all : boolean;
+    variable slice0window_tag_first_group_choice, slice0window_tag_first_group_all_2 : boolean;
+    variable slice0window_tag_first_cost_choice, slice0window_tag_first_cost_all, slice0mask_inside_0_choice : boolean;
+    variable slice0mask_inside_0_choice_2, slice0mask_inside_0_value, slice0mask_inside_0_choice_3 : boolean;
+    variable slice0mask_inside_0_value_2, slice0mask_inside_0_choice_4, slice0mask_inside_0_value_3 : boolean;
+    variable slice0mask_inside_0_choice_5, slice0mask_inside_0_choice_6, slice0mask_inside_0_choice_7 : boolean;
+    variable slice0mask_inside_1_choice, slice0mask_inside_2_choice, slice0mask_searched_0_all : boolean;
+    variable slice0mask_searched_1_is_equal, slice0mask_searched_1_choice, slice0mask_searched_2_choice : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice1mask_inside_0_choice, slice1mask_inside_1_choice, slice1mask_inside_2_choice : boolean;
+    variable slice1other_cost_0_0_all, slice1other_cost_0_0_choice, slice1other_cost_0_0_all_2 : boolean;
+    variable slice1other_cost_0_1_choice, slice1other_cost_0_1_all, slice1other_cost_0_2_choice : boolean;
+    variable slice1other_cost_0_2_all, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
+    variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal, slice2mask_inside_0_all : boolean;
+    variable slice2mask_inside_0_choice, slice2mask_inside_1_choice, slice2mask_searched_1_any : boolean;
+    variable slice2mask_searched_1_choice, slice2mask_searched_1_value, slice2mask_searched_1_is_equal : boolean;
+    variable slice2mask_searched_1_value_2, slice2mask_searched_1_all, slice2other_cost_0_0_all : boolean;
+    variable slice2other_cost_0_0_choice, slice2other_cost_0_0_all_2, slice2other_winner_0_1_choice : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
+    variable slice2_best_above_0_0_is_equal, refinement_below_0_differs, refinement_below_0_value : boolean;
+    variable refinement_above_0_choice, refinement_divisor_0_0_is_less, leftright_holds_winners_all : boolean;
+    variable leftright_checked_tag_row_start_choice, leftright_checked_tag_row_start_is_equal : boolean;
+    variable leftright_checked_tag_row_start_choice_2, leftright_checked_tag_row_start_value : boolean;
+    variable leftright_checked_tag_row_start_choice_3, leftright_checked_tag_row_start_value_2 : boolean;
+    variable leftright_checked_tag_row_start_choice_4, leftright_checked_tag_row_start_value_3 : boolean;
+    variable leftright_checked_tag_row_start_choice_5, leftright_checked_tag_row_start_choice_6 : boolean;
+    variable leftright_checked_tag_row_start_choice_7, leftright_checked_tag_row_start_value_4 : boolean;
+    variable leftright_checked_tag_row_start_choice_8, leftright_checked_tag_row_start_choice_9 : boolean;
+    variable leftright_checked_tag_row_start_choice_10, leftright_checked_tag_row_start_differs : boolean;
+    variable leftright_checked_tag_row_start_differs_2, leftright_checked_tag_row_start_choice_11 : boolean;
+    variable leftright_checked_tag_row_start_value_6, leftright_checked_tag_row_start_choice_12 : boolean;
+    variable leftright_checked_tag_row_start_is_equal_2, leftright_checked_tag_row_start_is_equal_3 : boolean;
+    variable leftright_checked_tag_row_start_choice_13, leftright_checked_tag_row_start_choice_14 : boolean;
+    variable leftright_checked_tag_row_start_is_equal_4, leftright_checked_tag_row_start_is_equal_5 : boolean;
+    variable leftright_checked_tag_row_start_choice_15, leftright_checked_tag_row_start_is_equal_6 : boolean;
+    variable leftright_checked_tag_row_start_choice_16, leftright_checked_tag_row_start_choice_17 : boolean;
+    variable leftright_checked_tag_row_start_differs_3, leftright_checked_tag_row_start_all : boolean;
+    variable leftright_checked_tag_row_start_choice_18, leftright_checked_tag_row_start_choice_19 : boolean;
+    variable leftright_checked_tag_row_start_choice_20, leftright_checked_tag_row_start_choice_21 : boolean;
+    variable leftright_checked_tag_row_start_choice_22, leftright_checked_tag_row_start_differs_4 : boolean;
+    variable leftright_checked_tag_row_start_all_2, leftright_checked_tag_row_start_choice_23 : boolean;
+    variable leftright_checked_tag_row_start_all_3, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all, map_low_0_0_all : boolean;
+    variable other_11_choice, other_11_any, other_11_choice_2, other_11_all, other_12_choice : boolean;
+    variable other_14_is_less, other_13_choice, other_13_choice_2 : boolean;
+    variable transform_counter_group_value_8, raster_place_group_value_6 : natural range 0 to 3;
+    variable leftright_checked_tag_row_start_value_5 : natural range 0 to 3;
+    variable transform_counter_group_choice_10, transform_counter_group_choice_22 : natural range 0 to 31;
+    variable transform_counter_group_choice_23, raster_place_group_choice_10 : natural range 0 to 31;
+    variable raster_place_group_choice_22, raster_place_group_choice_23 : natural range 0 to 31;
+    variable map_counter_group_choice, map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 31;
+    variable transform_read_row_inside_0_difference, delay_row_inside_0_difference : integer range -31 to 31;
+    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice_2 : natural range 0 to 127;
+    variable transform_left_filter_column_0_0_choice : natural range 0 to 255;
+    variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
+    variable transform_right_filter_column_0_0_choice : natural range 0 to 255;
+    variable transform_right_filter_column_0_0_choice_2, refinement_fraction_0_choice : natural range 0 to 255;
+    variable slice0other_cost_0_1_choice, slice0other_cost_0_2_choice : natural range 0 to 1023;
+    variable slice0winner1_held_0_0_choice, slice0winner1_held_0_0_any : natural range 0 to 1023;
+    variable slice0winner1_held_0_1_choice, slice0winner1_held_0_1_any : natural range 0 to 1023;
+    variable slice0winner1_held_0_2_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 1023;
+    variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 1023;
+    variable slice0winner2_best_second_0_0_choice_3, slice1other_cost_0_0_choice_2 : natural range 0 to 1023;
+    variable slice1other_cost_0_1_choice_2, slice1other_cost_0_2_choice_2 : natural range 0 to 1023;
+    variable slice1winner1_held_0_0_choice, slice1winner1_held_0_0_any : natural range 0 to 1023;
+    variable slice1winner1_held_0_1_choice, slice1winner1_held_0_1_any : natural range 0 to 1023;
+    variable slice1winner1_held_0_2_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 1023;
+    variable slice1winner2_best_second_0_0_choice, slice1winner2_best_second_0_0_choice_2 : natural range 0 to 1023;
+    variable slice1winner2_best_second_0_0_choice_3, slice1_best_below_0_0_choice : natural range 0 to 1023;
+    variable slice1_best_above_0_0_choice, slice1_best_second_0_0_choice : natural range 0 to 1023;
+    variable slice1_best_second_0_0_choice_2, slice1_best_second_0_0_choice_3 : natural range 0 to 1023;
+    variable slice1_best_second_0_0_choice_4, slice2other_cost_0_0_choice_2 : natural range 0 to 1023;
+    variable slice2winner1_held_0_0_choice, slice2winner1_held_0_0_any : natural range 0 to 1023;
+    variable slice2winner1_held_0_1_choice, slice2winner1_held_0_1_any : natural range 0 to 1023;
+    variable slice2_best_below_0_0_choice, slice2_best_above_0_0_choice : natural range 0 to 1023;
+    variable slice2_best_second_0_0_choice, slice2_best_second_0_0_choice_2 : natural range 0 to 1023;
+    variable slice2_best_second_0_0_choice_3, slice2_best_second_0_0_choice_4 : natural range 0 to 1023;
+    variable refinement_divisor_0_0_choice : natural range 0 to 1023;
+    variable refinement_remainder_1_0_difference : natural range 1025 to 3071;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 1025 to 4094;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 1025 to 4094;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 1025 to 4094;
+    variable refinement_fraction_0_difference : integer range -15 to 0;
+    variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice_2, leftright_address_0_value : natural range 0 to 7;
+    variable leftright_checked_passed_0_difference : integer range -7 to 7;
+    variable map_of_column_0_a_choice : natural range 0 to 4095;
+    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
+    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
+    variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 32767;
+    variable map_median_middle_0_choice_4, map_smallest_high_0_choice : natural range 0 to 32767;
+    variable map_smallest_high_0_choice_2, map_out_disparity_0_choice : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 32767;
+    variable map_high_0_0_choice : natural range 0 to 32767;
+  begin
+    if rising_edge(clock) then
+      -- settings
+      settings_texture_threshold_any := (not in_valid) or (not in_start_of_frame);
+      if not settings_texture_threshold_any then
+        settings_texture_threshold <= in_texture_threshold;
+        settings_uniqueness_percent <= in_uniqueness_percent;
+        settings_left_right_threshold <= in_left_right_threshold;
+        settings_first_disparity <= in_first_disparity;
+        settings_last_disparity <= in_last_disparity;
+      end if;
+      -- size
+      size_windows_last_column <= (in_image_width + 63) mod 64;
+      size_windows_last_group <= (in_image_height + 15) mod 16;
+      size_windows_groups <= in_image_height mod 32;
+      size_windows_idle <= (in_image_height + 1) mod 32;
+      size_map_last_column <= (in_image_width + 61) mod 64;
+      -- transform
+      transform_counter_group_value := ((transform_counter_group / 8) mod 2) = 1;
+      transform_counter_group_differs := transform_counter_group_value /= (not ((size_windows_last_group / 8) = 1));
+      transform_counter_group_value_2 := ((transform_counter_group / 2) mod 2) = 1;
+      transform_counter_group_is_equal := (size_windows_last_group mod 4) = 3;
+      transform_counter_group_is_equal_2 := (size_windows_last_group mod 4) = 1;
+      transform_counter_group_choice := transform_counter_group_is_equal when transform_counter_group_value_2 else
+        transform_counter_group_is_equal_2;
+      transform_counter_group_is_equal_3 := (size_windows_last_group mod 4) = 2;
+      transform_counter_group_is_equal_4 := (size_windows_last_group mod 4) = 0;
+      transform_counter_group_choice_2 := transform_counter_group_is_equal_3 when transform_counter_group_value_2 else
+        transform_counter_group_is_equal_4;
+      transform_counter_group_choice_3 := transform_counter_group_choice when (transform_counter_group mod 2) = 1 else
+        transform_counter_group_choice_2;
+      transform_counter_group_value_3 := ((transform_counter_group / 4) mod 2) = 1;
+      transform_counter_group_value_4 := ((size_windows_last_group / 4) mod 2) = 1;
+      transform_counter_group_differs_2 := transform_counter_group_value_3 /= (not transform_counter_group_value_4);
+      transform_counter_group_value_5 := ((transform_counter_column / 16) mod 2) = 1;
+      transform_counter_group_is_equal_5 := (size_windows_last_column / 16) = 3;
+      transform_counter_group_is_equal_6 := (size_windows_last_column / 16) = 2;
+      transform_counter_group_choice_4 := transform_counter_group_is_equal_5 when transform_counter_group_value_5 else
+        transform_counter_group_is_equal_6;
+      transform_counter_group_is_equal_7 := (size_windows_last_column / 16) = 1;
+      transform_counter_group_is_equal_8 := (size_windows_last_column / 16) = 0;
+      transform_counter_group_choice_5 := transform_counter_group_is_equal_7 when transform_counter_group_value_5 else
+        transform_counter_group_is_equal_8;
+      transform_counter_group_choice_6 := transform_counter_group_choice_4 when (transform_counter_column / 32) = 1
+        else transform_counter_group_choice_5;
+      transform_counter_group_value_6 := ((transform_counter_column / 2) mod 2) = 1;
+      transform_counter_group_value_7 := ((transform_counter_column / 4) mod 2) = 1;
+      transform_counter_group_value_8 := (size_windows_last_column / 2) mod 4;
+      transform_counter_group_is_equal_9 := transform_counter_group_value_8 = 3;
+      transform_counter_group_is_equal_10 := transform_counter_group_value_8 = 1;
+      transform_counter_group_choice_7 := transform_counter_group_is_equal_9 when transform_counter_group_value_7 else
+        transform_counter_group_is_equal_10;
+      transform_counter_group_is_equal_11 := transform_counter_group_value_8 = 2;
+      transform_counter_group_is_equal_12 := transform_counter_group_value_8 = 0;
+      transform_counter_group_choice_8 := transform_counter_group_is_equal_11 when transform_counter_group_value_7 else
+        transform_counter_group_is_equal_12;
+      transform_counter_group_choice_9 := transform_counter_group_choice_7 when transform_counter_group_value_6 else
+        transform_counter_group_choice_8;
+      transform_counter_group_differs_3 := ((transform_counter_column mod 2) = 1) /= (not ((size_windows_last_column
+        mod 2) = 1));
+      transform_counter_group_value_9 := ((size_windows_last_column / 8) mod 2) = 1;
+      transform_counter_group_differs_4 := (((transform_counter_column / 8) mod 2) = 1) /= (not
+        transform_counter_group_value_9);
+      transform_counter_group_all := (not ((transform_counter_group / 16) = 1)) and transform_counter_group_differs and
+        transform_counter_group_choice_3 and transform_counter_group_differs_2 and transform_counter_group_choice_6 and
+        transform_counter_group_choice_9 and transform_counter_group_differs_3 and transform_counter_group_differs_4;
+      transform_counter_group_choice_10 := size_windows_groups when transform_counter_group_all else 0;
+      transform_counter_group_value_10 := ((size_windows_idle / 2) mod 2) = 1;
+      transform_counter_group_any := (not transform_counter_group_value_10) or (not ((size_windows_idle mod 2) = 1));
+      transform_counter_group_is_equal_13 := (size_windows_idle mod 4) = 0;
+      transform_counter_group_choice_11 := transform_counter_group_any when transform_counter_group_value_2 else
+        transform_counter_group_is_equal_13;
+      transform_counter_group_choice_12 := transform_counter_group_value_2 or (not transform_counter_group_value_10)
+        when (transform_counter_group mod 2) = 1 else transform_counter_group_choice_11;
+      transform_counter_group_value_11 := ((size_windows_idle / 4) mod 2) = 1;
+      transform_counter_group_choice_13 := (not transform_counter_group_value_3) and transform_counter_group_value_11
+        when transform_counter_group_choice_12 else (not transform_counter_group_value_3) or
+        transform_counter_group_value_11;
+      transform_counter_group_value_12 := ((size_windows_idle / 8) mod 2) = 1;
+      transform_counter_group_choice_14 := (not transform_counter_group_value) or transform_counter_group_value_12 when
+        transform_counter_group_choice_13 else (not transform_counter_group_value) and transform_counter_group_value_12;
+      transform_counter_group_choice_15 := transform_counter_group_choice_6 and transform_counter_group_choice_9 and
+        transform_counter_group_differs_3 and transform_counter_group_differs_4 and ((not ((transform_counter_group /
+        16) = 1)) or ((size_windows_idle / 16) = 1)) when transform_counter_group_choice_14 else
+        transform_counter_group_choice_6 and transform_counter_group_choice_9 and transform_counter_group_differs_3 and
+        transform_counter_group_differs_4 and (not ((transform_counter_group / 16) = 1)) and ((size_windows_idle / 16)
+        = 1);
+      transform_counter_group_is_equal_14 := (size_windows_groups / 8) = 3;
+      transform_counter_group_is_equal_15 := (size_windows_groups / 8) = 2;
+      transform_counter_group_choice_16 := transform_counter_group_is_equal_14 when transform_counter_group_value else
+        transform_counter_group_is_equal_15;
+      transform_counter_group_is_equal_16 := (size_windows_groups / 8) = 1;
+      transform_counter_group_is_equal_17 := (size_windows_groups / 8) = 0;
+      transform_counter_group_choice_17 := transform_counter_group_is_equal_16 when transform_counter_group_value else
+        transform_counter_group_is_equal_17;
+      transform_counter_group_choice_18 := transform_counter_group_choice_16 when (transform_counter_group / 16) = 1
+        else transform_counter_group_choice_17;
+      transform_counter_group_is_equal_18 := (size_windows_groups mod 4) = 3;
+      transform_counter_group_is_equal_19 := (size_windows_groups mod 4) = 1;
+      transform_counter_group_choice_19 := transform_counter_group_is_equal_18 when transform_counter_group_value_2
+        else transform_counter_group_is_equal_19;
+      transform_counter_group_is_equal_20 := (size_windows_groups mod 4) = 2;
+      transform_counter_group_is_equal_21 := (size_windows_groups mod 4) = 0;
+      transform_counter_group_choice_20 := transform_counter_group_is_equal_20 when transform_counter_group_value_2
+        else transform_counter_group_is_equal_21;
+      transform_counter_group_choice_21 := transform_counter_group_choice_19 when (transform_counter_group mod 2) = 1
+        else transform_counter_group_choice_20;
+      transform_counter_group_value_13 := ((size_windows_groups / 4) mod 2) = 1;
+      transform_counter_group_differs_5 := transform_counter_group_value_3 /= (not transform_counter_group_value_13);
+      transform_counter_group_choice_22 := 1 when transform_counter_group_choice_18 and
+        transform_counter_group_choice_21 and transform_counter_group_differs_5 and transform_counter_next_frame else
+        (transform_counter_group + 1) mod 32;
+      transform_counter_group_choice_23 := transform_counter_group_choice_22 when transform_counter_group_choice_15 and
+        in_valid else transform_counter_group;
+      transform_read_row_inside_0_difference := transform_counter_group - size_windows_groups;
+      transform_read_row_inside_0_is_less := transform_read_row_inside_0_difference < 2;
+      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
+        (transform_left_filter_slope_0 + 31) mod 128;
+      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
+        transform_left_filter_feature_0_choice;
+      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
+        (transform_right_filter_slope_0 + 31) mod 128;
+      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
+        transform_right_filter_feature_0_choice;
+      transform_left_0 <= in_left_pixel;
+      transform_right_0 <= in_right_pixel;
+      transform_valid <= in_valid;
+      transform_counter_group <= transform_counter_group_choice_10 when in_valid and in_start_of_frame else
+        transform_counter_group_choice_23;
+      transform_left_rows_read_newest_0 <= transform_left_0;
+      transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
+      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+      transform_right_rows_read_newest_0 <= transform_right_0;
+      transform_right_rows_ready_words_0 <= to_integer(transform_right_rows_read_words_0);
+      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+      transform_read_column <= transform_counter_column;
+      transform_read_row_inside_0 <= transform_read_row_inside_0_is_less and transform_counter_group_value_2 when
+        (transform_counter_group / 4) = 0 else transform_read_row_inside_0_is_less;
+      transform_read_row_inside_2 <= transform_read_row_inside_0_difference < 0;
+      transform_read_column_inside_0 <= ((transform_counter_column / 4) /= 0) or transform_counter_group_value_6 or
+        ((transform_counter_column mod 2) = 1);
+      transform_read_column_inside_1 <= true;
+      transform_read_column_inside_2 <= (transform_counter_column = 0) /= ((transform_counter_column / 32) = 1) when
+        ((transform_counter_column / 2) mod 16) = 0 else transform_counter_column /= 0;
+      transform_read_start_of_frame <= (transform_counter_column = 1) and (transform_counter_group = 1);
+      transform_read_valid <= transform_valid;
+      transform_ready_column <= transform_read_column;
+      transform_ready_row_inside_0 <= transform_read_row_inside_0;
+      transform_ready_row_inside_2 <= transform_read_row_inside_2;
+      transform_ready_column_inside_0 <= transform_read_column_inside_0;
+      transform_ready_column_inside_2 <= transform_read_column_inside_2;
+      transform_ready_start_of_frame <= transform_read_start_of_frame;
+      transform_ready_valid <= transform_read_valid;
+      transform_left_column_0 <= transform_left_rows_ready_words_0 mod 256;
+      transform_left_column_1 <= transform_left_rows_ready_words_0 / 256;
+      transform_left_column_2 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= transform_right_rows_ready_words_0 mod 256;
+      transform_right_column_1 <= transform_right_rows_ready_words_0 / 256;
+      transform_right_column_2 <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
+      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
+      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
+      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
+      transform_columns_start_of_frame <= transform_ready_start_of_frame;
+      transform_columns_valid <= transform_ready_valid;
+      transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
+      transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
+      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
+        31;
+      transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
+      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
+        else 31;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
+      transform_filtering_2_valid <= transform_filtering_1_valid;
+      transform_counter_next_frame_choice := (not (transform_counter_group_choice_18 and
+        transform_counter_group_choice_21 and transform_counter_group_differs_5)) and transform_counter_next_frame when
+        transform_counter_group_choice_15 else transform_counter_next_frame;
+      if in_valid then
+        transform_counter_column <= 0 when (transform_counter_group_choice_6 and transform_counter_group_choice_9 and
+          transform_counter_group_differs_3 and transform_counter_group_differs_4) or in_start_of_frame else
+          (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
+          transform_counter_next_frame_choice else (not ((transform_counter_group / 16) = 1)) and
+          transform_counter_group_differs and transform_counter_group_choice_3 and transform_counter_group_differs_2
+          and transform_counter_group_choice_6 and transform_counter_group_choice_9 and
+          transform_counter_group_differs_3 and transform_counter_group_differs_4 and in_start_of_frame;
+      end if;
+      if transform_ready_valid then
+        transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
+          (transform_left_rows_ready_words_0 / 256);
+        transform_right_rows_write_words_0 <= (transform_right_rows_ready_newest_0 * 256) +
+          (transform_right_rows_ready_words_0 / 256);
+        transform_write_column <= transform_ready_column;
+      end if;
+      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
+        transform_left_column_2;
+      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_2 else
+        transform_left_column_0;
+      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
+        transform_columns_row_inside_2 else (transform_left_column_0 mod 2) = 1;
+      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
+        transform_right_column_2;
+      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_2 else
+        transform_right_column_0;
+      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
+        transform_columns_row_inside_2 else (transform_right_column_0 mod 2) = 1;
+      if transform_columns_valid then
+        transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
+          (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
+          as_number(transform_left_filter_column_0_0_choice_3);
+        transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
+        transform_left_filter_column_2_0 <= transform_left_filter_column_1_0;
+        transform_right_filter_column_0_0 <= transform_right_filter_column_0_0_choice +
+          (((transform_right_filter_column_0_0_choice_2 / 2) + transform_right_column_1) * 2) +
+          as_number(transform_right_filter_column_0_0_choice_3);
+        transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
+        transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
+      end if;
+      -- raster
+      raster_place_group_value := ((raster_place_group / 8) mod 2) = 1;
+      raster_place_group_differs := raster_place_group_value /= (not ((size_windows_last_group / 8) = 1));
+      raster_place_group_value_2 := ((raster_place_group / 2) mod 2) = 1;
+      raster_place_group_choice := transform_counter_group_is_equal when raster_place_group_value_2 else
+        transform_counter_group_is_equal_2;
+      raster_place_group_choice_2 := transform_counter_group_is_equal_3 when raster_place_group_value_2 else
+        transform_counter_group_is_equal_4;
+      raster_place_group_choice_3 := raster_place_group_choice when (raster_place_group mod 2) = 1 else
+        raster_place_group_choice_2;
+      raster_place_group_value_3 := ((raster_place_group / 4) mod 2) = 1;
+      raster_place_group_differs_2 := raster_place_group_value_3 /= (not transform_counter_group_value_4);
+      raster_place_group_value_4 := ((size_windows_last_column / 16) mod 2) = 1;
+      raster_place_group_choice_4 := (raster_place_column / 16) = 3 when raster_place_group_value_4 else
+        (raster_place_column / 16) = 2;
+      raster_place_group_is_equal := (raster_place_column / 16) = 0;
+      raster_place_group_choice_5 := (raster_place_column / 16) = 1 when raster_place_group_value_4 else
+        raster_place_group_is_equal;
+      raster_place_group_choice_6 := raster_place_group_choice_4 when (size_windows_last_column / 32) = 1 else
+        raster_place_group_choice_5;
+      raster_place_group_value_5 := ((size_windows_last_column / 2) mod 2) = 1;
+      raster_place_group_value_6 := (raster_place_column / 2) mod 4;
+      raster_place_group_choice_7 := raster_place_group_value_6 = 3 when raster_place_group_value_5 else
+        raster_place_group_value_6 = 2;
+      raster_place_group_choice_8 := raster_place_group_value_6 = 1 when raster_place_group_value_5 else
+        raster_place_group_value_6 = 0;
+      raster_place_group_choice_9 := raster_place_group_choice_7 when ((size_windows_last_column / 4) mod 2) = 1 else
+        raster_place_group_choice_8;
+      raster_place_group_differs_3 := ((size_windows_last_column mod 2) = 1) /= (not ((raster_place_column mod 2) = 1));
+      raster_place_group_differs_4 := transform_counter_group_value_9 /= (not (((raster_place_column / 8) mod 2) = 1));
+      raster_place_group_all := (not ((raster_place_group / 16) = 1)) and raster_place_group_differs and
+        raster_place_group_choice_3 and raster_place_group_differs_2 and raster_place_group_choice_6 and
+        raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4;
+      raster_place_group_choice_10 := size_windows_groups when raster_place_group_all else 0;
+      raster_place_group_choice_11 := transform_counter_group_any when raster_place_group_value_2 else
+        transform_counter_group_is_equal_13;
+      raster_place_group_choice_12 := raster_place_group_value_2 or (not transform_counter_group_value_10) when
+        (raster_place_group mod 2) = 1 else raster_place_group_choice_11;
+      raster_place_group_choice_13 := (not raster_place_group_value_3) and transform_counter_group_value_11 when
+        raster_place_group_choice_12 else (not raster_place_group_value_3) or transform_counter_group_value_11;
+      raster_place_group_choice_14 := (not raster_place_group_value) or transform_counter_group_value_12 when
+        raster_place_group_choice_13 else (not raster_place_group_value) and transform_counter_group_value_12;
+      raster_place_group_choice_15 := (not ((raster_place_group / 16) = 1)) or ((size_windows_idle / 16) = 1) when
+        raster_place_group_choice_14 else (not ((raster_place_group / 16) = 1)) and ((size_windows_idle / 16) = 1);
+      raster_place_group_choice_16 := transform_counter_group_is_equal_14 when raster_place_group_value else
+        transform_counter_group_is_equal_15;
+      raster_place_group_choice_17 := transform_counter_group_is_equal_16 when raster_place_group_value else
+        transform_counter_group_is_equal_17;
+      raster_place_group_choice_18 := raster_place_group_choice_16 when (raster_place_group / 16) = 1 else
+        raster_place_group_choice_17;
+      raster_place_group_choice_19 := transform_counter_group_is_equal_18 when raster_place_group_value_2 else
+        transform_counter_group_is_equal_19;
+      raster_place_group_choice_20 := transform_counter_group_is_equal_20 when raster_place_group_value_2 else
+        transform_counter_group_is_equal_21;
+      raster_place_group_choice_21 := raster_place_group_choice_19 when (raster_place_group mod 2) = 1 else
+        raster_place_group_choice_20;
+      raster_place_group_differs_5 := raster_place_group_value_3 /= (not transform_counter_group_value_13);
+      raster_place_group_choice_22 := 1 when raster_place_group_choice_18 and raster_place_group_choice_21 and
+        raster_place_group_differs_5 and raster_place_next_frame else (raster_place_group + 1) mod 32;
+      raster_place_group_choice_23 := raster_place_group_choice_22 when raster_place_group_choice_15 and
+        raster_place_group_choice_6 and raster_place_group_choice_9 and raster_place_group_differs_3 and
+        raster_place_group_differs_4 and transform_filtering_2_valid else raster_place_group;
+      raster_place_next_frame_all := raster_place_group_choice_6 and raster_place_group_choice_9 and
+        raster_place_group_differs_3 and raster_place_group_differs_4;
+      raster_place_next_frame_choice := (not raster_place_next_frame_all) and raster_place_next_frame when
+        raster_place_group_choice_15 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_choice_18 and
+        raster_place_group_choice_21 and raster_place_group_differs_5 else raster_place_next_frame;
+      raster_place_next_frame_choice_3 := transform_filtering_2_valid when raster_place_group_all else
+        transform_filtering_2_valid and (not transform_filtering_2_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        (not ((raster_place_group / 16) = 1)) and raster_place_group_differs and raster_place_group_choice_3 and
+        raster_place_group_differs_2 and raster_place_group_choice_6 and raster_place_group_choice_9 and
+        raster_place_group_differs_3 and raster_place_group_differs_4 and transform_filtering_2_valid and
+        transform_filtering_2_start_of_frame;
+      raster_features_search_0 <= transform_right_filter_feature_0;
+      raster_features_reference_0 <= transform_left_filter_feature_0;
+      raster_features_valid <= transform_filtering_2_valid;
+      raster_place_group <= raster_place_group_choice_10 when transform_filtering_2_valid and
+        transform_filtering_2_start_of_frame else raster_place_group_choice_23;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_2_valid) and
+        raster_place_next_frame);
+      if transform_filtering_2_valid then
+        raster_place_column <= 0 when raster_place_next_frame_all or transform_filtering_2_start_of_frame else
+          (raster_place_column + 1) mod 64;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 3 else (delay_ring_read_address + 1) mod 4;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_0_choice := ((raster_place_column / 2) mod 8) = 0 when (raster_place_column mod 2) = 1 else
+        ((raster_place_column / 4) mod 4) = 0;
+      delay_row_inside_0_all := delay_row_inside_0_choice and raster_place_group_is_equal;
+      delay_row_inside_0_value := ((delay_column / 16) mod 2) = 1;
+      delay_row_inside_0_choice_2 := transform_counter_group_is_equal_5 when delay_row_inside_0_value else
+        transform_counter_group_is_equal_6;
+      delay_row_inside_0_choice_3 := transform_counter_group_is_equal_7 when delay_row_inside_0_value else
+        transform_counter_group_is_equal_8;
+      delay_row_inside_0_choice_4 := delay_row_inside_0_choice_2 when (delay_column / 32) = 1 else
+        delay_row_inside_0_choice_3;
+      delay_row_inside_0_value_2 := ((delay_column / 2) mod 2) = 1;
+      delay_row_inside_0_choice_5 := transform_counter_group_is_equal_9 when delay_row_inside_0_value_2 else
+        transform_counter_group_is_equal_11;
+      delay_row_inside_0_choice_6 := transform_counter_group_is_equal_10 when delay_row_inside_0_value_2 else
+        transform_counter_group_is_equal_12;
+      delay_row_inside_0_choice_7 := delay_row_inside_0_choice_5 when ((delay_column / 4) mod 2) = 1 else
+        delay_row_inside_0_choice_6;
+      delay_row_inside_0_is_equal := raster_place_column = 0;
+      delay_row_inside_0_choice_8 := (not (delay_row_inside_0_choice_7 and (((delay_column mod 2) = 1) /= (not
+        ((size_windows_last_column mod 2) = 1))))) and delay_row_inside_0_is_equal and raster_features_valid when
+        delay_row_inside_0_choice_4 and ((((delay_column / 8) mod 2) = 1) /= (not transform_counter_group_value_9))
+        else delay_row_inside_0_is_equal and raster_features_valid;
+      delay_row_inside_0_all_2 := (not delay_row_inside_0_choice_8) and delay_split_inside_before_0;
+      delay_row_inside_0_differs := (raster_place_group / 2) /= 0;
+      delay_row_inside_0_difference := raster_place_group - size_windows_groups;
+      delay_row_inside_0_all_3 := delay_row_inside_0_differs and (delay_row_inside_0_difference < 2);
+      delay_row_inside_1_all := (not delay_row_inside_0_choice_8) and delay_split_output_before;
+      delay_row_inside_1_is_less := delay_row_inside_0_difference < 1;
+      delay_row_inside_1_choice := delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1) when
+        (raster_place_group / 2) = 0 else delay_row_inside_1_is_less;
+      delay_row_inside_2_all := (not delay_row_inside_0_choice_8) and delay_split_inside_before_2;
+      delay_row_inside_2_is_less := delay_row_inside_0_difference < 0;
+      delay_tag_map_column_is_not_less := (raster_place_column - other_15) >= 0;
+      delay_tag_map_column_choice := delay_tag_map_column_is_not_less or (not ((raster_place_column / 32) = 1)) when
+        other_14 else delay_tag_map_column_is_not_less and (not ((raster_place_column / 32) = 1));
+      delay_tag_map_column_choice_2 := delay_tag_map_column_choice when ((raster_place_column / 2) mod 16) = 0 else
+        other_14 and delay_tag_map_column_is_not_less;
+      delay_tag_map_column_all := (not delay_row_inside_0_choice_8) and delay_split_whole_before;
+      delay_tag_map_column_any := (not delay_row_inside_0_all) or delay_tag_map_column_all;
+      delay_tag_output_column_all := (not delay_row_inside_0_choice_8) and delay_split_inside_before_1;
+      delay_tag_output_column_any := delay_row_inside_0_differs or ((raster_place_group mod 2) = 1);
+      delay_tag_output_column_all_2 := raster_place_group_choice_15 and delay_tag_output_column_any;
+      delay_tag_output_column_choice := delay_tag_output_column_all_2 or delay_row_inside_0_all when
+        delay_tag_output_column_all else raster_place_group_choice_15 and delay_tag_output_column_any and (not
+        delay_row_inside_0_all);
+      delay_tag_first_column_is_equal := raster_place_column = other_15;
+      delay_tag_first_column_choice := (not delay_row_inside_0_choice_8) and delay_tag_first_column_is_equal and
+        delay_split_whole_before when delay_row_inside_0_all else delay_tag_first_column_is_equal;
+      delay_tag_start_of_frame_all := (not delay_row_inside_0_choice_8) and delay_split_start_before;
+      delay_tag_start_of_frame_is_equal := raster_place_group = 1;
+      delay_tag_start_of_frame_choice := delay_tag_start_of_frame_all when delay_row_inside_0_all else
+        delay_tag_start_of_frame_is_equal;
+      delay_split_inside_before_0_all := raster_place_group_choice_6 and raster_place_group_choice_9 and
+        raster_place_group_differs_3 and raster_place_group_differs_4 and raster_features_valid;
+      delay_ahead_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= delay_row_inside_0_all_2 when delay_row_inside_0_all else delay_row_inside_0_all_3;
+      delay_row_inside_1 <= delay_row_inside_1_all when delay_row_inside_0_all else delay_row_inside_1_choice;
+      delay_row_inside_2 <= delay_row_inside_2_all when delay_row_inside_0_all else delay_row_inside_2_is_less;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_map_column <= delay_tag_map_column_choice_2 and delay_tag_map_column_any;
+      delay_tag_output_column <= delay_tag_map_column_choice_2 and delay_tag_map_column_any and
+        delay_tag_output_column_choice;
+      delay_tag_first_column <= delay_tag_first_column_choice;
+      delay_tag_start_of_frame <= delay_tag_first_column_choice and delay_tag_start_of_frame_choice;
+      delay_tag_end_of_line <= (not delay_row_inside_0_choice_8) and delay_split_whole_before and (raster_place_column
+        = 1);
+      delay_split_search_inside_0 <= delay_row_inside_0_all_3;
+      delay_split_search_inside_1 <= delay_row_inside_1_choice;
+      delay_split_search_inside_2 <= delay_row_inside_2_is_less;
+      delay_split_inside_before_0 <= delay_row_inside_0_all_3 when delay_split_inside_before_0_all else
+        delay_row_inside_0_all_2;
+      delay_split_inside_before_1 <= delay_split_inside_before_0_all or delay_tag_output_column_all when
+        delay_tag_output_column_all_2 else (not delay_split_inside_before_0_all) and (not delay_row_inside_0_choice_8)
+        and delay_split_inside_before_1;
+      delay_split_inside_before_2 <= delay_row_inside_2_is_less when delay_split_inside_before_0_all else
+        delay_row_inside_2_all;
+      delay_split_output_before <= delay_row_inside_1_choice when delay_split_inside_before_0_all else
+        delay_row_inside_1_all;
+      delay_split_start_before <= (not delay_split_inside_before_0_all) or delay_tag_start_of_frame_is_equal when
+        delay_tag_start_of_frame_all else raster_place_group_choice_6 and raster_place_group_choice_9 and
+        raster_place_group_differs_3 and raster_place_group_differs_4 and raster_features_valid and
+        delay_tag_start_of_frame_is_equal;
+      delay_split_whole_before <= delay_split_inside_before_0_all or delay_tag_map_column_all;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_ahead_0;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_map_column <= delay_tag_map_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_first_column <= delay_tag_first_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_search_inside_0 <= delay_split_search_inside_0;
+      rows_read_search_inside_1 <= delay_split_search_inside_1;
+      rows_read_search_inside_2 <= delay_split_search_inside_2;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_map_column <= rows_read_tag_map_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_first_column <= rows_read_tag_first_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_ready_search_inside_0 <= rows_read_search_inside_0;
+      rows_ready_search_inside_1 <= rows_read_search_inside_1;
+      rows_ready_search_inside_2 <= rows_read_search_inside_2;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_search_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_words_0 / 128 when rows_ready_search_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_search_inside_2 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_words_0 / 128 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
+      rows_inside_0 <= rows_ready_inside_0;
+      rows_inside_1 <= rows_ready_inside_1;
+      rows_inside_2 <= rows_ready_inside_2;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_map_column <= rows_ready_tag_map_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_first_column <= rows_ready_tag_first_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 128) + (rows_search_rows_ready_newest_0 *
+          128);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 128) +
+          (rows_reference_rows_ready_newest_0 * 128);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= rows_search_0;
+        slice0shift_search_0_1 <= slice0shift_search_0_0;
+        slice0shift_search_0_2 <= slice0shift_search_0_1;
+        slice0shift_search_1_0 <= rows_search_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_0;
+        slice0shift_search_1_2 <= slice0shift_search_1_1;
+        slice0shift_search_2_0 <= rows_search_2;
+        slice0shift_search_2_1 <= slice0shift_search_2_0;
+        slice0shift_search_2_2 <= slice0shift_search_2_1;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_search_out_0 <= slice0shift_search_0_2;
+      slice0shift_search_out_1 <= slice0shift_search_1_2;
+      slice0shift_search_out_2 <= slice0shift_search_2_2;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_map_column <= rows_tag_map_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_first_column <= rows_tag_first_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_first_column <= slice0shift_tag_first_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0));
+      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0));
+      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0));
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_first_column <= slice0cost_difference_tag_first_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      slice0cost_column_0_0 <= (slice0cost_single_0_0 + slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0)) mod
+        256;
+      slice0cost_column_0_1 <= (slice0cost_single_0_1 + slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1)) mod
+        256;
+      slice0cost_column_0_2 <= (slice0cost_single_0_2 + slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2)) mod
+        256;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_first_column <= slice0cost_pair_tag_first_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      end if;
+      slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
+      slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_map_column <= slice0window_centre_map_column_0;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_first_column <= slice1cost_tag_first_column;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      slice0window_tag_first_group_all := slice0window_tag_first_column and slice0window_tag_output_column;
+      slice0window_tag_first_group_choice := slice0window_tag_output_column when (slice0window_sum_0_2 -
+        slice0other_cost_0_1) < 0 else slice0window_tag_first_group_all;
+      slice0window_tag_first_group_all_2 := slice0mask_searched_0 and slice0mask_inside_2 and
+        slice0window_tag_first_group_choice;
+      slice0window_tag_first_cost_choice := slice0window_tag_output_column when (slice0window_sum_0_1 -
+        slice0other_cost_0_0) < 0 else slice0window_tag_first_group_all;
+      slice0window_tag_first_cost_all := slice0mask_searched_1 and slice0mask_inside_1 and
+        slice0window_tag_first_cost_choice;
+      if slice0window_tag_valid then
+        slice0window_tag_first_group <= 2 when slice0window_tag_first_group_all_2 else
+          as_number(slice0window_tag_first_cost);
+        slice0window_tag_first_cost <= slice0window_tag_first_cost_all;
+        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      end if;
+      -- slice0mask
+      slice0mask_inside_0_choice := not (((slice0mask_end_value / 2) mod 2) = 1) when (slice0mask_column mod 2) = 1
+        else (slice0mask_end_value mod 4) = 0;
+      slice0mask_inside_0_choice_2 := ((slice0mask_column mod 2) = 1) or (not (((slice0mask_end_value / 2) mod 2) = 1))
+        or (not ((slice0mask_end_value mod 2) = 1)) when ((slice0mask_column / 2) mod 2) = 1 else
+        slice0mask_inside_0_choice;
+      slice0mask_inside_0_value := ((slice0mask_end_value / 4) mod 2) = 1;
+      slice0mask_inside_0_choice_3 := (not (((slice0mask_column / 4) mod 2) = 1)) and slice0mask_inside_0_value when
+        slice0mask_inside_0_choice_2 else (not (((slice0mask_column / 4) mod 2) = 1)) or slice0mask_inside_0_value;
+      slice0mask_inside_0_value_2 := ((slice0mask_end_value / 8) mod 2) = 1;
+      slice0mask_inside_0_choice_4 := (not (((slice0mask_column / 8) mod 2) = 1)) or slice0mask_inside_0_value_2 when
+        slice0mask_inside_0_choice_3 else (not (((slice0mask_column / 8) mod 2) = 1)) and slice0mask_inside_0_value_2;
+      slice0mask_inside_0_value_3 := ((slice0mask_end_value / 16) mod 2) = 1;
+      slice0mask_inside_0_choice_5 := (not (((slice0mask_column / 16) mod 2) = 1)) or slice0mask_inside_0_value_3 when
+        slice0mask_inside_0_choice_4 else (not (((slice0mask_column / 16) mod 2) = 1)) and slice0mask_inside_0_value_3;
+      slice0mask_inside_0_choice_6 := not slice1cost_tag_first_column when (slice0mask_column / 32) = 1 else (not
+        ((slice0mask_end_value / 32) = 1)) and (not slice1cost_tag_first_column);
+      slice0mask_inside_0_choice_7 := ((slice0mask_column / 32) = 1) and (not ((slice0mask_end_value / 32) = 1)) and
+        (not slice1cost_tag_first_column) when slice0mask_inside_0_choice_5 else slice0mask_inside_0_choice_6;
+      slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
+      slice0mask_inside_2_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_2;
+      slice0mask_searched_0_all := slice1cost_tag_start_of_frame and slice0window_centre_output_column_0 and
+        slice0cost_tag_valid;
+      slice0mask_searched_1_is_equal := (settings_first_disparity / 2) = 0;
+      slice0mask_searched_1_choice := ((settings_last_disparity mod 16) /= 0) and slice0mask_searched_1_is_equal and
+        slice1cost_tag_start_of_frame and slice0window_centre_output_column_0 and slice0cost_tag_valid when
+        (settings_last_disparity / 16) = 0 else slice0mask_searched_1_is_equal and slice1cost_tag_start_of_frame and
+        slice0window_centre_output_column_0 and slice0cost_tag_valid;
+      slice0mask_searched_2_choice := (settings_first_disparity mod 16) = 0 when slice0mask_searched_0_all else
+        slice0mask_searched_2;
+      slice0mask_inside_0 <= slice0mask_inside_0 and (not slice0cost_tag_valid) when slice0mask_inside_0_choice_7 else
+        slice0mask_inside_0 or slice0cost_tag_valid;
+      slice0mask_inside_1 <= slice0mask_inside_1 or slice0cost_tag_valid when slice1cost_tag_first_column else
+        slice0mask_inside_1_choice;
+      slice0mask_inside_2 <= slice0mask_inside_2 or slice0cost_tag_valid when slice1cost_tag_first_column else
+        slice0mask_inside_2_choice;
+      slice0mask_left_out <= slice0mask_inside_2;
+      slice0mask_end_value <= (size_windows_last_column + 59) mod 64;
+      slice0mask_searched_0 <= (((not (((settings_first_disparity / 2) mod 2) = 1)) or (not ((settings_first_disparity
+        mod 2) = 1))) and ((settings_last_disparity / 2) /= 0) and slice1cost_tag_start_of_frame and
+        slice0window_centre_output_column_0 and slice0cost_tag_valid and ((settings_first_disparity / 4) = 0)) or ((not
+        slice0mask_searched_0_all) and slice0mask_searched_0);
+      slice0mask_searched_1 <= slice0mask_searched_1_choice or ((not slice0mask_searched_0_all) and
+        slice0mask_searched_1);
+      slice0mask_searched_2 <= slice0mask_searched_2_choice when (settings_first_disparity / 16) = 0 else (not
+        slice0mask_searched_0_all) and slice0mask_searched_2;
+      if slice0cost_tag_valid then
+        slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 64;
+      end if;
+      -- slice0other
+      slice0other_cost_0_1_choice := 1023 when slice0window_tag_first_column else slice0other_cost_0_0;
+      slice0other_cost_0_2_choice := 1023 when slice0window_tag_first_column else slice0other_cost_0_1;
+      if slice0window_tag_valid then
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column and slice0mask_searched_2 and
+          slice0mask_inside_0 else 1023;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0window_tag_first_cost_all else
+          slice0other_cost_0_1_choice;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_first_group_all_2 else
+          slice0other_cost_0_2_choice;
+      end if;
+      slice0other_cost_out_0 <= slice0other_cost_0_2;
+      slice0other_winner_out <= slice0window_tag_first_group;
+      -- slice0winner1
+      slice0winner1_held_0_0_choice := 1023 when (not slice0mask_searched_2) or (not slice0mask_inside_0) else 0;
+      slice0winner1_held_0_0_any := to_integer(((to_unsigned(slice0winner1_held_0_0_choice, 10)) or
+        (to_unsigned(slice0window_sum_0_0, 10))));
+      slice0winner1_held_0_1_choice := 1023 when (not slice0mask_searched_1) or (not slice0mask_inside_1) else 0;
+      slice0winner1_held_0_1_any := to_integer(((to_unsigned(slice0winner1_held_0_1_choice, 10)) or
+        (to_unsigned(slice0window_sum_0_1, 10))));
+      slice0winner1_held_0_2_choice := 1023 when (not slice0mask_searched_0) or (not slice0mask_inside_2) else 0;
+      slice0winner1_best_cost_0_0_is_less := (slice0winner1_held_0_1_any - slice0winner1_held_0_0_any) < 0;
+      slice0winner1_held_0_0 <= slice0winner1_held_0_0_any;
+      slice0winner1_held_0_1 <= slice0winner1_held_0_1_any;
+      slice0winner1_held_0_2 <= to_integer(((to_unsigned(slice0winner1_held_0_2_choice, 10)) or
+        (to_unsigned(slice0window_sum_0_2, 10))));
+      slice0winner1_best_cost_0_0 <= slice0winner1_held_0_1_any when slice0winner1_best_cost_0_0_is_less else
+        slice0winner1_held_0_0_any;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 2;
+      slice0winner1_best_below_0_0 <= slice0winner1_held_0_0_any when slice0winner1_best_cost_0_0_is_less else 0;
+      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0winner1_held_0_1_any;
+      slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0winner1_best_late_cost_0_1 <= slice0winner1_held_0_2;
+      slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice1window_centre_output_column_0;
+      slice0winner1_tag_first_column <= slice1window_centre_first_column_0;
+      if slice0winner1_tag_valid then
+        slice0winner1_tag_map_column <= slice0window_tag_map_column;
+        slice0winner1_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
+        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      end if;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_held_0_2 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
+        slice0winner1_best_above_0_0;
+      slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1 when (not slice0winner2_best_at_end_0_0)
+        and (not slice0winner2_best_at_start_0_0) else 1023;
+      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_at_start_0_0
+        else 1023;
+      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_place_0_0 else
+        slice0winner2_best_second_0_0_choice_2;
+      slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_below_0_0 <= slice0winner1_held_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_below_0_0;
+      slice0winner2_best_above_0_0 <= 0 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner2_best_above_0_0_choice;
+      slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less and transform_read_column_inside_1;
+      slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less;
+      slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_held_0_2 -
+        slice0winner1_best_cost_0_0) >= 0);
+      slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice when (slice0winner2_best_second_0_0_choice
+        - slice0winner2_best_second_0_0_choice_3) < 0 else slice0winner2_best_second_0_0_choice_3;
+      slice0winner2_best_but_last_0_0 <= slice0winner1_best_late_cost_0_0 when slice0winner1_best_late_cost_0_0 < 1023
+        else 1023;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
+      slice0winner2_tag_output_column <= slice1window_tag_output_column;
+      slice0winner2_tag_first_column <= slice1window_tag_first_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0;
+      slice0_best_below_0_0 <= slice0winner2_best_below_0_0;
+      slice0_best_above_0_0 <= slice0winner2_best_above_0_0;
+      slice0_best_last_0_0 <= slice0winner1_best_late_cost_0_1;
+      slice0_best_late_cost_0_0 <= slice0winner2_best_late_cost_0_0;
+      slice0_best_second_0_0 <= slice0winner2_best_second_0_0;
+      slice0_best_but_last_0_0 <= slice0winner2_best_but_last_0_0;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_map_column <= slice0winner2_tag_map_column;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice0shift_search_out_0;
+        slice1shift_search_0_1 <= slice1shift_search_0_0;
+        slice1shift_search_0_2 <= slice1shift_search_0_1;
+        slice1shift_search_1_0 <= slice0shift_search_out_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_0;
+        slice1shift_search_1_2 <= slice1shift_search_1_1;
+        slice1shift_search_2_0 <= slice0shift_search_out_2;
+        slice1shift_search_2_1 <= slice1shift_search_2_0;
+        slice1shift_search_2_2 <= slice1shift_search_2_1;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_search_out_0 <= slice1shift_search_0_2;
+      slice1shift_search_out_1 <= slice1shift_search_1_2;
+      slice1shift_search_out_2 <= slice1shift_search_2_2;
+      -- slice1cost
+      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
+      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
+      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
+      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
+        as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
+        as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
+        as_number((slice1cost_difference_1_2 < 0));
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0));
+      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0));
+      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0));
+      slice1cost_column_0_0 <= (slice1cost_single_0_0 + slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0)) mod
+        256;
+      slice1cost_column_0_1 <= (slice1cost_single_0_1 + slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1)) mod
+        256;
+      slice1cost_column_0_2 <= (slice1cost_single_0_2 + slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2)) mod
+        256;
+      slice1cost_tag_output_column <= slice0cost_tag_output_column;
+      if slice0cost_tag_valid then
+        slice1cost_tag_first_column <= slice0cost_tag_first_column;
+        slice1cost_tag_start_of_frame <= slice0cost_tag_start_of_frame;
+      end if;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_centre_output_column_0 <= slice1cost_tag_output_column;
+        slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
+      end if;
+      slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      if slice0winner1_tag_valid then
+        slice1window_tag_output_column <= slice2cost_tag_output_column;
+        slice1window_tag_first_column <= slice2cost_tag_first_column;
+      end if;
+      -- slice1mask
+      slice1mask_inside_0_choice := slice1window_centre_first_column_0 when slice0window_tag_valid else
+        slice1mask_inside_0;
+      slice1mask_inside_1_choice := slice1mask_inside_0 when slice0window_tag_valid else slice1mask_inside_1;
+      slice1mask_inside_2_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_2;
+      slice1mask_inside_0 <= slice0window_tag_valid or slice1mask_inside_0 when slice0mask_left_out else
+        slice1mask_inside_0_choice;
+      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when
+        slice1window_centre_first_column_0 else slice1mask_inside_1_choice;
+      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when
+        slice1window_centre_first_column_0 else slice1mask_inside_2_choice;
+      slice1mask_left_out <= slice1mask_inside_2;
+      -- slice1other
+      slice1other_cost_0_0_all := slice0winner1_tag_first_column and slice0winner1_tag_output_column;
+      slice1other_cost_0_0_choice := slice0winner1_tag_output_column when (slice1window_sum_0_0 -
+        slice0other_cost_out_0) < 0 else slice1other_cost_0_0_all;
+      slice1other_cost_0_0_all_2 := other_13 and slice1mask_inside_0 and slice1other_cost_0_0_choice;
+      slice1other_cost_0_0_choice_2 := 1023 when slice0winner1_tag_first_column else slice0other_cost_out_0;
+      slice1other_cost_0_1_choice := slice0winner1_tag_output_column when (slice1window_sum_0_1 - slice1other_cost_0_0)
+        < 0 else slice1other_cost_0_0_all;
+      slice1other_cost_0_1_all := other_12 and slice1mask_inside_1 and slice1other_cost_0_1_choice;
+      slice1other_cost_0_1_choice_2 := 1023 when slice0winner1_tag_first_column else slice1other_cost_0_0;
+      slice1other_cost_0_2_choice := slice0winner1_tag_output_column when (slice1window_sum_0_2 - slice1other_cost_0_1)
+        < 0 else slice1other_cost_0_0_all;
+      slice1other_cost_0_2_all := other_11 and slice1mask_inside_2 and slice1other_cost_0_2_choice;
+      slice1other_cost_0_2_choice_2 := 1023 when slice0winner1_tag_first_column else slice1other_cost_0_1;
+      if slice0winner1_tag_valid then
+        slice1other_cost_0_0 <= slice1window_sum_0_0 when slice1other_cost_0_0_all_2 else slice1other_cost_0_0_choice_2;
+        slice1other_cost_0_1 <= slice1window_sum_0_1 when slice1other_cost_0_1_all else slice1other_cost_0_1_choice_2;
+        slice1other_cost_0_2 <= slice1window_sum_0_2 when slice1other_cost_0_2_all else slice1other_cost_0_2_choice_2;
+        slice1other_winner_0_0 <= 3 when slice1other_cost_0_0_all_2 else slice0other_winner_out;
+        slice1other_winner_0_1 <= 4 when slice1other_cost_0_1_all else slice1other_winner_0_0;
+        slice1other_winner_0_2 <= 5 when slice1other_cost_0_2_all else slice1other_winner_0_1;
+      end if;
+      slice1other_cost_out_0 <= slice1other_cost_0_2;
+      slice1other_winner_out_0 <= slice1other_winner_0_2;
+      -- slice1winner1
+      slice1winner1_held_0_0_choice := 1023 when (not other_13) or (not slice1mask_inside_0) else 0;
+      slice1winner1_held_0_0_any := to_integer(((to_unsigned(slice1winner1_held_0_0_choice, 10)) or
+        (to_unsigned(slice1window_sum_0_0, 10))));
+      slice1winner1_held_0_1_choice := 1023 when (not other_12) or (not slice1mask_inside_1) else 0;
+      slice1winner1_held_0_1_any := to_integer(((to_unsigned(slice1winner1_held_0_1_choice, 10)) or
+        (to_unsigned(slice1window_sum_0_1, 10))));
+      slice1winner1_held_0_2_choice := 1023 when (not other_11) or (not slice1mask_inside_2) else 0;
+      slice1winner1_best_cost_0_0_is_less := (slice1winner1_held_0_1_any - slice1winner1_held_0_0_any) < 0;
+      slice1winner1_held_0_0 <= slice1winner1_held_0_0_any;
+      slice1winner1_held_0_1 <= slice1winner1_held_0_1_any;
+      slice1winner1_held_0_2 <= to_integer(((to_unsigned(slice1winner1_held_0_2_choice, 10)) or
+        (to_unsigned(slice1window_sum_0_2, 10))));
+      slice1winner1_best_cost_0_0 <= slice1winner1_held_0_1_any when slice1winner1_best_cost_0_0_is_less else
+        slice1winner1_held_0_0_any;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_below_0_0 <= slice1winner1_held_0_0_any when slice1winner1_best_cost_0_0_is_less else 0;
+      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1winner1_held_0_1_any;
+      slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
+      slice1winner1_best_late_cost_0_1 <= slice1winner1_held_0_2;
+      slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_1;
+      slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_held_0_2 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
+        slice1winner1_best_above_0_0;
+      slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1 when (not slice1winner2_best_at_end_0_0)
+        and (not slice1winner2_best_at_start_0_0) else 1023;
+      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_at_start_0_0
+        else 1023;
+      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_place_0_0 else
+        slice1winner2_best_second_0_0_choice_2;
+      slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_below_0_0 <= slice1winner1_held_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_below_0_0;
+      slice1winner2_best_above_0_0 <= 0 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner2_best_above_0_0_choice;
+      slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
+      slice1winner2_best_place_0_0 <= transform_read_column_inside_1 and slice1winner2_best_cost_0_0_is_less;
+      slice1winner2_best_at_start_0_0 <= slice1winner2_best_cost_0_0_is_less;
+      slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_held_0_2 -
+        slice1winner1_best_cost_0_0) >= 0);
+      slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
+      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice when (slice1winner2_best_second_0_0_choice
+        - slice1winner2_best_second_0_0_choice_3) < 0 else slice1winner2_best_second_0_0_choice_3;
+      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
+        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
+      slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0 when slice1winner1_best_late_cost_0_0 < 1023
+        else 1023;
+      -- slice1
+      slice1_best_cost_0_0_is_less := (slice1winner2_best_cost_0_0 - slice0winner2_best_late_cost_0_0) < 0;
+      slice1_best_below_0_0_is_equal := slice1winner2_best_index_0_0 = 0;
+      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1_best_below_0_0_is_equal else
+        slice1winner2_best_below_0_0;
+      slice1_best_above_0_0_is_equal := slice0_best_index_0_0 = 2;
+      slice1_best_above_0_0_choice := slice1winner2_best_first_0_0 when slice1_best_above_0_0_is_equal else
+        slice0_best_above_0_0;
+      slice1_best_second_0_0_choice := slice1winner2_best_second_0_0 when slice1_best_place_0_0 else
+        slice1winner2_best_late_cost_0_0;
+      slice1_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_0 when slice1_best_at_end_0_0 else
+        slice1_best_second_0_0_choice;
+      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
+        slice0_best_second_0_0;
+      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
+        slice1_best_second_0_0_choice_3;
+      slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0 when slice1_best_cost_0_0_is_less else
+        slice0winner2_best_late_cost_0_0;
+      slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3 when slice1_best_cost_0_0_is_less else
+        slice0_best_index_0_0;
+      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
+        slice0_best_below_0_0;
+      slice1_best_above_0_0 <= slice1winner2_best_above_0_0 when slice1_best_cost_0_0_is_less else
+        slice1_best_above_0_0_choice;
+      slice1_best_last_0_0 <= slice1winner1_best_late_cost_0_1;
+      slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
+      slice1_best_at_start_0_0 <= slice1_best_cost_0_0_is_less and slice1_best_below_0_0_is_equal;
+      slice1_best_at_end_0_0 <= ((slice1winner2_best_cost_0_0 - slice0winner2_best_late_cost_0_0) >= 0) and
+        slice1_best_above_0_0_is_equal;
+      slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
+      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
+        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
+      slice1_best_but_last_0_0 <= slice1winner2_best_but_last_0_0 when (slice1winner2_best_but_last_0_0 -
+        slice0_best_late_cost_0_0) < 0 else slice0_best_late_cost_0_0;
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_map_column <= slice0_best_tag_map_column;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- slice2shift
+      if slice0cost_difference_tag_valid then
+        slice2shift_search_0_0 <= slice1shift_search_out_0;
+        slice2shift_search_0_1 <= slice2shift_search_0_0;
+        slice2shift_search_1_0 <= slice1shift_search_out_1;
+        slice2shift_search_1_1 <= slice2shift_search_1_0;
+        slice2shift_search_2_0 <= slice1shift_search_out_2;
+        slice2shift_search_2_1 <= slice2shift_search_2_0;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      -- slice2cost
+      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
+      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
+      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
+      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
+      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0));
+      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0));
+      slice2cost_column_0_0 <= (slice2cost_single_0_0 + slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0)) mod
+        256;
+      slice2cost_column_0_1 <= (slice2cost_single_0_1 + slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1)) mod
+        256;
+      slice2cost_tag_output_column <= slice1cost_tag_output_column;
+      slice2cost_tag_first_column <= slice0window_centre_first_column_0;
+      -- slice2window
+      if slice0winner1_tag_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      -- slice2mask
+      slice2mask_inside_0_all := (not slice0winner1_tag_valid) and slice2mask_inside_0;
+      slice2mask_inside_0_choice := slice2mask_inside_0_all when slice1window_tag_first_column else
+        slice0winner1_tag_valid or slice2mask_inside_0;
+      slice2mask_inside_1_choice := slice2mask_inside_0 when slice0winner1_tag_valid else slice2mask_inside_1;
+      slice2mask_inside_0 <= slice2mask_inside_0_choice when slice1mask_left_out else slice2mask_inside_0_all;
+      slice2mask_inside_1 <= (not slice0winner1_tag_valid) and slice2mask_inside_1 when slice1window_tag_first_column
+        else slice2mask_inside_1_choice;
+      slice2mask_searched_1_any := (not (((settings_last_disparity / 4) mod 2) = 1)) or (not (((settings_last_disparity
+        / 2) mod 2) = 1));
+      slice2mask_searched_1_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and slice2mask_searched_1_any
+        when (settings_last_disparity mod 2) = 1 else not (((settings_last_disparity / 16) mod 2) = 1);
+      slice2mask_searched_1_value := ((settings_last_disparity / 64) mod 2) = 1;
+      slice2mask_searched_1_is_equal := (settings_first_disparity / 8) = 0;
+      slice2mask_searched_1_value_2 := ((settings_last_disparity / 32) mod 2) = 1;
+      slice2mask_searched_1_all := slice0winner1_tag_start_of_frame and slice1window_tag_output_column and
+        slice0winner1_tag_valid;
+      if slice2mask_searched_1_all then
+        slice2mask_searched_1 <= slice2mask_searched_1_is_equal and slice2mask_searched_1_value_2 when
+          slice2mask_searched_1_choice and (not ((settings_last_disparity / 128) = 1)) and (not
+          slice2mask_searched_1_value) and (not (((settings_last_disparity / 8) mod 2) = 1)) else
+          slice2mask_searched_1_is_equal;
+      end if;
+      -- slice2other
+      slice2other_cost_0_0_all := slice0winner2_tag_first_column and slice0winner2_tag_output_column;
+      slice2other_cost_0_0_choice := slice0winner2_tag_output_column when (slice2window_sum_0_0 -
+        slice1other_cost_out_0) < 0 else slice2other_cost_0_0_all;
+      slice2other_cost_0_0_all_2 := other_10 and slice2mask_inside_0 and slice2other_cost_0_0_choice;
+      slice2other_cost_0_0_choice_2 := 1023 when slice0winner2_tag_first_column else slice1other_cost_out_0;
+      slice2other_winner_0_1_choice := slice0winner2_tag_output_column when (slice2window_sum_0_1 -
+        slice2other_cost_0_0) < 0 else slice2other_cost_0_0_all;
+      if slice0winner2_tag_valid then
+        slice2other_cost_0_0 <= slice2window_sum_0_0 when slice2other_cost_0_0_all_2 else slice2other_cost_0_0_choice_2;
+        slice2other_winner_0_0 <= 6 when slice2other_cost_0_0_all_2 else slice1other_winner_out_0;
+        slice2other_winner_0_1 <= 7 when slice2mask_searched_1 and slice2mask_inside_1 and
+          slice2other_winner_0_1_choice else slice2other_winner_0_0;
+      end if;
+      slice2other_winner_out_0 <= slice2other_winner_0_1;
+      -- slice2winner1
+      slice2winner1_held_0_0_choice := 1023 when (not other_10) or (not slice2mask_inside_0) else 0;
+      slice2winner1_held_0_0_any := to_integer(((to_unsigned(slice2winner1_held_0_0_choice, 10)) or
+        (to_unsigned(slice2window_sum_0_0, 10))));
+      slice2winner1_held_0_1_choice := 1023 when (not slice2mask_searched_1) or (not slice2mask_inside_1) else 0;
+      slice2winner1_held_0_1_any := to_integer(((to_unsigned(slice2winner1_held_0_1_choice, 10)) or
+        (to_unsigned(slice2window_sum_0_1, 10))));
+      slice2winner1_best_cost_0_0_is_less := (slice2winner1_held_0_1_any - slice2winner1_held_0_0_any) < 0;
+      slice2winner1_held_0_0 <= slice2winner1_held_0_0_any;
+      slice2winner1_held_0_1 <= slice2winner1_held_0_1_any;
+      slice2winner1_best_cost_0_0 <= slice2winner1_held_0_1_any when slice2winner1_best_cost_0_0_is_less else
+        slice2winner1_held_0_0_any;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_below_0_0 <= slice2winner1_held_0_0_any when slice2winner1_best_cost_0_0_is_less else 0;
+      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_cost_0_0_is_less else slice2winner1_held_0_1_any;
+      slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
+      slice2winner1_best_but_first_0_0 <= slice2winner1_held_0_1;
+      -- slice2winner2
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      slice2winner2_best_below_0_0 <= slice2winner1_best_below_0_0;
+      slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_0;
+      slice2winner2_best_first_0_0 <= slice2winner1_held_0_0;
+      slice2winner2_best_late_cost_0_0 <= slice2winner1_best_late_cost_0_0;
+      slice2winner2_best_but_first_0_0 <= slice2winner1_best_but_first_0_0;
+      -- slice2
+      slice2_best_cost_0_0_is_less := (slice2winner1_best_late_cost_0_0 - slice1_best_cost_0_0) < 0;
+      slice2_best_below_0_0_choice := slice2winner2_best_below_0_0 when slice2winner2_best_index_0_0 else
+        slice1_best_last_0_0;
+      slice2_best_above_0_0_is_equal := slice1_best_index_0_0 = 5;
+      slice2_best_above_0_0_choice := slice2winner2_best_first_0_0 when slice2_best_above_0_0_is_equal else
+        slice1_best_above_0_0;
+      slice2_best_second_0_0_choice := 1023 when slice2_best_place_0_0 else slice2winner2_best_late_cost_0_0;
+      slice2_best_second_0_0_choice_2 := slice2winner2_best_but_first_0_0 when slice2_best_at_end_0_0 else
+        slice2_best_second_0_0_choice;
+      slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0 when slice2_best_place_0_0 else
+        slice1_best_second_0_0;
+      slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0 when slice2_best_at_start_0_0 else
+        slice2_best_second_0_0_choice_3;
+      slice2_best_cost_0_0 <= slice2winner1_best_late_cost_0_0 when slice2_best_cost_0_0_is_less else
+        slice1_best_cost_0_0;
+      slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0) + 6 when slice2_best_cost_0_0_is_less else
+        slice1_best_index_0_0;
+      slice2_best_below_0_0 <= slice2_best_below_0_0_choice when slice2_best_cost_0_0_is_less else
+        slice1_best_below_0_0;
+      slice2_best_above_0_0 <= slice2winner2_best_above_0_0 when slice2_best_cost_0_0_is_less else
+        slice2_best_above_0_0_choice;
+      slice2_best_place_0_0 <= slice2_best_cost_0_0_is_less;
+      slice2_best_at_start_0_0 <= slice2_best_cost_0_0_is_less and (not slice2winner2_best_index_0_0);
+      slice2_best_at_end_0_0 <= ((slice2winner1_best_late_cost_0_0 - slice1_best_cost_0_0) >= 0) and
+        slice2_best_above_0_0_is_equal;
+      slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
+      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
+        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_map_column <= slice1_best_tag_map_column;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      -- texture
+      texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
+      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
+      texture_taps_search_2_0 <= 31 when rows_inside_2 else 0;
+      texture_passes_0_0 <= (texturewindow_sum_0_0 - texture_least) >= 0;
+      texture_passes_1_0 <= texture_passes_0_0;
+      texture_passes_2_0 <= texture_passes_1_0;
+      texture_passes_3_0 <= texture_passes_2_0;
+      texture_passes_4_0 <= texture_passes_3_0;
+      if not ((not slice0cost_tag_valid) or (not slice0cost_tag_start_of_frame) or (not slice0cost_tag_output_column)) then
+        texture_least <= settings_texture_threshold;
+      end if;
+      -- texturecost
+      texturecost_difference_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
+      texturecost_difference_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
+      texturecost_difference_2_0 <= texture_taps_search_2_0 - slice0shift_reference_2;
+      texturecost_pair_0_0 <= as_number((texturecost_difference_1_0 < 0)) + folded(texturecost_difference_1_0) +
+        folded(texturecost_difference_2_0);
+      texturecost_negative_0_0 <= texturecost_difference_2_0 < 0;
+      texturecost_single_0_0 <= folded(texturecost_difference_0_0) + as_number((texturecost_difference_0_0 < 0));
+      texturecost_column_0_0 <= (texturecost_single_0_0 + texturecost_pair_0_0 + as_number(texturecost_negative_0_0))
+        mod 256;
+      -- texturewindow
+      if slice0cost_tag_valid then
+        texturewindow_partial_0_0_0 <= texturecost_column_0_0;
+        texturewindow_partial_0_1_0 <= texturecost_column_0_0 + texturewindow_partial_0_0_0;
+      end if;
+      texturewindow_sum_0_0 <= texturecost_column_0_0 + texturewindow_partial_0_1_0;
+      -- refinement
+      refinement_below_0_differs := slice2_best_below_0_0 /= 1023;
+      refinement_below_0_value := ((slice2_best_index_0_0 / 2) mod 2) = 1;
+      refinement_above_0_choice := slice2_best_index_0_0 = 0 when slice2_best_above_0_0 = 1023 else (not
+        ((slice2_best_index_0_0 / 4) = 1)) or (not refinement_below_0_value) or (not ((slice2_best_index_0_0 mod 2) =
+        1));
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 2048) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 2048) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 2048) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 2048) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 2048) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 2048) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 2048) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
+      refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
+      refinement_disparity_0_0 <= slice2_best_index_0_0;
+      refinement_disparity_1_0 <= refinement_disparity_0_0;
+      refinement_disparity_2_0 <= refinement_disparity_1_0;
+      refinement_disparity_3_0 <= refinement_disparity_2_0;
+      refinement_disparity_4_0 <= refinement_disparity_3_0;
+      refinement_disparity_5_0 <= refinement_disparity_4_0;
+      refinement_disparity_6_0 <= refinement_disparity_5_0;
+      refinement_disparity_7_0 <= refinement_disparity_6_0;
+      refinement_disparity_8_0 <= refinement_disparity_7_0;
+      refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
+      refinement_passed_0_0 <= (slice2_best_cost_0_0 /= 1023) and texture_passes_4_0;
+      refinement_passed_1_0 <= refinement_passed_0_0;
+      refinement_passed_2_0 <= refinement_passed_1_0;
+      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
+        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      refinement_passed_4_0 <= refinement_passed_3_0;
+      refinement_passed_5_0 <= refinement_passed_4_0;
+      refinement_passed_6_0 <= refinement_passed_5_0;
+      refinement_passed_7_0 <= refinement_passed_6_0;
+      refinement_passed_8_0 <= refinement_passed_7_0;
+      refinement_passed_9_0 <= refinement_passed_8_0;
+      refinement_passed_10_0 <= refinement_passed_9_0;
+      refinement_passed_11_0 <= refinement_passed_10_0;
+      refinement_tag_0_valid <= slice2_best_tag_valid;
+      refinement_tag_0_map_column <= slice2_best_tag_map_column;
+      refinement_tag_0_output_column <= slice2_best_tag_output_column;
+      refinement_tag_0_start_of_frame <= slice2_best_tag_start_of_frame;
+      refinement_tag_0_end_of_line <= slice2_best_tag_end_of_line;
+      refinement_tag_1_valid <= refinement_tag_0_valid;
+      refinement_tag_1_map_column <= refinement_tag_0_map_column;
+      refinement_tag_1_output_column <= refinement_tag_0_output_column;
+      refinement_tag_1_start_of_frame <= refinement_tag_0_start_of_frame;
+      refinement_tag_1_end_of_line <= refinement_tag_0_end_of_line;
+      refinement_tag_2_valid <= refinement_tag_1_valid;
+      refinement_tag_2_map_column <= refinement_tag_1_map_column;
+      refinement_tag_2_output_column <= refinement_tag_1_output_column;
+      refinement_tag_2_start_of_frame <= refinement_tag_1_start_of_frame;
+      refinement_tag_2_end_of_line <= refinement_tag_1_end_of_line;
+      refinement_tag_3_valid <= refinement_tag_2_valid;
+      refinement_tag_3_map_column <= refinement_tag_2_map_column;
+      refinement_tag_3_output_column <= refinement_tag_2_output_column;
+      refinement_tag_3_start_of_frame <= refinement_tag_2_start_of_frame;
+      refinement_tag_3_end_of_line <= refinement_tag_2_end_of_line;
+      refinement_tag_4_valid <= refinement_tag_3_valid;
+      refinement_tag_4_map_column <= refinement_tag_3_map_column;
+      refinement_tag_4_output_column <= refinement_tag_3_output_column;
+      refinement_tag_4_start_of_frame <= refinement_tag_3_start_of_frame;
+      refinement_tag_4_end_of_line <= refinement_tag_3_end_of_line;
+      refinement_tag_5_valid <= refinement_tag_4_valid;
+      refinement_tag_5_map_column <= refinement_tag_4_map_column;
+      refinement_tag_5_output_column <= refinement_tag_4_output_column;
+      refinement_tag_5_start_of_frame <= refinement_tag_4_start_of_frame;
+      refinement_tag_5_end_of_line <= refinement_tag_4_end_of_line;
+      refinement_tag_6_valid <= refinement_tag_5_valid;
+      refinement_tag_6_map_column <= refinement_tag_5_map_column;
+      refinement_tag_6_output_column <= refinement_tag_5_output_column;
+      refinement_tag_6_start_of_frame <= refinement_tag_5_start_of_frame;
+      refinement_tag_6_end_of_line <= refinement_tag_5_end_of_line;
+      refinement_tag_7_valid <= refinement_tag_6_valid;
+      refinement_tag_7_map_column <= refinement_tag_6_map_column;
+      refinement_tag_7_output_column <= refinement_tag_6_output_column;
+      refinement_tag_7_start_of_frame <= refinement_tag_6_start_of_frame;
+      refinement_tag_7_end_of_line <= refinement_tag_6_end_of_line;
+      refinement_tag_8_valid <= refinement_tag_7_valid;
+      refinement_tag_8_map_column <= refinement_tag_7_map_column;
+      refinement_tag_8_output_column <= refinement_tag_7_output_column;
+      refinement_tag_8_start_of_frame <= refinement_tag_7_start_of_frame;
+      refinement_tag_8_end_of_line <= refinement_tag_7_end_of_line;
+      refinement_tag_9_valid <= refinement_tag_8_valid;
+      refinement_tag_9_map_column <= refinement_tag_8_map_column;
+      refinement_tag_9_output_column <= refinement_tag_8_output_column;
+      refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
+      refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_map_column <= refinement_tag_9_map_column;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_map_column <= refinement_tag_10_map_column;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_alone_0_0 <= slice2_best_second_0_0 = 1023;
+      refinement_alone_1_0 <= ((refinement_percent mod 16) = 0) or refinement_alone_0_0 when (refinement_percent / 16)
+        = 0 else refinement_alone_0_0;
+      refinement_gap_0 <= (slice2_best_second_0_0 - slice2_best_late_cost_0_0) mod 1024;
+      refinement_lowest_0 <= slice2_best_late_cost_0_0;
+      refinement_scaled_gap_0 <= (refinement_gap_0 * 25) * 4;
+      refinement_scaled_cost_0 <= refinement_lowest_0 * refinement_percent;
+      refinement_below_0 <= slice2_best_below_0_0 when refinement_below_0_differs and (((slice2_best_index_0_0 / 4) =
+        1) or refinement_below_0_value or ((slice2_best_index_0_0 mod 2) = 1)) else slice2_best_above_0_0;
+      refinement_above_0 <= slice2_best_below_0_0 when (not refinement_above_0_choice) and refinement_below_0_differs
+        else slice2_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - slice2_best_late_cost_0_0) mod 1024;
+      refinement_v_0 <= (refinement_above_0 - slice2_best_late_cost_0_0) mod 1024;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024 when
+        (refinement_remainder_1_0_difference / 2048) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024 when
+        (refinement_remainder_2_0_difference / 2048) = 1 else (refinement_remainder_1_0 mod 512) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024 when
+        (refinement_remainder_3_0_difference / 2048) = 1 else (refinement_remainder_2_0 mod 512) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024 when
+        (refinement_remainder_4_0_difference / 2048) = 1 else (refinement_remainder_3_0 mod 512) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024 when
+        (refinement_remainder_5_0_difference / 2048) = 1 else (refinement_remainder_4_0 mod 512) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024 when
+        (refinement_remainder_6_0_difference / 2048) = 1 else (refinement_remainder_5_0 mod 512) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024 when
+        (refinement_remainder_7_0_difference / 2048) = 1 else (refinement_remainder_6_0 mod 512) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 10)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 10))));
+      refinement_divisor_1_0 <= refinement_divisor_0_0;
+      refinement_divisor_2_0 <= refinement_divisor_1_0;
+      refinement_divisor_3_0 <= refinement_divisor_2_0;
+      refinement_divisor_4_0 <= refinement_divisor_3_0;
+      refinement_divisor_5_0 <= refinement_divisor_4_0;
+      refinement_divisor_6_0 <= refinement_divisor_5_0;
+      refinement_divisor_7_0 <= refinement_divisor_6_0;
+      refinement_quotient_8_0 <= (((((2048 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 2048) +
+        ((other_3 / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
+      refinement_negative_1_0 <= refinement_negative_0_0;
+      refinement_negative_2_0 <= refinement_negative_1_0;
+      refinement_negative_3_0 <= refinement_negative_2_0;
+      refinement_negative_4_0 <= refinement_negative_3_0;
+      refinement_negative_5_0 <= refinement_negative_4_0;
+      refinement_negative_6_0 <= refinement_negative_5_0;
+      refinement_negative_7_0 <= refinement_negative_6_0;
+      refinement_negative_8_0 <= refinement_negative_7_0;
+      refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if not ((not refinement_tag_0_valid) or (not refinement_tag_0_start_of_frame) or (not refinement_tag_0_output_column)) then
+        refinement_percent <= settings_uniqueness_percent;
+      end if;
+      -- leftright
+      leftright_holds_winners_all := (not leftright_holds_winners) and (((leftright_ring_read_address / 4) = 1) or
+        (((leftright_ring_read_address / 2) mod 2) = 1) or ((leftright_ring_read_address mod 2) = 1));
+      leftright_address_0_value := to_integer(leftright_held_0(6 downto 4));
+      leftright_checked_passed_0_difference := leftright_answered_disparity_0 - to_integer(leftright_found_0);
+      leftright_checked_tag_row_start_choice := (not ((map_counter_group mod 2) = 1)) or (not (((map_counter_group / 2)
+        mod 2) = 1)) when (size_windows_idle mod 2) = 1 else not (((map_counter_group / 2) mod 2) = 1);
+      leftright_checked_tag_row_start_is_equal := (map_counter_group mod 4) = 0;
+      leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice when
+        transform_counter_group_value_10 else ((size_windows_idle mod 2) = 1) and
+        leftright_checked_tag_row_start_is_equal;
+      leftright_checked_tag_row_start_value := ((map_counter_group / 4) mod 2) = 1;
+      leftright_checked_tag_row_start_choice_3 := (not transform_counter_group_value_11) and
+        leftright_checked_tag_row_start_value when leftright_checked_tag_row_start_choice_2 else (not
+        transform_counter_group_value_11) or leftright_checked_tag_row_start_value;
+      leftright_checked_tag_row_start_value_2 := ((map_counter_group / 8) mod 2) = 1;
+      leftright_checked_tag_row_start_choice_4 := (not transform_counter_group_value_12) or
+        leftright_checked_tag_row_start_value_2 when leftright_checked_tag_row_start_choice_3 else (not
+        transform_counter_group_value_12) and leftright_checked_tag_row_start_value_2;
+      leftright_checked_tag_row_start_value_3 := ((size_map_last_column / 16) mod 2) = 1;
+      leftright_checked_tag_row_start_choice_5 := (map_counter_column / 16) = 3 when
+        leftright_checked_tag_row_start_value_3 else (map_counter_column / 16) = 2;
+      leftright_checked_tag_row_start_choice_6 := (map_counter_column / 16) = 1 when
+        leftright_checked_tag_row_start_value_3 else (map_counter_column / 16) = 0;
+      leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_5 when (size_map_last_column /
+        32) = 1 else leftright_checked_tag_row_start_choice_6;
+      leftright_checked_tag_row_start_value_4 := ((size_map_last_column / 2) mod 2) = 1;
+      leftright_checked_tag_row_start_value_5 := (map_counter_column / 2) mod 4;
+      leftright_checked_tag_row_start_choice_8 := leftright_checked_tag_row_start_value_5 = 3 when
+        leftright_checked_tag_row_start_value_4 else leftright_checked_tag_row_start_value_5 = 2;
+      leftright_checked_tag_row_start_choice_9 := leftright_checked_tag_row_start_value_5 = 1 when
+        leftright_checked_tag_row_start_value_4 else leftright_checked_tag_row_start_value_5 = 0;
+      leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_8 when ((size_map_last_column
+        / 4) mod 2) = 1 else leftright_checked_tag_row_start_choice_9;
+      leftright_checked_tag_row_start_differs := ((size_map_last_column mod 2) = 1) /= (not ((map_counter_column mod 2)
+        = 1));
+      leftright_checked_tag_row_start_differs_2 := (((size_map_last_column / 8) mod 2) = 1) /= (not
+        (((map_counter_column / 8) mod 2) = 1));
+      leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
+        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
+        leftright_checked_tag_row_start_differs_2 and ((size_windows_idle / 16) = 1) and (not ((map_counter_group / 16)
+        = 1)) when leftright_checked_tag_row_start_choice_4 else leftright_checked_tag_row_start_choice_7 and
+        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
+        leftright_checked_tag_row_start_differs_2 and (((size_windows_idle / 16) = 1) or (not ((map_counter_group / 16)
+        = 1)));
+      leftright_checked_tag_row_start_value_6 := ((size_windows_groups / 8) mod 2) = 1;
+      leftright_checked_tag_row_start_choice_12 := (map_counter_group / 8) = 3 when
+        leftright_checked_tag_row_start_value_6 else (map_counter_group / 8) = 2;
+      leftright_checked_tag_row_start_is_equal_2 := (map_counter_group / 8) = 1;
+      leftright_checked_tag_row_start_is_equal_3 := (map_counter_group / 8) = 0;
+      leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_2 when
+        leftright_checked_tag_row_start_value_6 else leftright_checked_tag_row_start_is_equal_3;
+      leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_12 when (size_windows_groups
+        / 16) = 1 else leftright_checked_tag_row_start_choice_13;
+      leftright_checked_tag_row_start_is_equal_4 := (map_counter_group mod 4) = 3;
+      leftright_checked_tag_row_start_is_equal_5 := (map_counter_group mod 4) = 2;
+      leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_4 when (size_windows_groups
+        mod 2) = 1 else leftright_checked_tag_row_start_is_equal_5;
+      leftright_checked_tag_row_start_is_equal_6 := (map_counter_group mod 4) = 1;
+      leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal_6 when (size_windows_groups
+        mod 2) = 1 else leftright_checked_tag_row_start_is_equal;
+      leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_15 when ((size_windows_groups
+        / 2) mod 2) = 1 else leftright_checked_tag_row_start_choice_16;
+      leftright_checked_tag_row_start_differs_3 := transform_counter_group_value_13 /= (not
+        leftright_checked_tag_row_start_value);
+      leftright_checked_tag_row_start_all := leftright_checked_tag_row_start_choice_14 and
+        leftright_checked_tag_row_start_choice_17 and leftright_checked_tag_row_start_differs_3;
+      leftright_checked_tag_row_start_choice_18 := (not leftright_checked_tag_row_start_all) and
+        leftright_checked_tag_row_start when leftright_checked_tag_row_start_choice_11 else
+        leftright_checked_tag_row_start;
+      leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_2 when
+        (size_windows_last_group / 8) = 1 else leftright_checked_tag_row_start_is_equal_3;
+      leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_4 when
+        (size_windows_last_group mod 2) = 1 else leftright_checked_tag_row_start_is_equal_5;
+      leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_is_equal_6 when
+        (size_windows_last_group mod 2) = 1 else leftright_checked_tag_row_start_is_equal;
+      leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_choice_20 when
+        ((size_windows_last_group / 2) mod 2) = 1 else leftright_checked_tag_row_start_choice_21;
+      leftright_checked_tag_row_start_differs_4 := transform_counter_group_value_4 /= (not
+        leftright_checked_tag_row_start_value);
+      leftright_checked_tag_row_start_all_2 := leftright_checked_tag_row_start_choice_19 and
+        leftright_checked_tag_row_start_choice_22 and leftright_checked_tag_row_start_differs_4 and
+        leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
+        leftright_checked_tag_row_start_differs and leftright_checked_tag_row_start_differs_2;
+      leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_all_2 or (not
+        leftright_checked_tag_start_of_frame) when leftright_checked_tag_row_start_choice_18 else
+        leftright_checked_tag_row_start_choice_19 and leftright_checked_tag_row_start_choice_22 and
+        leftright_checked_tag_row_start_differs_4 and leftright_checked_tag_row_start_choice_7 and
+        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
+        leftright_checked_tag_row_start_differs_2 and leftright_checked_tag_start_of_frame;
+      leftright_checked_tag_row_start_all_3 := leftright_checked_tag_valid and leftright_checked_tag_map_column;
+      leftright_other_1_0 <= slice2other_winner_out_0;
+      leftright_other_2_0 <= leftright_other_1_0;
+      leftright_other_3_0 <= leftright_other_2_0;
+      leftright_other_4_0 <= leftright_other_3_0;
+      leftright_other_5_0 <= leftright_other_4_0;
+      leftright_other_6_0 <= leftright_other_5_0;
+      leftright_other_7_0 <= leftright_other_6_0;
+      leftright_other_8_0 <= leftright_other_7_0;
+      leftright_other_9_0 <= leftright_other_8_0;
+      leftright_other_10_0 <= leftright_other_9_0;
+      leftright_other_11_0 <= leftright_other_10_0;
+      leftright_other_12_0 <= leftright_other_11_0;
+      leftright_other_13_0 <= leftright_other_12_0;
+      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
+        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
+      leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
+      leftright_held_position <= leftright_position;
+      leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
+      leftright_address_0 <= (leftright_held_position - leftright_address_0_value) mod 16;
+      leftright_asking_disparity_0 <= leftright_address_0_value;
+      leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
+      leftright_asking_passed_0 <= to_integer(leftright_held_0(12 downto 12)) = 1;
+      leftright_asking_tag_valid <= leftright_held_valid;
+      leftright_asking_tag_map_column <= to_integer(leftright_held_0(0 downto 0)) = 1;
+      leftright_asking_tag_output_column <= to_integer(leftright_held_0(1 downto 1)) = 1;
+      leftright_asking_tag_start_of_frame <= to_integer(leftright_held_0(2 downto 2)) = 1;
+      leftright_asking_tag_end_of_line <= to_integer(leftright_held_0(3 downto 3)) = 1;
+      leftright_answered_disparity_0 <= leftright_asking_disparity_0;
+      leftright_answered_fraction_0 <= leftright_asking_fraction_0;
+      leftright_answered_passed_0 <= leftright_asking_passed_0;
+      leftright_answered_tag_valid <= leftright_asking_tag_valid;
+      leftright_answered_tag_map_column <= leftright_asking_tag_map_column;
+      leftright_answered_tag_start_of_frame <= leftright_asking_tag_start_of_frame;
+      leftright_answered_tag_end_of_line <= leftright_asking_tag_end_of_line;
+      leftright_checked_disparity_0 <= leftright_answered_disparity_0;
+      leftright_checked_fraction_0 <= leftright_answered_fraction_0;
+      leftright_checked_passed_0 <= leftright_answered_passed_0 and ((leftright_checked_passed_0_difference - (0 -
+        leftright_threshold)) >= 0) and ((leftright_threshold - leftright_checked_passed_0_difference) >= 0);
+      leftright_checked_tag_valid <= leftright_answered_tag_valid;
+      leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_3 when
+        leftright_checked_tag_row_start_choice_23 else leftright_checked_tag_row_start and ((not
+        leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
+      leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
+      leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
+      leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if refinement_tag_11_valid then
+        leftright_ring_read_address <= 0 when leftright_ring_read_address = 7 else (leftright_ring_read_address + 1)
+          mod 8;
+        leftright_ring_write_address <= leftright_ring_read_address;
+      end if;
+      if not ((not leftright_asking_tag_valid) or (not leftright_asking_tag_start_of_frame) or (not leftright_asking_tag_output_column)) then
+        leftright_threshold <= settings_left_right_threshold;
+      end if;
+      -- map
+      if leftright_checked_tag_row_start_all_3 then
+        map_counter_column <= 0 when (leftright_checked_tag_row_start_choice_7 and
+          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
+          leftright_checked_tag_row_start_differs_2) or leftright_checked_tag_start_of_frame else (map_counter_column +
+          1) mod 64;
+      end if;
+      map_counter_group_choice := size_windows_groups when leftright_checked_tag_row_start_all_2 else 0;
+      map_counter_group_choice_2 := 1 when leftright_checked_tag_row_start_choice_14 and
+        leftright_checked_tag_row_start_choice_17 and leftright_checked_tag_row_start_differs_3 and
+        leftright_checked_tag_row_start else (map_counter_group + 1) mod 32;
+      map_counter_group_choice_3 := map_counter_group_choice_2 when leftright_checked_tag_row_start_choice_11 and
+        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group;
+      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
+      if map_at_top then
+        map_of_column_0_a_choice := map_column_1 / 2;
+      else
+        map_of_column_0_a_choice := other_0 / 2;
+      end if;
+      if map_counter_next_frame then
+        map_of_column_0_c_choice := map_column_1 / 2;
+      else
+        map_of_column_0_c_choice := map_column_2 / 2;
+      end if;
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
+      map_window_complete_choice := map_sorted_arrives when ((map_sorted_column / 2) mod 2) = 1 else
+        ((map_sorted_column mod 2) = 1) and map_sorted_arrives;
+      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 4) = 0 else
+        map_sorted_arrives;
+      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
+        map_median_middle_0_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
+      map_counter_group <= map_counter_group_choice when leftright_checked_tag_start_of_frame and
+        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_3;
+      map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
+      map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
+        + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
+      map_arrives <= leftright_checked_tag_row_start_all_3;
+      map_behind <= map_line_ended and leftright_checked_tag_valid;
+      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
+        leftright_checked_tag_valid);
+      map_rows_read_newest_0 <= map_newest_0;
+      map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
+      map_rows_ready_newest_0 <= map_rows_read_newest_0;
+      map_write_column <= to_integer(other_1(5 downto 0));
+      map_column_1 <= map_rows_ready_words_0 / 8192;
+      map_column_2 <= map_rows_ready_newest_0;
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
+      map_of_column_0_a <= map_of_column_0_a_choice;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_of_column_0_c_choice;
+      map_of_column_0_b_below_a <= ((map_column_1 / 2) - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_a <= (map_of_column_0_c_choice - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_b <= (map_of_column_0_c_choice - (map_column_1 / 2)) < 0;
+      map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_comparing_column <= map_write_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
+        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete <= map_sorted_output when map_window_complete_choice_2 else map_sorted_output and
+        map_sorted_behind;
+      map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= (map_low_1_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_a <= (map_low_2_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_b <= (map_low_2_0 - map_low_1_0) < 0;
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= (map_middle_1_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_a <= (map_middle_2_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_b <= (map_middle_2_0 - map_middle_1_0) < 0;
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
+        map_median_middle_0_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= (map_median_middle_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_a <= (map_smallest_high_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_b <= (map_smallest_high_0 - map_median_middle_0) < 0;
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
+        map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
+        map_at_column <= to_integer(other_1(5 downto 0));
+      end if;
+      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
+      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
+      if not map_low_0_0_all then
+        map_low_0_0 <= map_low_0_0_choice;
+        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
+        map_low_2_0 <= map_low_1_0;
+        map_middle_0_0 <= map_middle_0_0_choice;
+        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
+        map_middle_2_0 <= map_middle_1_0;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
+        map_high_2_0 <= map_high_1_0;
+      end if;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
+      end if;
+      -- other
+      other_11_choice := ((settings_last_disparity / 4) mod 4) = 0 when (settings_last_disparity mod 2) = 1 else (not
+        (((settings_last_disparity / 8) mod 2) = 1)) and slice2mask_searched_1_any;
+      other_11_any := (not (((settings_first_disparity / 4) mod 2) = 1)) or (not (((settings_first_disparity / 2) mod
+        2) = 1));
+      other_11_choice_2 := other_11_any and slice2mask_searched_1_is_equal and slice0window_tag_valid and
+        slice0window_tag_start_of_frame and slice1window_centre_output_column_0 and ((settings_last_disparity / 128) =
+        1) when other_11_choice and (((settings_last_disparity / 16) mod 8) = 0) else other_11_any and
+        slice2mask_searched_1_is_equal and slice0window_tag_valid and slice0window_tag_start_of_frame and
+        slice1window_centre_output_column_0;
+      other_11_all := slice0window_tag_valid and slice0window_tag_start_of_frame and
+        slice1window_centre_output_column_0;
+      other_12_choice := not ((settings_first_disparity / 128) = 1) when other_11_all else other_12;
+      other_14_is_less := 4 < in_image_width;
+      other_0 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
+      other_1 <= other_2;
+      other_2 <= to_unsigned(as_number(((((map_counter_group + 65535) mod 65536) - size_windows_groups) < 0)), 1) &
+        to_unsigned(as_number(leftright_checked_tag_row_start_all), 8) & to_unsigned(as_number((map_counter_group =
+        1)), 8) & to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
+      other_3 <= ((refinement_remainder_7_0_difference / 2048) * 2) + ((other_4 / 4) * 4);
+      other_4 <= ((refinement_remainder_6_0_difference / 2048) * 4) + ((other_5 / 8) * 8);
+      other_5 <= ((refinement_remainder_5_0_difference / 2048) * 8) + ((other_6 / 16) * 16);
+      other_6 <= ((refinement_remainder_4_0_difference / 2048) * 16) + ((other_7 / 32) * 32);
+      other_7 <= ((refinement_remainder_3_0_difference / 2048) * 32) + ((other_8 / 64) * 64);
+      other_8 <= ((refinement_remainder_2_0_difference / 2048) * 64) + ((other_9 / 128) * 128);
+      other_9 <= (refinement_remainder_1_0_difference / 2048) * 128;
+      other_11 <= other_11_choice_2 or ((not other_11_all) and other_11);
+      other_12 <= other_12_choice when ((not (((settings_first_disparity / 4) mod 2) = 1)) or
+        ((settings_first_disparity mod 4) = 0)) and (((settings_first_disparity / 8) mod 16) = 0) and
+        ((((settings_last_disparity / 4) mod 16) /= 0) or ((settings_last_disparity / 128) = 1) or
+        slice2mask_searched_1_value) else (not other_11_all) and other_12;
+      other_14 <= other_14_is_less;
+      other_15 <= 4 when other_14_is_less else (4 - in_image_width) mod 65536;
+      if slice2mask_searched_1_all then
+        other_10 <= ((not (((settings_first_disparity / 4) mod 2) = 1)) or (not (((settings_first_disparity / 2) mod 2)
+          = 1)) or (not ((settings_first_disparity mod 2) = 1))) and (not (slice2mask_searched_1_any and
+          ((settings_last_disparity / 8) = 0))) and slice2mask_searched_1_is_equal;
+      end if;
+      other_13_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and (not (((settings_last_disparity / 8)
+        mod 2) = 1)) and (not (((settings_last_disparity / 2) mod 2) = 1)) when (settings_last_disparity mod 2) = 1
+        else ((settings_last_disparity / 8) mod 4) = 0;
+      other_13_choice_2 := (not ((settings_first_disparity / 128) = 1)) and slice2mask_searched_1_value_2 when
+        other_13_choice and (not ((settings_last_disparity / 128) = 1)) and (not slice2mask_searched_1_value) and (not
+        (((settings_last_disparity / 4) mod 2) = 1)) else not ((settings_first_disparity / 128) = 1);
+      if other_11_all then
+        other_13 <= other_13_choice_2 and (((settings_first_disparity / 4) mod 32) = 0);
+      end if;
+      if reset = '1' then
+        size_windows_last_column <= 39;
+        size_windows_last_group <= 15;
+        size_windows_groups <= 16;
+        size_windows_idle <= 17;
+        size_map_last_column <= 37;
+        transform_valid <= false;
+        transform_counter_column <= 0;
+        transform_counter_group <= 17;
+        transform_counter_next_frame <= false;
+        transform_read_column <= 0;
+        transform_read_start_of_frame <= false;
+        transform_read_valid <= false;
+        transform_ready_column <= 0;
+        transform_ready_start_of_frame <= false;
+        transform_ready_valid <= false;
+        transform_write_column <= 0;
+        transform_columns_start_of_frame <= false;
+        transform_columns_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        transform_filtering_2_start_of_frame <= false;
+        transform_filtering_2_valid <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 17;
+        raster_place_next_frame <= false;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_map_column <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        delay_split_inside_before_1 <= false;
+        delay_split_start_before <= false;
+        delay_split_whole_before <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_map_column <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_map_column <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_map_column <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_map_column <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_map_column <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_map_column <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_map_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_map_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_map_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_map_column <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_map_column <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1cost_tag_output_column <= false;
+        slice1window_centre_output_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
+        slice1window_tag_output_column <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_map_column <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        slice2cost_tag_output_column <= false;
+        slice2_best_tag_valid <= false;
+        slice2_best_tag_map_column <= false;
+        slice2_best_tag_output_column <= false;
+        slice2_best_tag_start_of_frame <= false;
+        slice2_best_tag_end_of_line <= false;
+        refinement_tag_0_valid <= false;
+        refinement_tag_0_map_column <= false;
+        refinement_tag_0_output_column <= false;
+        refinement_tag_0_start_of_frame <= false;
+        refinement_tag_0_end_of_line <= false;
+        refinement_tag_1_valid <= false;
+        refinement_tag_1_map_column <= false;
+        refinement_tag_1_output_column <= false;
+        refinement_tag_1_start_of_frame <= false;
+        refinement_tag_1_end_of_line <= false;
+        refinement_tag_2_valid <= false;
+        refinement_tag_2_map_column <= false;
+        refinement_tag_2_output_column <= false;
+        refinement_tag_2_start_of_frame <= false;
+        refinement_tag_2_end_of_line <= false;
+        refinement_tag_3_valid <= false;
+        refinement_tag_3_map_column <= false;
+        refinement_tag_3_output_column <= false;
+        refinement_tag_3_start_of_frame <= false;
+        refinement_tag_3_end_of_line <= false;
+        refinement_tag_4_valid <= false;
+        refinement_tag_4_map_column <= false;
+        refinement_tag_4_output_column <= false;
+        refinement_tag_4_start_of_frame <= false;
+        refinement_tag_4_end_of_line <= false;
+        refinement_tag_5_valid <= false;
+        refinement_tag_5_map_column <= false;
+        refinement_tag_5_output_column <= false;
+        refinement_tag_5_start_of_frame <= false;
+        refinement_tag_5_end_of_line <= false;
+        refinement_tag_6_valid <= false;
+        refinement_tag_6_map_column <= false;
+        refinement_tag_6_output_column <= false;
+        refinement_tag_6_start_of_frame <= false;
+        refinement_tag_6_end_of_line <= false;
+        refinement_tag_7_valid <= false;
+        refinement_tag_7_map_column <= false;
+        refinement_tag_7_output_column <= false;
+        refinement_tag_7_start_of_frame <= false;
+        refinement_tag_7_end_of_line <= false;
+        refinement_tag_8_valid <= false;
+        refinement_tag_8_map_column <= false;
+        refinement_tag_8_output_column <= false;
+        refinement_tag_8_start_of_frame <= false;
+        refinement_tag_8_end_of_line <= false;
+        refinement_tag_9_valid <= false;
+        refinement_tag_9_map_column <= false;
+        refinement_tag_9_output_column <= false;
+        refinement_tag_9_start_of_frame <= false;
+        refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_map_column <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_map_column <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
+        leftright_ring_read_address <= 1;
+        leftright_ring_write_address <= 0;
+        leftright_holds_winners <= false;
+        leftright_position <= 0;
+        leftright_held_valid <= false;
+        leftright_asking_tag_valid <= false;
+        leftright_asking_tag_map_column <= false;
+        leftright_asking_tag_output_column <= false;
+        leftright_asking_tag_start_of_frame <= false;
+        leftright_asking_tag_end_of_line <= false;
+        leftright_answered_tag_valid <= false;
+        leftright_answered_tag_map_column <= false;
+        leftright_answered_tag_start_of_frame <= false;
+        leftright_answered_tag_end_of_line <= false;
+        leftright_checked_tag_valid <= false;
+        leftright_checked_tag_row_start <= false;
+        leftright_checked_tag_map_column <= false;
+        leftright_checked_tag_start_of_frame <= false;
+        leftright_checked_tag_end_of_line <= false;
+        map_counter_column <= 0;
+        map_counter_group <= 17;
+        map_arrives <= false;
+        map_behind <= false;
+        map_line_ended <= false;
+        map_write_column <= 0;
+        map_at_arrives <= false;
+        map_at_behind <= false;
+        map_at_top <= false;
+        map_at_output <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
+        map_out_valid <= false;
+        map_out_start_of_frame <= false;
+        map_out_end_of_line <= false;
+        other_1 <= to_unsigned(0, 49);
+        other_2 <= to_unsigned(0, 49);
+        other_14 <= true;
+        other_15 <= 4;
+      end if;
+    end if;
+  end process;
+end architecture;

@@ -1,0 +1,8682 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, semi global, configuration tiny_sgm_size_full: 40x20, 12 disparities, window 3x3, P1 5, P2 22, 1 pixel pair a clock.
+-- Options: disparities 12, min_disparity 2, reference left, ties largest, left_right_threshold 1,
+--   uniqueness_distance 3, subpixel true, median true, full_width true, slice_disparities 5,
+--   run_time_settings true, run_time_size true.
+-- Made from hls/top/semi_global_size_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_sgm_size_full
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_sgm_size_full is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 40;
+    height_px : positive := 20;
+    disparities : positive := 12;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 16;
+    output_width_px : positive := 38;
+    latency_clocks : positive := 59;
+    flush_groups : positive := 267;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    p1 : in std_logic_vector(15 downto 0);  -- 0 ... 7, taken over with start_of_frame
+    p2 : in std_logic_vector(15 downto 0);  -- 0 ... 31, taken over with start_of_frame
+    uniqueness_distance : in std_logic_vector(15 downto 0);  -- 0 ... 198, taken over with start_of_frame
+    left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
+    first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
+    last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
+    image_width : in std_logic_vector(15 downto 0);  -- 18 ... 40, changes in a reset only
+    image_height : in std_logic_vector(15 downto 0);  -- 10 ... 20, changes in a reset only
+    disparity : out std_logic_vector(15 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 40 report "stereo_core_tiny_sgm_size_full: width_px is " & integer'image(width_px) & " but this core has 40" severity failure;
+  assert height_px = 20 report "stereo_core_tiny_sgm_size_full: height_px is " & integer'image(height_px) & " but this core has 20" severity failure;
+  assert disparities = 12 report "stereo_core_tiny_sgm_size_full: disparities is " & integer'image(disparities) & " but this core has 12" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_sgm_size_full: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 16 report "stereo_core_tiny_sgm_size_full: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
+  assert output_width_px = 38 report "stereo_core_tiny_sgm_size_full: output_width_px is " & integer'image(output_width_px) & " but this core has 38" severity failure;
+  assert latency_clocks = 59 report "stereo_core_tiny_sgm_size_full: latency_clocks is " & integer'image(latency_clocks) & " but this core has 59" severity failure;
+  assert flush_groups = 267 report "stereo_core_tiny_sgm_size_full: flush_groups is " & integer'image(flush_groups) & " but this core has 267" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_sgm_size_full: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_sgm_size_full is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_image_width : natural range 0 to 65535;
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_left_pixel : natural range 0 to 255;
+  signal in_image_height : natural range 0 to 65535;
+  signal in_last_disparity : natural range 0 to 255;
+  signal in_first_disparity : natural range 0 to 255;
+  signal in_left_right_threshold : natural range 0 to 255;
+  signal in_uniqueness_distance : natural range 0 to 65535;
+  signal in_p2 : natural range 0 to 65535;
+  signal in_p1 : natural range 0 to 65535;
+  -- settings
+  signal settings_p1 : natural range 0 to 7;
+  signal settings_p2 : natural range 0 to 31;
+  signal settings_uniqueness_distance, settings_left_right_threshold, settings_first_disparity : natural range 0 to 255;
+  signal settings_last_disparity : natural range 0 to 255;
+  -- size
+  signal size_windows_last_column, size_map_last_column, size_map_columns_to : natural range 0 to 63;
+  signal size_windows_last_group, size_windows_groups, size_windows_idle, size_transform_idle : natural range 0 to 31;
+  -- transform
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
+  signal transform_left_column_2, transform_left_column_3, transform_left_column_4 : natural range 0 to 255;
+  signal transform_right_column_0, transform_right_column_1, transform_right_column_2 : natural range 0 to 255;
+  signal transform_right_column_3, transform_right_column_4, transform_left_filter_column_0_0 : natural range 0 to 255;
+  signal transform_left_filter_column_0_1, transform_left_filter_column_0_2 : natural range 0 to 255;
+  signal transform_left_filter_column_0_3, transform_left_filter_column_0_4 : natural range 0 to 255;
+  signal transform_left_filter_column_1_0, transform_left_filter_column_1_1 : natural range 0 to 255;
+  signal transform_left_filter_column_1_2, transform_left_filter_column_1_3 : natural range 0 to 255;
+  signal transform_left_filter_column_1_4, transform_left_filter_column_2_0 : natural range 0 to 255;
+  signal transform_left_filter_column_2_1, transform_left_filter_column_2_2 : natural range 0 to 255;
+  signal transform_left_filter_column_2_3, transform_left_filter_column_2_4 : natural range 0 to 255;
+  signal transform_left_filter_column_3_0, transform_left_filter_column_3_1 : natural range 0 to 255;
+  signal transform_left_filter_column_3_2, transform_left_filter_column_3_3 : natural range 0 to 255;
+  signal transform_left_filter_column_3_4, transform_left_filter_column_4_0 : natural range 0 to 255;
+  signal transform_left_filter_column_4_1, transform_left_filter_column_4_2 : natural range 0 to 255;
+  signal transform_left_filter_column_4_3, transform_left_filter_column_4_4 : natural range 0 to 255;
+  signal transform_right_filter_column_0_0, transform_right_filter_column_0_1 : natural range 0 to 255;
+  signal transform_right_filter_column_0_2, transform_right_filter_column_0_3 : natural range 0 to 255;
+  signal transform_right_filter_column_0_4, transform_right_filter_column_1_0 : natural range 0 to 255;
+  signal transform_right_filter_column_1_1, transform_right_filter_column_1_2 : natural range 0 to 255;
+  signal transform_right_filter_column_1_3, transform_right_filter_column_1_4 : natural range 0 to 255;
+  signal transform_right_filter_column_2_0, transform_right_filter_column_2_1 : natural range 0 to 255;
+  signal transform_right_filter_column_2_2, transform_right_filter_column_2_3 : natural range 0 to 255;
+  signal transform_right_filter_column_2_4, transform_right_filter_column_3_0 : natural range 0 to 255;
+  signal transform_right_filter_column_3_1, transform_right_filter_column_3_2 : natural range 0 to 255;
+  signal transform_right_filter_column_3_3, transform_right_filter_column_3_4 : natural range 0 to 255;
+  signal transform_right_filter_column_4_0, transform_right_filter_column_4_1 : natural range 0 to 255;
+  signal transform_right_filter_column_4_2, transform_right_filter_column_4_3 : natural range 0 to 255;
+  signal transform_right_filter_column_4_4 : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
+  signal transform_read_row_inside_1, transform_read_row_inside_2, transform_read_row_inside_3 : boolean;
+  signal transform_read_row_inside_4, transform_read_column_inside_0, transform_read_column_inside_1 : boolean;
+  signal transform_read_column_inside_2, transform_read_column_inside_3, transform_read_column_inside_4 : boolean;
+  signal transform_read_start_of_frame, transform_read_valid, transform_ready_row_inside_0 : boolean;
+  signal transform_ready_row_inside_1, transform_ready_row_inside_2, transform_ready_row_inside_3 : boolean;
+  signal transform_ready_row_inside_4, transform_ready_column_inside_0, transform_ready_column_inside_1 : boolean;
+  signal transform_ready_column_inside_2, transform_ready_column_inside_3, transform_ready_column_inside_4 : boolean;
+  signal transform_ready_start_of_frame, transform_ready_valid, transform_columns_row_inside_0 : boolean;
+  signal transform_columns_row_inside_1, transform_columns_row_inside_2, transform_columns_row_inside_3 : boolean;
+  signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_1 : boolean;
+  signal transform_columns_column_inside_2, transform_columns_column_inside_3 : boolean;
+  signal transform_columns_column_inside_4, transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
+  signal transform_write_column : natural range 0 to 63;
+  signal transform_counter_group : natural range 0 to 31;
+  signal transform_left_rows_read_words_0, transform_left_rows_ready_words_0 : unsigned(31 downto 0);
+  signal transform_left_rows_write_words_0, transform_right_rows_read_words_0 : unsigned(31 downto 0);
+  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : unsigned(31 downto 0);
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16777215;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16777215;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 63;
+  signal raster_place_group : natural range 0 to 31;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 3;
+  signal delay_ahead_0 : natural range 0 to 16777215;
+  signal delay_delayed_0 : unsigned(23 downto 0);
+  signal delay_column : natural range 0 to 63;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_map_column : boolean;
+  signal delay_tag_output_column, delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_split_search_inside_0, delay_split_search_inside_1, delay_split_search_inside_2 : boolean;
+  signal delay_split_inside_before_0, delay_split_inside_before_1, delay_split_inside_before_2 : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_0 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words_1, rows_search_rows_ready_newest_0 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words_0, rows_search_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_1, rows_reference_rows_ready_newest_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words_0, rows_reference_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_search_0, rows_search_1, rows_search_2, rows_reference_0, rows_reference_1 : natural range 0 to 16777215;
+  signal rows_reference_2 : natural range 0 to 16777215;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
+  signal rows_read_tag_map_column, rows_read_tag_output_column, rows_read_tag_first_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_read_search_inside_0 : boolean;
+  signal rows_read_search_inside_1, rows_read_search_inside_2, rows_ready_inside_0, rows_ready_inside_1 : boolean;
+  signal rows_ready_inside_2, rows_ready_tag_valid, rows_ready_tag_map_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_first_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
+  signal rows_ready_search_inside_0, rows_ready_search_inside_1, rows_ready_search_inside_2, rows_tag_valid : boolean;
+  signal rows_tag_map_column, rows_tag_output_column, rows_tag_first_column, rows_tag_start_of_frame : boolean;
+  signal rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 16777215;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_1_0 : natural range 0 to 16777215;
+  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 16777215;
+  signal slice0shift_search_1_4, slice0shift_search_2_0, slice0shift_search_2_1 : natural range 0 to 16777215;
+  signal slice0shift_search_2_2, slice0shift_search_2_3, slice0shift_search_2_4 : natural range 0 to 16777215;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 16777215;
+  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 16777215;
+  signal slice0shift_tag_valid, slice0shift_tag_map_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_first_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_pixels_first_0_0_count_0, slice0cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_2, slice0cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_4, slice0cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_6, slice0cost_pixels_first_0_0_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_0, slice0cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_2, slice0cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_4, slice0cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_6, slice0cost_pixels_first_0_1_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_0, slice0cost_pixels_first_0_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_2, slice0cost_pixels_first_0_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_4, slice0cost_pixels_first_0_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_6, slice0cost_pixels_first_0_2_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_0, slice0cost_pixels_first_0_3_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_2, slice0cost_pixels_first_0_3_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_4, slice0cost_pixels_first_0_3_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_6, slice0cost_pixels_first_0_3_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_0, slice0cost_pixels_first_0_4_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_2, slice0cost_pixels_first_0_4_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_4, slice0cost_pixels_first_0_4_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_6, slice0cost_pixels_first_0_4_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_0, slice0cost_pixels_first_1_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_2, slice0cost_pixels_first_1_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_4, slice0cost_pixels_first_1_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_6, slice0cost_pixels_first_1_0_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_0, slice0cost_pixels_first_1_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_2, slice0cost_pixels_first_1_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_4, slice0cost_pixels_first_1_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_6, slice0cost_pixels_first_1_1_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_0, slice0cost_pixels_first_1_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_2, slice0cost_pixels_first_1_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_4, slice0cost_pixels_first_1_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_6, slice0cost_pixels_first_1_2_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_3_count_0, slice0cost_pixels_first_1_3_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_3_count_2, slice0cost_pixels_first_1_3_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_3_count_4, slice0cost_pixels_first_1_3_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_3_count_6, slice0cost_pixels_first_1_3_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_4_count_0, slice0cost_pixels_first_1_4_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_4_count_2, slice0cost_pixels_first_1_4_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_4_count_4, slice0cost_pixels_first_1_4_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_4_count_6, slice0cost_pixels_first_1_4_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_0, slice0cost_pixels_first_2_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_2, slice0cost_pixels_first_2_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_4, slice0cost_pixels_first_2_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_6, slice0cost_pixels_first_2_0_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_0, slice0cost_pixels_first_2_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_2, slice0cost_pixels_first_2_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_4, slice0cost_pixels_first_2_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_6, slice0cost_pixels_first_2_1_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_0, slice0cost_pixels_first_2_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_2, slice0cost_pixels_first_2_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_4, slice0cost_pixels_first_2_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_6, slice0cost_pixels_first_2_2_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_3_count_0, slice0cost_pixels_first_2_3_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_3_count_2, slice0cost_pixels_first_2_3_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_3_count_4, slice0cost_pixels_first_2_3_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_3_count_6, slice0cost_pixels_first_2_3_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_4_count_0, slice0cost_pixels_first_2_4_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_4_count_2, slice0cost_pixels_first_2_4_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_4_count_4, slice0cost_pixels_first_2_4_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_4_count_6, slice0cost_pixels_first_2_4_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_map_column : boolean;
+  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_first_column : boolean;
+  signal slice0cost_pixels_first_tag_start_of_frame, slice0cost_pixels_first_tag_end_of_line : boolean;
+  signal slice0cost_pixels_tag_valid, slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
+  signal slice0cost_pixels_tag_first_column, slice0cost_pixels_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_first_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_map_column, slice0cost_tag_output_column, slice0cost_tag_first_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_1_0 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_2_2, slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 24;
+  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 24;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 48;
+  signal slice0cost_pair_0_4 : natural range 0 to 48;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 72;
+  signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 72;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 72;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4 : natural range 0 to 72;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 144;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4 : natural range 0 to 144;
+  signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
+  signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
+  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 216;
+  signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 216;
+  -- slice0mask
+  signal slice0mask_inside_0, slice0mask_inside_1, slice0mask_inside_2, slice0mask_inside_3 : boolean;
+  signal slice0mask_inside_4, slice0mask_left_out, slice0mask_searched_0 : boolean;
+  signal slice0mask_column, slice0mask_end_value : natural range 0 to 63;
+  -- slice0
+  signal slice0_held_0_0, slice0_held_0_1, slice0_held_0_2, slice0_held_0_3, slice0_held_0_4 : natural range 0 to 13;
+  signal slice0_held_1_0, slice0_held_1_1, slice0_held_1_2, slice0_held_1_3, slice0_held_1_4 : natural range 0 to 13;
+  signal slice0_held_2_0, slice0_held_2_1, slice0_held_2_2, slice0_held_2_3, slice0_held_2_4 : natural range 0 to 13;
+  signal slice0_tag_0_valid, slice0_tag_0_map_column, slice0_tag_0_output_column, slice0_tag_0_first_column : boolean;
+  signal slice0_tag_0_start_of_frame, slice0_tag_0_end_of_line, slice0_tag_1_valid, slice0_tag_1_map_column : boolean;
+  signal slice0_tag_1_output_column, slice0_tag_1_first_column, slice0_tag_1_start_of_frame : boolean;
+  signal slice0_tag_1_end_of_line, slice0_tag_2_valid, slice0_tag_2_map_column, slice0_tag_2_output_column : boolean;
+  signal slice0_tag_2_first_column, slice0_tag_2_start_of_frame, slice0_tag_2_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 16777215;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_1_0 : natural range 0 to 16777215;
+  signal slice1shift_search_1_1, slice1shift_search_1_2, slice1shift_search_1_3 : natural range 0 to 16777215;
+  signal slice1shift_search_1_4, slice1shift_search_2_0, slice1shift_search_2_1 : natural range 0 to 16777215;
+  signal slice1shift_search_2_2, slice1shift_search_2_3, slice1shift_search_2_4 : natural range 0 to 16777215;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 16777215;
+  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 16777215;
+  -- slice1cost
+  signal slice1cost_pixels_first_0_0_count_0, slice1cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_2, slice1cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_4, slice1cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_6, slice1cost_pixels_first_0_0_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_0, slice1cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_2, slice1cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_4, slice1cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_6, slice1cost_pixels_first_0_1_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_0, slice1cost_pixels_first_0_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_2, slice1cost_pixels_first_0_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_4, slice1cost_pixels_first_0_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_6, slice1cost_pixels_first_0_2_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_0, slice1cost_pixels_first_0_3_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_2, slice1cost_pixels_first_0_3_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_4, slice1cost_pixels_first_0_3_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_6, slice1cost_pixels_first_0_3_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_0, slice1cost_pixels_first_0_4_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_2, slice1cost_pixels_first_0_4_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_4, slice1cost_pixels_first_0_4_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_6, slice1cost_pixels_first_0_4_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_0, slice1cost_pixels_first_1_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_2, slice1cost_pixels_first_1_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_4, slice1cost_pixels_first_1_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_6, slice1cost_pixels_first_1_0_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_0, slice1cost_pixels_first_1_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_2, slice1cost_pixels_first_1_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_4, slice1cost_pixels_first_1_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_6, slice1cost_pixels_first_1_1_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_0, slice1cost_pixels_first_1_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_2, slice1cost_pixels_first_1_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_4, slice1cost_pixels_first_1_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_6, slice1cost_pixels_first_1_2_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_3_count_0, slice1cost_pixels_first_1_3_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_3_count_2, slice1cost_pixels_first_1_3_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_3_count_4, slice1cost_pixels_first_1_3_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_3_count_6, slice1cost_pixels_first_1_3_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_4_count_0, slice1cost_pixels_first_1_4_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_4_count_2, slice1cost_pixels_first_1_4_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_4_count_4, slice1cost_pixels_first_1_4_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_4_count_6, slice1cost_pixels_first_1_4_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_0, slice1cost_pixels_first_2_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_2, slice1cost_pixels_first_2_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_4, slice1cost_pixels_first_2_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_6, slice1cost_pixels_first_2_0_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_0, slice1cost_pixels_first_2_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_2, slice1cost_pixels_first_2_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_4, slice1cost_pixels_first_2_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_6, slice1cost_pixels_first_2_1_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_0, slice1cost_pixels_first_2_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_2, slice1cost_pixels_first_2_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_4, slice1cost_pixels_first_2_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_6, slice1cost_pixels_first_2_2_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_3_count_0, slice1cost_pixels_first_2_3_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_3_count_2, slice1cost_pixels_first_2_3_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_3_count_4, slice1cost_pixels_first_2_3_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_3_count_6, slice1cost_pixels_first_2_3_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_4_count_0, slice1cost_pixels_first_2_4_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_4_count_2, slice1cost_pixels_first_2_4_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_4_count_4, slice1cost_pixels_first_2_4_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_4_count_6, slice1cost_pixels_first_2_4_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_1_0 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_2_2, slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 24;
+  signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 24;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 48;
+  signal slice1cost_pair_0_4 : natural range 0 to 48;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 72;
+  signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 72;
+  signal slice1cost_tag_output_column, slice1cost_tag_first_column, slice1cost_tag_start_of_frame : boolean;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 72;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4 : natural range 0 to 72;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 144;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4 : natural range 0 to 144;
+  signal slice1window_centre_output_column_0, slice1window_centre_first_column_0 : boolean;
+  signal slice1window_centre_start_of_frame_0, slice1window_tag_output_column, slice1window_tag_first_column : boolean;
+  signal slice1window_tag_start_of_frame : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 216;
+  signal slice1window_sum_0_3, slice1window_sum_0_4 : natural range 0 to 216;
+  -- slice1mask
+  signal slice1mask_inside_0, slice1mask_inside_1, slice1mask_inside_2, slice1mask_inside_3 : boolean;
+  signal slice1mask_inside_4, slice1mask_left_out, slice1mask_searched_3, slice1mask_searched_4 : boolean;
+  -- slice1
+  signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 13;
+  signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 13;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 16777215;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 16777215;
+  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 16777215;
+  -- slice2cost
+  signal slice2cost_pixels_first_0_0_count_0, slice2cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_2, slice2cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_4, slice2cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_6, slice2cost_pixels_first_0_0_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_0, slice2cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_2, slice2cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_4, slice2cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_6, slice2cost_pixels_first_0_1_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_0, slice2cost_pixels_first_1_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_2, slice2cost_pixels_first_1_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_4, slice2cost_pixels_first_1_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_6, slice2cost_pixels_first_1_0_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_0, slice2cost_pixels_first_1_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_2, slice2cost_pixels_first_1_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_4, slice2cost_pixels_first_1_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_6, slice2cost_pixels_first_1_1_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_0, slice2cost_pixels_first_2_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_2, slice2cost_pixels_first_2_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_4, slice2cost_pixels_first_2_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_6, slice2cost_pixels_first_2_0_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_0, slice2cost_pixels_first_2_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_2, slice2cost_pixels_first_2_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_4, slice2cost_pixels_first_2_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_6, slice2cost_pixels_first_2_1_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 24;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 48;
+  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 72;
+  signal slice2cost_tag_output_column, slice2cost_tag_first_column, slice2cost_tag_start_of_frame : boolean;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 72;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 144;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 216;
+  -- slice2mask
+  signal slice2mask_inside_0, slice2mask_inside_1, slice2mask_searched_0, slice2mask_searched_1 : boolean;
+  -- slice2
+  signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 13;
+  -- entry
+  signal entry_next_cost_0, entry_next_cost_1, entry_next_cost_2, entry_next_cost_3 : natural range 0 to 13;
+  signal entry_next_cost_4, entry_next_cost_5, entry_next_cost_6, entry_next_cost_7 : natural range 0 to 13;
+  signal entry_next_cost_8, entry_next_cost_9, entry_next_cost_10, entry_next_cost_11 : natural range 0 to 13;
+  signal entry_cost_0, entry_cost_1, entry_cost_2, entry_cost_3, entry_cost_4, entry_cost_5 : natural range 0 to 13;
+  signal entry_cost_6, entry_cost_7, entry_cost_8, entry_cost_9, entry_cost_10, entry_cost_11 : natural range 0 to 13;
+  signal entry_next_tag_valid, entry_next_tag_map_column, entry_next_tag_first_column : boolean;
+  signal entry_next_tag_start_of_frame, entry_next_tag_end_of_line, entry_next_top, entry_order_falls : boolean;
+  signal entry_order_inside, entry_order_complete, entry_order_output, entry_order_first : boolean;
+  signal entry_order_held_output, entry_order_turned_output_column, entry_order_turned_first_column : boolean;
+  signal entry_order_turned_start_of_frame, entry_tag_valid, entry_tag_map_column, entry_tag_first_column : boolean;
+  signal entry_tag_start_of_frame, entry_tag_end_of_line, entry_top, entry_turned_output_column : boolean;
+  signal entry_turned_first_column, entry_turned_start_of_frame : boolean;
+  signal entry_next_column, entry_order_last_value, entry_order_address, entry_column : natural range 0 to 63;
+  signal entry_place : natural range 0 to 63;
+  -- forward
+  signal forward_smallest_smallest_0, forward_smallest_smallest_1, forward_smallest_smallest_2 : natural range 0 to 13;
+  signal forward_smallest_smallest_3, forward_smallest_smallest_4, forward_smallest_smallest_5 : natural range 0 to 13;
+  signal forward_smallest_next_smallest_0, forward_smallest_next_smallest_1 : natural range 0 to 13;
+  signal forward_smallest_next_smallest_2, forward_smallest_next_next_smallest_0 : natural range 0 to 13;
+  signal forward_smallest_next_next_smallest_1, forward_smallest_next_next_next_smallest_0 : natural range 0 to 13;
+  signal forward_left_smallest, forward_above_ready_cost_0, forward_above_ready_cost_1 : natural range 0 to 13;
+  signal forward_above_ready_cost_2, forward_above_ready_cost_3, forward_above_ready_cost_4 : natural range 0 to 13;
+  signal forward_above_ready_cost_5, forward_above_ready_cost_6, forward_above_ready_cost_7 : natural range 0 to 13;
+  signal forward_above_ready_cost_8, forward_above_ready_cost_9, forward_above_ready_cost_10 : natural range 0 to 13;
+  signal forward_above_ready_cost_11, forward_smallest_cost_0, forward_smallest_cost_1 : natural range 0 to 13;
+  signal forward_smallest_cost_2, forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 13;
+  signal forward_cost_delay_ring_read_address, forward_cost_delay_ring_write_address : natural range 0 to 7;
+  signal forward_left_p1, forward_above_delay_ring_read_address : natural range 0 to 7;
+  signal forward_above_delay_ring_write_address, forward_above_p1 : natural range 0 to 7;
+  signal forward_cost_delay_held_0, forward_above_read_words_0, forward_above_read_words_1 : unsigned(31 downto 0);
+  signal forward_above_ready_words_0, forward_above_ready_words_1, forward_above_write_words_0 : unsigned(31 downto 0);
+  signal forward_above_write_words_1 : unsigned(31 downto 0);
+  signal forward_cost_delay_held_1 : unsigned(15 downto 0);
+  signal forward_left_pair_0, forward_left_pair_1, forward_left_pair_2, forward_left_pair_3 : natural range 0 to 127;
+  signal forward_left_pair_4, forward_left_pair_5, forward_left_tree_smallest_0 : natural range 0 to 127;
+  signal forward_left_tree_smallest_1, forward_left_tree_smallest_2 : natural range 0 to 127;
+  signal forward_left_tree_next_smallest_0, forward_left_tree_next_smallest_1 : natural range 0 to 127;
+  signal forward_left_tree_next_next_smallest_0, forward_left_smallest_less : natural range 0 to 127;
+  signal forward_left_g_copy_0, forward_left_g_less_copy_0, forward_left_stay_change_0 : natural range 0 to 127;
+  signal forward_left_stay_change_1, forward_left_stay_change_2, forward_left_stay_change_3 : natural range 0 to 127;
+  signal forward_left_stay_change_4, forward_left_stay_change_5, forward_left_stay_change_6 : natural range 0 to 127;
+  signal forward_left_stay_change_7, forward_left_stay_change_8, forward_left_stay_change_9 : natural range 0 to 127;
+  signal forward_left_stay_change_10, forward_left_stay_change_11, forward_left_step_change_0 : natural range 0 to 127;
+  signal forward_left_step_change_1, forward_left_step_change_2, forward_left_step_change_3 : natural range 0 to 127;
+  signal forward_left_step_change_4, forward_left_step_change_5, forward_left_step_change_6 : natural range 0 to 127;
+  signal forward_left_step_change_7, forward_left_step_change_8, forward_left_step_change_9 : natural range 0 to 127;
+  signal forward_left_step_change_10, forward_left_step_change_11, forward_left_cost_0 : natural range 0 to 127;
+  signal forward_left_cost_1, forward_left_cost_2, forward_left_cost_3, forward_left_cost_4 : natural range 0 to 127;
+  signal forward_left_cost_5, forward_left_cost_6, forward_left_cost_7, forward_left_cost_8 : natural range 0 to 127;
+  signal forward_left_cost_9, forward_left_cost_10, forward_left_cost_11 : natural range 0 to 127;
+  signal forward_left_arrived_0, forward_left_arrived_1, forward_left_arrived_2 : natural range 0 to 127;
+  signal forward_left_arrived_3, forward_left_arrived_4, forward_left_arrived_5 : natural range 0 to 127;
+  signal forward_left_arrived_6, forward_left_arrived_7, forward_left_arrived_8 : natural range 0 to 127;
+  signal forward_left_arrived_9, forward_left_arrived_10, forward_left_arrived_11 : natural range 0 to 127;
+  signal forward_sum_0, forward_sum_1, forward_sum_2, forward_sum_3, forward_sum_4 : natural range 0 to 127;
+  signal forward_sum_5, forward_sum_6, forward_sum_7, forward_sum_8, forward_sum_9 : natural range 0 to 127;
+  signal forward_sum_10, forward_sum_11 : natural range 0 to 127;
+  signal forward_left_p2, forward_left_room, forward_above_top_p2, forward_above_p2 : natural range 0 to 31;
+  signal forward_left_start_cost_0, forward_left_start_cost_1, forward_left_start_cost_2 : natural range 0 to 255;
+  signal forward_left_start_cost_3, forward_left_start_cost_4, forward_left_start_cost_5 : natural range 0 to 255;
+  signal forward_left_start_cost_6 : natural range 0 to 255;
+  signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
+  signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
+  signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
+  signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
+  signal forward_first_1, forward_first_2, forward_first_3, forward_first_4, forward_first_5, forward_first_6 : boolean;
+  signal forward_first_7, forward_first_8, forward_starts_moved_0, forward_starts_moved_1 : boolean;
+  signal forward_starts_moved_2, forward_starts_moved_3, forward_starts_moved_4, forward_starts_moved_5 : boolean;
+  signal forward_starts_moved_6, forward_starts_moved_7 : boolean;
+  signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 44;
+  signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 44;
+  signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 44;
+  signal forward_above_total_9, forward_above_total_10, forward_above_total_11 : natural range 0 to 44;
+  signal forward_above_tree_smallest_0, forward_above_tree_smallest_1 : natural range 0 to 44;
+  signal forward_above_tree_smallest_2, forward_above_tree_smallest_3 : natural range 0 to 44;
+  signal forward_above_tree_smallest_4, forward_above_tree_smallest_5 : natural range 0 to 44;
+  signal forward_above_tree_next_smallest_0, forward_above_tree_next_smallest_1 : natural range 0 to 44;
+  signal forward_above_tree_next_smallest_2, forward_above_tree_next_next_smallest_0 : natural range 0 to 44;
+  signal forward_above_tree_next_next_smallest_1, forward_above_tree_next_next_next_smallest_0 : natural range 0 to 44;
+  signal forward_above_smallest_copy_0 : natural range 0 to 44;
+  signal forward_above_delay_held_0, forward_above_delay_held_1 : unsigned(29 downto 0);
+  signal forward_above_delay_held_2 : unsigned(11 downto 0);
+  signal forward_above_cost_0, forward_above_cost_1, forward_above_cost_2, forward_above_cost_3 : natural range 0 to 63;
+  signal forward_above_cost_4, forward_above_cost_5, forward_above_cost_6, forward_above_cost_7 : natural range 0 to 63;
+  signal forward_above_cost_8, forward_above_cost_9, forward_above_cost_10 : natural range 0 to 63;
+  signal forward_above_cost_11, forward_above_beside_0, forward_above_beside_1 : natural range 0 to 63;
+  signal forward_above_beside_2, forward_above_beside_3, forward_above_beside_4 : natural range 0 to 63;
+  signal forward_above_beside_5, forward_above_beside_6, forward_above_beside_7 : natural range 0 to 63;
+  signal forward_above_beside_8, forward_above_beside_9, forward_above_beside_10 : natural range 0 to 63;
+  signal forward_above_beside_11, forward_above_own_0, forward_above_own_2, forward_above_own_3 : natural range 0 to 63;
+  signal forward_above_own_4, forward_above_own_5, forward_above_own_6, forward_above_own_7 : natural range 0 to 63;
+  signal forward_above_own_8, forward_above_own_9, forward_above_own_11, forward_above_stay_0 : natural range 0 to 63;
+  signal forward_above_stay_1, forward_above_stay_2, forward_above_stay_3, forward_above_stay_4 : natural range 0 to 63;
+  signal forward_above_stay_5, forward_above_stay_6, forward_above_stay_7, forward_above_stay_8 : natural range 0 to 63;
+  signal forward_above_stay_9, forward_above_stay_10, forward_above_stay_11 : natural range 0 to 63;
+  signal forward_above_column_0, forward_above_column_1, forward_above_column_2 : natural range 0 to 63;
+  signal forward_above_column_3, forward_above_column_4, forward_above_column_5 : natural range 0 to 63;
+  signal forward_above_column_6, forward_above_column_7, forward_above_column_8 : natural range 0 to 63;
+  signal forward_above_column_9, forward_above_write_column : natural range 0 to 63;
+  signal forward_above_step_0, forward_above_step_1, forward_above_step_2, forward_above_step_3 : natural range 0 to 70;
+  signal forward_above_step_4, forward_above_step_5, forward_above_step_6, forward_above_step_7 : natural range 0 to 70;
+  signal forward_above_step_8, forward_above_step_9, forward_above_step_10 : natural range 0 to 70;
+  signal forward_above_step_11 : natural range 0 to 70;
+  signal forward_cost_0_0, forward_cost_0_1, forward_cost_0_2, forward_cost_0_3 : natural range 0 to 15;
+  signal forward_cost_0_4, forward_cost_0_5, forward_cost_0_6, forward_cost_0_7 : natural range 0 to 15;
+  signal forward_cost_0_8, forward_cost_0_9, forward_cost_0_10, forward_cost_0_11 : natural range 0 to 15;
+  signal forward_cost_1_0, forward_cost_1_1, forward_cost_1_2, forward_cost_1_3 : natural range 0 to 15;
+  signal forward_cost_1_4, forward_cost_1_5, forward_cost_1_6, forward_cost_1_7 : natural range 0 to 15;
+  signal forward_cost_1_8, forward_cost_1_9, forward_cost_1_10, forward_cost_1_11 : natural range 0 to 15;
+  signal forward_cost_2_0, forward_cost_2_1, forward_cost_2_2, forward_cost_2_3 : natural range 0 to 15;
+  signal forward_cost_2_4, forward_cost_2_5, forward_cost_2_6, forward_cost_2_7 : natural range 0 to 15;
+  signal forward_cost_2_8, forward_cost_2_9, forward_cost_2_10, forward_cost_2_11 : natural range 0 to 15;
+  signal forward_cost_3_0, forward_cost_3_1, forward_cost_3_2, forward_cost_3_3 : natural range 0 to 15;
+  signal forward_cost_3_4, forward_cost_3_5, forward_cost_3_6, forward_cost_3_7 : natural range 0 to 15;
+  signal forward_cost_3_8, forward_cost_3_9, forward_cost_3_10, forward_cost_3_11 : natural range 0 to 15;
+  -- sums
+  signal sums_turn_read_sums_0, sums_turn_read_sums_1, sums_turn_read_sums_2 : unsigned(27 downto 0);
+  signal sums_sum_delay_held_0, sums_sum_delay_held_1, sums_sum_delay_held_2 : unsigned(27 downto 0);
+  signal sums_turn_read_costs_0, sums_turn_ready_costs_0, sums_turn_write_costs_0 : unsigned(31 downto 0);
+  signal sums_turn_read_costs_1 : unsigned(15 downto 0);
+  signal sums_turn_read_smallest_0 : unsigned(3 downto 0);
+  signal sums_turn_ready_sums_0, sums_turn_ready_sums_1, sums_turn_ready_sums_2 : natural range 0 to 268435455;
+  signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : natural range 0 to 268435455;
+  signal sums_turn_ready_costs_1, sums_turn_write_costs_1 : natural range 0 to 65535;
+  signal sums_turn_ready_smallest_0, sums_cost_0_0, sums_cost_0_1, sums_cost_0_2, sums_cost_0_3 : natural range 0 to 15;
+  signal sums_cost_0_4, sums_cost_0_5, sums_cost_0_6, sums_cost_0_7, sums_cost_0_8 : natural range 0 to 15;
+  signal sums_cost_0_9, sums_cost_0_10, sums_cost_0_11, sums_cost_1_0, sums_cost_1_1 : natural range 0 to 15;
+  signal sums_cost_1_2, sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6 : natural range 0 to 15;
+  signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 15;
+  signal sums_right_smallest : natural range 0 to 15;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_turn_waiting_first_0, sums_turn_waiting_first_1 : boolean;
+  signal sums_turn_waiting_first_2, sums_turn_waiting_first_3, sums_right_first_0, sums_right_first_1 : boolean;
+  signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
+  signal sums_tag_first_column, sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
+  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
+  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
+  signal sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line, sums_tags_held_3_output_column : boolean;
+  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
+  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_held_5_output_column : boolean;
+  signal sums_tags_held_5_start_of_frame, sums_tags_held_5_end_of_line, sums_tags_held_6_output_column : boolean;
+  signal sums_tags_held_6_start_of_frame, sums_tags_held_6_end_of_line, sums_tags_held_7_output_column : boolean;
+  signal sums_tags_held_7_start_of_frame, sums_tags_held_7_end_of_line, sums_tags_held_8_output_column : boolean;
+  signal sums_tags_held_8_start_of_frame, sums_tags_held_8_end_of_line, sums_tags_held_9_output_column : boolean;
+  signal sums_tags_held_9_start_of_frame, sums_tags_held_9_end_of_line, sums_tags_held_10_map_column : boolean;
+  signal sums_tags_held_10_output_column, sums_tags_held_10_first_column, sums_tags_held_10_start_of_frame : boolean;
+  signal sums_tags_held_10_end_of_line, sums_tags_held_11_map_column, sums_tags_held_11_output_column : boolean;
+  signal sums_tags_held_11_first_column, sums_tags_held_11_start_of_frame, sums_tags_held_11_end_of_line : boolean;
+  signal sums_tags_held_12_map_column, sums_tags_held_12_output_column, sums_tags_held_12_first_column : boolean;
+  signal sums_tags_held_12_start_of_frame, sums_tags_held_12_end_of_line, sums_tags_held_13_map_column : boolean;
+  signal sums_tags_held_13_output_column, sums_tags_held_13_first_column, sums_tags_held_13_start_of_frame : boolean;
+  signal sums_tags_held_13_end_of_line, sums_tags_moved : boolean;
+  signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 63;
+  signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 63;
+  signal sums_turn_place_8, sums_turn_write_place, sums_turn_waiting_read_place : natural range 0 to 63;
+  signal sums_turn_write_smallest_0 : natural range 0 to 13;
+  signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 127;
+  signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 127;
+  signal sums_right_tree_smallest_1, sums_right_tree_smallest_2 : natural range 0 to 127;
+  signal sums_right_tree_next_smallest_0, sums_right_tree_next_smallest_1 : natural range 0 to 127;
+  signal sums_right_tree_next_next_smallest_0, sums_right_smallest_less, sums_right_g_copy_0 : natural range 0 to 127;
+  signal sums_right_g_less_copy_0, sums_right_stay_change_0, sums_right_stay_change_1 : natural range 0 to 127;
+  signal sums_right_stay_change_2, sums_right_stay_change_3, sums_right_stay_change_4 : natural range 0 to 127;
+  signal sums_right_stay_change_5, sums_right_stay_change_6, sums_right_stay_change_7 : natural range 0 to 127;
+  signal sums_right_stay_change_8, sums_right_stay_change_9, sums_right_stay_change_10 : natural range 0 to 127;
+  signal sums_right_stay_change_11, sums_right_step_change_0, sums_right_step_change_1 : natural range 0 to 127;
+  signal sums_right_step_change_2, sums_right_step_change_3, sums_right_step_change_4 : natural range 0 to 127;
+  signal sums_right_step_change_5, sums_right_step_change_6, sums_right_step_change_7 : natural range 0 to 127;
+  signal sums_right_step_change_8, sums_right_step_change_9, sums_right_step_change_10 : natural range 0 to 127;
+  signal sums_right_step_change_11, sums_right_cost_0, sums_right_cost_1, sums_right_cost_2 : natural range 0 to 127;
+  signal sums_right_cost_3, sums_right_cost_4, sums_right_cost_5, sums_right_cost_6 : natural range 0 to 127;
+  signal sums_right_cost_7, sums_right_cost_8, sums_right_cost_9, sums_right_cost_10 : natural range 0 to 127;
+  signal sums_right_cost_11, sums_right_arrived_0, sums_right_arrived_1, sums_right_arrived_2 : natural range 0 to 127;
+  signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5 : natural range 0 to 127;
+  signal sums_right_arrived_6, sums_right_arrived_7, sums_right_arrived_8 : natural range 0 to 127;
+  signal sums_right_arrived_9, sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 127;
+  signal sums_right_p1 : natural range 0 to 7;
+  signal sums_right_p2, sums_right_room : natural range 0 to 31;
+  signal sums_right_start_cost_0, sums_right_start_cost_1, sums_right_start_cost_2 : natural range 0 to 255;
+  signal sums_right_start_cost_3, sums_right_start_cost_4, sums_right_start_cost_5 : natural range 0 to 255;
+  signal sums_right_start_cost_6 : natural range 0 to 255;
+  signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
+  signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 254;
+  signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 254;
+  signal sums_tag_row_start, sums_tag_first_group, sums_tag_newest_inside, sums_tag_first_cost : natural range 0 to 11;
+  -- winnersmask
+  signal winnersmask_inside_0, winnersmask_inside_1, winnersmask_inside_2, winnersmask_inside_3 : boolean;
+  signal winnersmask_inside_4, winnersmask_inside_5, winnersmask_inside_6, winnersmask_inside_7 : boolean;
+  signal winnersmask_inside_8, winnersmask_inside_9, winnersmask_inside_10, winnersmask_inside_11 : boolean;
+  signal winnersmask_searched_0, winnersmask_searched_8, winnersmask_searched_9, winnersmask_searched_10 : boolean;
+  signal winnersmask_searched_11 : boolean;
+  signal winnersmask_column : natural range 0 to 63;
+  signal winnersmask_end_value : natural range 0 to 31;
+  -- winnersother
+  signal winnersother_cost_0_1, winnersother_cost_0_2, winnersother_cost_0_3 : natural range 0 to 255;
+  signal winnersother_cost_0_4, winnersother_cost_0_5, winnersother_cost_0_6 : natural range 0 to 255;
+  signal winnersother_cost_0_7, winnersother_cost_0_8, winnersother_cost_0_9 : natural range 0 to 255;
+  signal winnersother_cost_0_10, winnersother_cost_0_11 : natural range 0 to 255;
+  signal winnersother_winner_0_0, winnersother_winner_0_1, winnersother_winner_0_2 : natural range 0 to 11;
+  signal winnersother_winner_0_3, winnersother_winner_0_4, winnersother_winner_0_5 : natural range 0 to 11;
+  signal winnersother_winner_0_6, winnersother_winner_0_7, winnersother_winner_out_0 : natural range 0 to 11;
+  -- winnerswinner1
+  signal winnerswinner1_held_0_0, winnerswinner1_held_0_1, winnerswinner1_held_0_2 : natural range 0 to 255;
+  signal winnerswinner1_held_0_3, winnerswinner1_held_0_4, winnerswinner1_held_0_5 : natural range 0 to 255;
+  signal winnerswinner1_held_0_6, winnerswinner1_held_0_7, winnerswinner1_held_0_8 : natural range 0 to 255;
+  signal winnerswinner1_held_0_9, winnerswinner1_held_0_10, winnerswinner1_held_0_11 : natural range 0 to 255;
+  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 255;
+  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 255;
+  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 255;
+  signal winnerswinner1_best_below_0_0, winnerswinner1_best_below_0_1 : natural range 0 to 255;
+  signal winnerswinner1_best_below_0_2, winnerswinner1_best_below_0_3 : natural range 0 to 255;
+  signal winnerswinner1_best_below_0_4, winnerswinner1_best_below_0_5 : natural range 0 to 255;
+  signal winnerswinner1_best_above_0_0, winnerswinner1_best_above_0_1 : natural range 0 to 255;
+  signal winnerswinner1_best_above_0_2, winnerswinner1_best_above_0_3 : natural range 0 to 255;
+  signal winnerswinner1_best_above_0_4, winnerswinner1_best_above_0_5 : natural range 0 to 255;
+  signal winnerswinner1_best_late_cost_0_0, winnerswinner1_best_late_cost_0_1 : natural range 0 to 255;
+  signal winnerswinner1_best_late_cost_0_2, winnerswinner1_best_late_cost_0_3 : natural range 0 to 255;
+  signal winnerswinner1_best_late_cost_0_4, winnerswinner1_best_late_cost_0_5 : natural range 0 to 255;
+  signal winnerswinner1_best_but_first_0_1, winnerswinner1_best_but_first_0_2 : natural range 0 to 255;
+  signal winnerswinner1_best_but_first_0_3, winnerswinner1_best_but_first_0_4 : natural range 0 to 255;
+  signal winnerswinner1_best_but_first_0_5, winnerswinner1_best_but_last_0_0 : natural range 0 to 255;
+  signal winnerswinner1_best_but_last_0_1, winnerswinner1_best_but_last_0_2 : natural range 0 to 255;
+  signal winnerswinner1_best_but_last_0_3, winnerswinner1_best_but_last_0_4 : natural range 0 to 255;
+  signal winnerswinner1_best_index_0_0, winnerswinner1_tag_valid, winnerswinner1_tag_map_column : boolean;
+  signal winnerswinner1_tag_output_column, winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
+  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
+  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
+  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
+  signal winnerswinner1_best_index_0_4 : natural range 0 to 9;
+  signal winnerswinner1_best_index_0_5 : natural range 0 to 11;
+  -- winnerswinner2
+  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 255;
+  signal winnerswinner2_best_cost_0_2, winnerswinner2_best_below_0_0 : natural range 0 to 255;
+  signal winnerswinner2_best_below_0_1, winnerswinner2_best_below_0_2 : natural range 0 to 255;
+  signal winnerswinner2_best_above_0_0, winnerswinner2_best_above_0_1 : natural range 0 to 255;
+  signal winnerswinner2_best_above_0_2, winnerswinner2_best_first_0_1 : natural range 0 to 255;
+  signal winnerswinner2_best_first_0_2, winnerswinner2_best_last_0_0 : natural range 0 to 255;
+  signal winnerswinner2_best_last_0_1, winnerswinner2_best_late_cost_0_0 : natural range 0 to 255;
+  signal winnerswinner2_best_late_cost_0_1, winnerswinner2_best_late_cost_0_2 : natural range 0 to 255;
+  signal winnerswinner2_best_second_0_0, winnerswinner2_best_second_0_1 : natural range 0 to 255;
+  signal winnerswinner2_best_second_0_2, winnerswinner2_best_but_first_0_1 : natural range 0 to 255;
+  signal winnerswinner2_best_but_first_0_2, winnerswinner2_best_but_last_0_0 : natural range 0 to 255;
+  signal winnerswinner2_best_but_last_0_1 : natural range 0 to 255;
+  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
+  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
+  signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
+  signal winnerswinner2_best_place_0_0, winnerswinner2_best_place_0_1, winnerswinner2_best_place_0_2 : boolean;
+  signal winnerswinner2_best_at_start_0_0, winnerswinner2_best_at_start_0_1, winnerswinner2_best_at_start_0_2 : boolean;
+  signal winnerswinner2_best_at_end_0_0, winnerswinner2_best_at_end_0_1, winnerswinner2_best_at_end_0_2 : boolean;
+  signal winnerswinner2_tag_valid, winnerswinner2_tag_map_column, winnerswinner2_tag_output_column : boolean;
+  signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
+  -- winnerswinner3
+  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 255;
+  signal winnerswinner3_best_below_0_1, winnerswinner3_best_above_0_0 : natural range 0 to 255;
+  signal winnerswinner3_best_above_0_1, winnerswinner3_best_first_0_1 : natural range 0 to 255;
+  signal winnerswinner3_best_last_0_0, winnerswinner3_best_late_cost_0_0 : natural range 0 to 255;
+  signal winnerswinner3_best_late_cost_0_1, winnerswinner3_best_second_0_0 : natural range 0 to 255;
+  signal winnerswinner3_best_second_0_1, winnerswinner3_best_but_first_0_1 : natural range 0 to 255;
+  signal winnerswinner3_best_but_last_0_0 : natural range 0 to 255;
+  signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
+  signal winnerswinner3_best_index_0_1 : natural range 0 to 11;
+  signal winnerswinner3_best_place_0_0, winnerswinner3_best_at_start_0_0, winnerswinner3_best_at_end_0_0 : boolean;
+  signal winnerswinner3_tag_valid, winnerswinner3_tag_map_column, winnerswinner3_tag_output_column : boolean;
+  signal winnerswinner3_tag_start_of_frame, winnerswinner3_tag_end_of_line : boolean;
+  -- winnerswinner4
+  signal winnerswinner4_best_cost_0_0, winnerswinner4_best_below_0_0 : natural range 0 to 255;
+  signal winnerswinner4_best_above_0_0, winnerswinner4_best_late_cost_0_0 : natural range 0 to 255;
+  signal winnerswinner4_best_second_0_0 : natural range 0 to 255;
+  signal winnerswinner4_best_index_0_0 : natural range 0 to 11;
+  signal winnerswinner4_best_place_0_0, winnerswinner4_best_at_start_0_0, winnerswinner4_best_at_end_0_0 : boolean;
+  signal winnerswinner4_tag_valid, winnerswinner4_tag_map_column, winnerswinner4_tag_output_column : boolean;
+  signal winnerswinner4_tag_start_of_frame, winnerswinner4_tag_end_of_line : boolean;
+  -- winners
+  signal winners_best_index_0_0 : natural range 0 to 11;
+  signal winners_best_below_0_0, winners_best_above_0_0, winners_best_late_cost_0_0 : natural range 0 to 255;
+  signal winners_best_second_0_0 : natural range 0 to 255;
+  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
+  signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
+  -- refinement
+  signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 11;
+  signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 11;
+  signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 11;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 11;
+  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
+  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
+  signal refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0, refinement_passed_11_0 : boolean;
+  signal refinement_tag_0_valid, refinement_tag_0_map_column, refinement_tag_0_output_column : boolean;
+  signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
+  signal refinement_tag_1_map_column, refinement_tag_1_output_column, refinement_tag_1_start_of_frame : boolean;
+  signal refinement_tag_1_end_of_line, refinement_tag_2_valid, refinement_tag_2_map_column : boolean;
+  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
+  signal refinement_tag_3_valid, refinement_tag_3_map_column, refinement_tag_3_output_column : boolean;
+  signal refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line, refinement_tag_4_valid : boolean;
+  signal refinement_tag_4_map_column, refinement_tag_4_output_column, refinement_tag_4_start_of_frame : boolean;
+  signal refinement_tag_4_end_of_line, refinement_tag_5_valid, refinement_tag_5_map_column : boolean;
+  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
+  signal refinement_tag_6_valid, refinement_tag_6_map_column, refinement_tag_6_output_column : boolean;
+  signal refinement_tag_6_start_of_frame, refinement_tag_6_end_of_line, refinement_tag_7_valid : boolean;
+  signal refinement_tag_7_map_column, refinement_tag_7_output_column, refinement_tag_7_start_of_frame : boolean;
+  signal refinement_tag_7_end_of_line, refinement_tag_8_valid, refinement_tag_8_map_column : boolean;
+  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
+  signal refinement_tag_9_valid, refinement_tag_9_map_column, refinement_tag_9_output_column : boolean;
+  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_tag_10_valid : boolean;
+  signal refinement_tag_10_map_column, refinement_tag_10_output_column, refinement_tag_10_start_of_frame : boolean;
+  signal refinement_tag_10_end_of_line, refinement_tag_11_valid, refinement_tag_11_map_column : boolean;
+  signal refinement_tag_11_output_column, refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line : boolean;
+  signal refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0, refinement_negative_1_0 : boolean;
+  signal refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0, refinement_negative_5_0 : boolean;
+  signal refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
+  signal refinement_gap_0, refinement_scaled_cost_0, refinement_distance, refinement_below_0 : natural range 0 to 255;
+  signal refinement_above_0, refinement_u_0, refinement_v_0, refinement_remainder_0_0 : natural range 0 to 255;
+  signal refinement_remainder_1_0, refinement_remainder_2_0, refinement_remainder_3_0 : natural range 0 to 255;
+  signal refinement_remainder_4_0, refinement_remainder_5_0, refinement_remainder_6_0 : natural range 0 to 255;
+  signal refinement_remainder_7_0, refinement_divisor_0_0, refinement_divisor_1_0 : natural range 0 to 255;
+  signal refinement_divisor_2_0, refinement_divisor_3_0, refinement_divisor_4_0 : natural range 0 to 255;
+  signal refinement_divisor_5_0, refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 255;
+  signal refinement_quotient_8_0 : natural range 0 to 255;
+  signal refinement_scaled_gap_0 : natural range 0 to 256;
+  signal refinement_difference_0 : integer range -255 to 255;
+  signal refinement_fraction_0 : natural range 0 to 31;
+  -- leftright
+  signal leftright_other_1_0, leftright_other_2_0, leftright_other_3_0, leftright_other_4_0 : natural range 0 to 11;
+  signal leftright_other_5_0, leftright_other_6_0, leftright_other_7_0, leftright_other_8_0 : natural range 0 to 11;
+  signal leftright_other_9_0, leftright_other_10_0, leftright_other_11_0, leftright_other_12_0 : natural range 0 to 11;
+  signal leftright_other_13_0, leftright_other_14_0, leftright_other_15_0 : natural range 0 to 11;
+  signal leftright_ring_read_address, leftright_ring_write_address, leftright_position : natural range 0 to 15;
+  signal leftright_held_position, leftright_address_0, leftright_asking_disparity_0 : natural range 0 to 15;
+  signal leftright_answered_disparity_0, leftright_checked_disparity_0 : natural range 0 to 15;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
+  signal leftright_asking_tag_map_column, leftright_asking_tag_output_column : boolean;
+  signal leftright_asking_tag_start_of_frame, leftright_asking_tag_end_of_line, leftright_answered_passed_0 : boolean;
+  signal leftright_answered_tag_valid, leftright_answered_tag_map_column : boolean;
+  signal leftright_answered_tag_output_column, leftright_answered_tag_start_of_frame : boolean;
+  signal leftright_answered_tag_end_of_line, leftright_checked_passed_0, leftright_checked_tag_valid : boolean;
+  signal leftright_checked_tag_map_column, leftright_checked_tag_output_column : boolean;
+  signal leftright_checked_tag_start_of_frame, leftright_checked_tag_end_of_line : boolean;
+  signal leftright_held_0 : unsigned(17 downto 0);
+  signal leftright_asking_fraction_0, leftright_answered_fraction_0 : natural range 0 to 31;
+  signal leftright_checked_fraction_0 : natural range 0 to 31;
+  signal leftright_found_0 : unsigned(3 downto 0);
+  signal leftright_threshold : natural range 0 to 255;
+  -- turn
+  signal turn_order_address, turn_write_place : natural range 0 to 63;
+  signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
+  signal turn_order_turned_valid, turn_order_turned_map_column, turn_order_turned_start_of_frame : boolean;
+  signal turn_order_turned_end_of_line, turn_comes, turn_read_tag_valid, turn_read_tag_map_column : boolean;
+  signal turn_read_tag_start_of_frame, turn_read_tag_end_of_line, turn_ready_tag_valid : boolean;
+  signal turn_ready_tag_row_start, turn_ready_tag_map_column, turn_ready_tag_start_of_frame : boolean;
+  signal turn_ready_tag_end_of_line : boolean;
+  signal turn_newest, turn_write_words_0 : natural range 0 to 16143;
+  signal turn_read_words_0 : unsigned(13 downto 0);
+  signal turn_ready : natural range 0 to 16383;
+  -- map
+  signal map_counter_column, map_write_column, map_at_column, map_comparing_column : natural range 0 to 63;
+  signal map_sorted_column : natural range 0 to 63;
+  signal map_counter_group : natural range 0 to 31;
+  signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
+  signal map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind, map_at_top, map_at_bottom : boolean;
+  signal map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b : boolean;
+  signal map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives, map_comparing_behind : boolean;
+  signal map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind, map_sorted_top : boolean;
+  signal map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete, map_window_first : boolean;
+  signal map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b : boolean;
+  signal map_of_middle_0_b_below_a, map_of_middle_0_c_below_a, map_of_middle_0_c_below_b : boolean;
+  signal map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b, map_of_all_0_b_below_a : boolean;
+  signal map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete, map_waiting_0_first : boolean;
+  signal map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first, map_waiting_1_last : boolean;
+  signal map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last, map_waiting_passed_0_0 : boolean;
+  signal map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0, map_out_valid : boolean;
+  signal map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_rows_write_words_0 : natural range 0 to 536870911;
+  signal map_column_1 : natural range 0 to 8191;
+  signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
+  signal map_low_0_0, map_low_1_0, map_low_2_0, map_middle_0_0, map_middle_1_0 : natural range 0 to 32767;
+  signal map_middle_2_0, map_high_0_0, map_high_1_0, map_high_2_0, map_of_low_0_a : natural range 0 to 32767;
+  signal map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b : natural range 0 to 32767;
+  signal map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c : natural range 0 to 32767;
+  signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
+  signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
+  -- other
+  signal other_0, other_1, other_2, other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_23 : boolean;
+  signal other_24, other_25, other_26, other_27, other_28, other_29 : boolean;
+  signal other_10 : natural range 0 to 65535;
+  signal other_11, other_13 : unsigned(48 downto 0);
+  signal other_12 : natural range 0 to 8190;
+  signal other_14 : natural range 0 to 67108863;
+  signal other_15 : unsigned(25 downto 0);
+  signal other_16 : natural range 0 to 254;
+  signal other_17 : natural range 0 to 252;
+  signal other_18 : natural range 0 to 248;
+  signal other_19 : natural range 0 to 240;
+  signal other_20 : natural range 0 to 224;
+  signal other_21 : natural range 0 to 192;
+  signal other_22 : natural range 0 to 128;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal other_15_memory_write_data : unsigned(25 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_costs_1_memory_write_data : unsigned(15 downto 0);
+  signal sums_turn_read_costs_0_memory_write_data : unsigned(31 downto 0);
+  signal sums_turn_read_smallest_0_memory_write_data : unsigned(3 downto 0);
+  signal forward_above_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_delay_held_2_memory_write_data : unsigned(11 downto 0);
+  signal forward_above_delay_held_1_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_0_memory_write_data : unsigned(29 downto 0);
+  signal forward_cost_delay_held_1_memory_write_data : unsigned(15 downto 0);
+  signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(23 downto 0);
+
+begin
+  in_image_width <= to_integer(unsigned(image_width));
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_image_height <= to_integer(unsigned(image_height));
+  in_last_disparity <= to_integer(unsigned(last_disparity));
+  in_first_disparity <= to_integer(unsigned(first_disparity));
+  in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
+  in_uniqueness_distance <= to_integer(unsigned(uniqueness_distance));
+  in_p2 <= to_integer(unsigned(p2));
+  in_p1 <= to_integer(unsigned(p1));
+  disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
+  disparity_valid <= as_bit(map_out_valid);
+  disparity_start_of_frame <= as_bit(map_out_start_of_frame);
+  disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  other_15_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  other_15_memory : entity work.line_memory
+    generic map (depth => 38, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => other_15,
+      write_address => map_at_column, write_data => other_15_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 38, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+
+  sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
+  sums_sum_delay_held_2_memory : entity work.line_memory
+    generic map (depth => 4, width => 28)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_2,
+      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
+
+  sums_sum_delay_held_1_memory_write_data <= to_unsigned(sums_turn_ready_sums_1, 28);
+  sums_sum_delay_held_1_memory : entity work.line_memory
+    generic map (depth => 4, width => 28)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_1,
+      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
+
+  sums_sum_delay_held_0_memory_write_data <= to_unsigned(sums_turn_ready_sums_0, 28);
+  sums_sum_delay_held_0_memory : entity work.line_memory
+    generic map (depth => 4, width => 28)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_0,
+      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
+
+  sums_turn_read_sums_2_memory_write_data <= to_unsigned(sums_turn_write_sums_2, 28);
+  sums_turn_read_sums_2_memory : entity work.line_memory
+    generic map (depth => 38, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_2,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_2_memory_write_data);
+
+  sums_turn_read_sums_1_memory_write_data <= to_unsigned(sums_turn_write_sums_1, 28);
+  sums_turn_read_sums_1_memory : entity work.line_memory
+    generic map (depth => 38, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_1,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_1_memory_write_data);
+
+  sums_turn_read_sums_0_memory_write_data <= to_unsigned(sums_turn_write_sums_0, 28);
+  sums_turn_read_sums_0_memory : entity work.line_memory
+    generic map (depth => 38, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_0,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_0_memory_write_data);
+
+  sums_turn_read_costs_1_memory_write_data <= to_unsigned(sums_turn_write_costs_1, 16);
+  sums_turn_read_costs_1_memory : entity work.line_memory
+    generic map (depth => 38, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_costs_1,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_1_memory_write_data);
+
+  sums_turn_read_costs_0_memory_write_data <= sums_turn_write_costs_0;
+  sums_turn_read_costs_0_memory : entity work.line_memory
+    generic map (depth => 38, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_costs_0,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_0_memory_write_data);
+
+  sums_turn_read_smallest_0_memory_write_data <= to_unsigned(sums_turn_write_smallest_0, 4);
+  sums_turn_read_smallest_0_memory : entity work.line_memory
+    generic map (depth => 38, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_smallest_0,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_smallest_0_memory_write_data);
+
+  forward_above_read_words_1_memory_write_data <= forward_above_write_words_1;
+  forward_above_read_words_1_memory : entity work.line_memory
+    generic map (depth => 38, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_next_column, read_data => forward_above_read_words_1,
+      write_address => forward_above_write_column, write_data => forward_above_read_words_1_memory_write_data);
+
+  forward_above_read_words_0_memory_write_data <= forward_above_write_words_0;
+  forward_above_read_words_0_memory : entity work.line_memory
+    generic map (depth => 38, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_next_column, read_data => forward_above_read_words_0,
+      write_address => forward_above_write_column, write_data => forward_above_read_words_0_memory_write_data);
+
+  forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total_11, 6) & to_unsigned(forward_above_total_10, 6);
+  forward_above_delay_held_2_memory : entity work.line_memory
+    generic map (depth => 5, width => 12)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_2,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+
+  forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
+  forward_above_delay_held_1_memory : entity work.line_memory
+    generic map (depth => 5, width => 30)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_1,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+
+  forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
+  forward_above_delay_held_0_memory : entity work.line_memory
+    generic map (depth => 5, width => 30)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_0,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+
+  forward_cost_delay_held_1_memory_write_data <= to_unsigned(entry_cost_11, 4) & to_unsigned(entry_cost_10, 4) & to_unsigned(entry_cost_9, 4) & to_unsigned(entry_cost_8, 4);
+  forward_cost_delay_held_1_memory : entity work.line_memory
+    generic map (depth => 5, width => 16)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_1,
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+
+  forward_cost_delay_held_0_memory_write_data <= to_unsigned(entry_cost_7, 4) & to_unsigned(entry_cost_6, 4) & to_unsigned(entry_cost_5, 4) & to_unsigned(entry_cost_4, 4) & to_unsigned(entry_cost_3, 4) & to_unsigned(entry_cost_2, 4) & to_unsigned(entry_cost_1, 4) & to_unsigned(entry_cost_0, 4);
+  forward_cost_delay_held_0_memory : entity work.line_memory
+    generic map (depth => 5, width => 32)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_0,
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
+  rows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
+  rows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_search_0, 24);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 3, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  process (clock)
+    variable settings_p1_any, transform_counter_group_value, transform_counter_group_is_equal : boolean;
+    variable transform_counter_group_is_equal_2, transform_counter_group_choice : boolean;
+    variable transform_counter_group_is_equal_3, transform_counter_group_is_equal_4 : boolean;
+    variable transform_counter_group_choice_2, transform_counter_group_choice_3 : boolean;
+    variable transform_counter_group_value_2, transform_counter_group_is_equal_5 : boolean;
+    variable transform_counter_group_is_equal_6, transform_counter_group_choice_4 : boolean;
+    variable transform_counter_group_is_equal_7, transform_counter_group_is_equal_8 : boolean;
+    variable transform_counter_group_choice_5, transform_counter_group_choice_6 : boolean;
+    variable transform_counter_group_value_3, transform_counter_group_value_4 : boolean;
+    variable transform_counter_group_differs, transform_counter_group_value_5 : boolean;
+    variable transform_counter_group_is_equal_9, transform_counter_group_is_equal_10 : boolean;
+    variable transform_counter_group_choice_7, transform_counter_group_is_equal_11 : boolean;
+    variable transform_counter_group_is_equal_12, transform_counter_group_choice_8 : boolean;
+    variable transform_counter_group_choice_9, transform_counter_group_value_6 : boolean;
+    variable transform_counter_group_is_equal_13, transform_counter_group_is_equal_14 : boolean;
+    variable transform_counter_group_choice_10, transform_counter_group_is_equal_15 : boolean;
+    variable transform_counter_group_is_equal_16, transform_counter_group_choice_11 : boolean;
+    variable transform_counter_group_choice_12, transform_counter_group_differs_2 : boolean;
+    variable transform_counter_group_value_8, transform_counter_group_differs_3, transform_counter_group_all : boolean;
+    variable transform_counter_group_choice_14, transform_counter_group_choice_15 : boolean;
+    variable transform_counter_group_choice_16, transform_counter_group_choice_17 : boolean;
+    variable transform_counter_group_choice_18, transform_counter_group_choice_19 : boolean;
+    variable transform_counter_group_choice_20, transform_counter_group_choice_21 : boolean;
+    variable transform_counter_group_choice_22, transform_counter_group_is_equal_17 : boolean;
+    variable transform_counter_group_choice_23, transform_counter_group_choice_24 : boolean;
+    variable transform_counter_group_value_9, transform_counter_group_differs_4 : boolean;
+    variable transform_read_row_inside_1_is_equal, transform_read_row_inside_1_choice : boolean;
+    variable transform_read_row_inside_1_is_less, transform_read_row_inside_2_is_equal : boolean;
+    variable transform_read_row_inside_2_is_less, transform_read_row_inside_3_is_less : boolean;
+    variable transform_read_column_inside_1_is_equal, transform_read_column_inside_1_is_equal_2 : boolean;
+    variable transform_read_column_inside_1_choice, transform_read_column_inside_1_differs : boolean;
+    variable transform_read_column_inside_3_choice, transform_read_column_inside_3_choice_2 : boolean;
+    variable transform_left_filter_feature_0_value, transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_is_equal : boolean;
+    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_value_2 : boolean;
+    variable transform_left_filter_feature_0_choice_3, transform_left_filter_feature_0_value_3 : boolean;
+    variable transform_left_filter_feature_0_choice_4, transform_left_filter_feature_0_value_4 : boolean;
+    variable transform_left_filter_feature_0_choice_5, transform_left_filter_feature_0_value_5 : boolean;
+    variable transform_left_filter_feature_0_choice_6, transform_left_filter_feature_0_value_6 : boolean;
+    variable transform_left_filter_feature_0_choice_7, transform_left_filter_feature_0_choice_8 : boolean;
+    variable transform_left_filter_feature_0_choice_9, transform_left_filter_feature_0_choice_10 : boolean;
+    variable transform_left_filter_feature_0_choice_11, transform_left_filter_feature_0_choice_12 : boolean;
+    variable transform_left_filter_feature_0_choice_13, transform_left_filter_feature_0_choice_14 : boolean;
+    variable transform_left_filter_feature_0_choice_15, transform_left_filter_feature_0_choice_16 : boolean;
+    variable transform_left_filter_feature_0_choice_17, transform_left_filter_feature_0_choice_18 : boolean;
+    variable transform_left_filter_feature_0_choice_19, transform_left_filter_feature_0_choice_20 : boolean;
+    variable transform_left_filter_feature_0_choice_21, transform_left_filter_feature_0_choice_22 : boolean;
+    variable transform_left_filter_feature_0_choice_23, transform_left_filter_feature_0_choice_24 : boolean;
+    variable transform_left_filter_feature_0_choice_25, transform_left_filter_feature_0_choice_26 : boolean;
+    variable transform_left_filter_feature_0_choice_27, transform_left_filter_feature_0_choice_28 : boolean;
+    variable transform_left_filter_feature_0_choice_29, transform_left_filter_feature_0_choice_30 : boolean;
+    variable transform_left_filter_feature_0_choice_31, transform_left_filter_feature_0_choice_32 : boolean;
+    variable transform_left_filter_feature_0_choice_33, transform_left_filter_feature_0_choice_34 : boolean;
+    variable transform_left_filter_feature_0_choice_35, transform_left_filter_feature_0_choice_36 : boolean;
+    variable transform_left_filter_feature_0_choice_37, transform_left_filter_feature_0_choice_38 : boolean;
+    variable transform_left_filter_feature_0_choice_39, transform_left_filter_feature_0_choice_40 : boolean;
+    variable transform_left_filter_feature_0_choice_41, transform_left_filter_feature_0_choice_42 : boolean;
+    variable transform_left_filter_feature_0_choice_43, transform_left_filter_feature_0_choice_44 : boolean;
+    variable transform_left_filter_feature_0_choice_45, transform_left_filter_feature_0_choice_46 : boolean;
+    variable transform_left_filter_feature_0_choice_47, transform_left_filter_feature_0_choice_48 : boolean;
+    variable transform_left_filter_feature_0_choice_49, transform_left_filter_feature_0_choice_50 : boolean;
+    variable transform_left_filter_feature_0_choice_51, transform_left_filter_feature_0_choice_52 : boolean;
+    variable transform_left_filter_feature_0_choice_53, transform_left_filter_feature_0_choice_54 : boolean;
+    variable transform_left_filter_feature_0_choice_55, transform_left_filter_feature_0_choice_56 : boolean;
+    variable transform_left_filter_feature_0_choice_57, transform_left_filter_feature_0_choice_58 : boolean;
+    variable transform_left_filter_feature_0_choice_59, transform_left_filter_feature_0_choice_60 : boolean;
+    variable transform_left_filter_feature_0_choice_61, transform_left_filter_feature_0_choice_62 : boolean;
+    variable transform_left_filter_feature_0_choice_63, transform_left_filter_feature_0_choice_64 : boolean;
+    variable transform_left_filter_feature_0_choice_65, transform_left_filter_feature_0_choice_66 : boolean;
+    variable transform_left_filter_feature_0_choice_67, transform_left_filter_feature_0_choice_68 : boolean;
+    variable transform_left_filter_feature_0_choice_69, transform_left_filter_feature_0_choice_70 : boolean;
+    variable transform_left_filter_feature_0_choice_71, transform_left_filter_feature_0_choice_72 : boolean;
+    variable transform_left_filter_feature_0_choice_73, transform_left_filter_feature_0_choice_74 : boolean;
+    variable transform_left_filter_feature_0_choice_75, transform_left_filter_feature_0_choice_76 : boolean;
+    variable transform_left_filter_feature_0_choice_77, transform_left_filter_feature_0_choice_78 : boolean;
+    variable transform_left_filter_feature_0_choice_79, transform_left_filter_feature_0_choice_80 : boolean;
+    variable transform_left_filter_feature_0_choice_81, transform_left_filter_feature_0_choice_82 : boolean;
+    variable transform_left_filter_feature_0_choice_83, transform_left_filter_feature_0_choice_84 : boolean;
+    variable transform_left_filter_feature_0_choice_85, transform_left_filter_feature_0_choice_86 : boolean;
+    variable transform_left_filter_feature_0_choice_87, transform_left_filter_feature_0_choice_88 : boolean;
+    variable transform_left_filter_feature_0_choice_89, transform_left_filter_feature_0_choice_90 : boolean;
+    variable transform_left_filter_feature_0_choice_91, transform_left_filter_feature_0_choice_92 : boolean;
+    variable transform_left_filter_feature_0_choice_93, transform_left_filter_feature_0_choice_94 : boolean;
+    variable transform_left_filter_feature_0_choice_95, transform_left_filter_feature_0_choice_96 : boolean;
+    variable transform_left_filter_feature_0_choice_97, transform_left_filter_feature_0_choice_98 : boolean;
+    variable transform_left_filter_feature_0_choice_99, transform_left_filter_feature_0_choice_100 : boolean;
+    variable transform_left_filter_feature_0_choice_101, transform_left_filter_feature_0_choice_102 : boolean;
+    variable transform_left_filter_feature_0_choice_103, transform_left_filter_feature_0_choice_104 : boolean;
+    variable transform_left_filter_feature_0_choice_105, transform_left_filter_feature_0_choice_106 : boolean;
+    variable transform_left_filter_feature_0_choice_107, transform_left_filter_feature_0_choice_108 : boolean;
+    variable transform_left_filter_feature_0_choice_109, transform_left_filter_feature_0_choice_110 : boolean;
+    variable transform_left_filter_feature_0_choice_111, transform_left_filter_feature_0_choice_112 : boolean;
+    variable transform_left_filter_feature_0_choice_113, transform_left_filter_feature_0_choice_114 : boolean;
+    variable transform_left_filter_feature_0_choice_115, transform_left_filter_feature_0_choice_116 : boolean;
+    variable transform_left_filter_feature_0_choice_117, transform_left_filter_feature_0_choice_118 : boolean;
+    variable transform_left_filter_feature_0_choice_119, transform_left_filter_feature_0_choice_120 : boolean;
+    variable transform_left_filter_feature_0_choice_121, transform_left_filter_feature_0_choice_122 : boolean;
+    variable transform_left_filter_feature_0_choice_123, transform_left_filter_feature_0_choice_124 : boolean;
+    variable transform_left_filter_feature_0_choice_125, transform_left_filter_feature_0_choice_126 : boolean;
+    variable transform_left_filter_feature_0_choice_127, transform_left_filter_feature_0_choice_128 : boolean;
+    variable transform_left_filter_feature_0_choice_129, transform_left_filter_feature_0_choice_130 : boolean;
+    variable transform_left_filter_feature_0_choice_131, transform_left_filter_feature_0_choice_132 : boolean;
+    variable transform_left_filter_feature_0_choice_133, transform_left_filter_feature_0_choice_134 : boolean;
+    variable transform_left_filter_feature_0_choice_135, transform_left_filter_feature_0_choice_136 : boolean;
+    variable transform_left_filter_feature_0_choice_137, transform_left_filter_feature_0_choice_138 : boolean;
+    variable transform_left_filter_feature_0_choice_139, transform_left_filter_feature_0_choice_140 : boolean;
+    variable transform_left_filter_feature_0_choice_141, transform_left_filter_feature_0_choice_142 : boolean;
+    variable transform_left_filter_feature_0_choice_143, transform_left_filter_feature_0_choice_144 : boolean;
+    variable transform_left_filter_feature_0_choice_145, transform_left_filter_feature_0_choice_146 : boolean;
+    variable transform_left_filter_feature_0_choice_147, transform_left_filter_feature_0_choice_148 : boolean;
+    variable transform_left_filter_feature_0_choice_149, transform_left_filter_feature_0_choice_150 : boolean;
+    variable transform_left_filter_feature_0_choice_151, transform_left_filter_feature_0_choice_152 : boolean;
+    variable transform_left_filter_feature_0_choice_153, transform_left_filter_feature_0_choice_154 : boolean;
+    variable transform_left_filter_feature_0_choice_155, transform_left_filter_feature_0_choice_156 : boolean;
+    variable transform_left_filter_feature_0_choice_157, transform_left_filter_feature_0_choice_158 : boolean;
+    variable transform_left_filter_feature_0_choice_159, transform_left_filter_feature_0_choice_160 : boolean;
+    variable transform_left_filter_feature_0_choice_161, transform_left_filter_feature_0_choice_162 : boolean;
+    variable transform_left_filter_feature_0_choice_163, transform_left_filter_feature_0_choice_164 : boolean;
+    variable transform_left_filter_feature_0_choice_165, transform_left_filter_feature_0_choice_166 : boolean;
+    variable transform_left_filter_feature_0_choice_167, transform_left_filter_feature_0_choice_168 : boolean;
+    variable transform_left_filter_feature_0_choice_169, transform_left_filter_feature_0_choice_170 : boolean;
+    variable transform_left_filter_feature_0_choice_171, transform_left_filter_feature_0_choice_172 : boolean;
+    variable transform_left_filter_feature_0_choice_173, transform_left_filter_feature_0_choice_174 : boolean;
+    variable transform_left_filter_feature_0_choice_175, transform_left_filter_feature_0_choice_176 : boolean;
+    variable transform_left_filter_feature_0_choice_177, transform_left_filter_feature_0_choice_178 : boolean;
+    variable transform_left_filter_feature_0_choice_179, transform_left_filter_feature_0_choice_180 : boolean;
+    variable transform_left_filter_feature_0_choice_181, transform_left_filter_feature_0_choice_182 : boolean;
+    variable transform_left_filter_feature_0_choice_183, transform_left_filter_feature_0_choice_184 : boolean;
+    variable transform_left_filter_feature_0_choice_185, transform_left_filter_feature_0_choice_186 : boolean;
+    variable transform_left_filter_feature_0_value_7, transform_left_filter_feature_0_choice_187 : boolean;
+    variable transform_left_filter_feature_0_value_8, transform_left_filter_feature_0_choice_188 : boolean;
+    variable transform_left_filter_feature_0_value_9, transform_left_filter_feature_0_choice_189 : boolean;
+    variable transform_left_filter_feature_0_value_10, transform_left_filter_feature_0_choice_190 : boolean;
+    variable transform_left_filter_feature_0_value_11, transform_left_filter_feature_0_choice_191 : boolean;
+    variable transform_left_filter_feature_0_choice_192, transform_right_filter_feature_0_value : boolean;
+    variable transform_right_filter_feature_0_any, transform_right_filter_feature_0_choice : boolean;
+    variable transform_right_filter_feature_0_is_equal, transform_right_filter_feature_0_choice_2 : boolean;
+    variable transform_right_filter_feature_0_value_2, transform_right_filter_feature_0_choice_3 : boolean;
+    variable transform_right_filter_feature_0_value_3, transform_right_filter_feature_0_choice_4 : boolean;
+    variable transform_right_filter_feature_0_value_4, transform_right_filter_feature_0_choice_5 : boolean;
+    variable transform_right_filter_feature_0_value_5, transform_right_filter_feature_0_choice_6 : boolean;
+    variable transform_right_filter_feature_0_value_6, transform_right_filter_feature_0_choice_7 : boolean;
+    variable transform_right_filter_feature_0_choice_8, transform_right_filter_feature_0_choice_9 : boolean;
+    variable transform_right_filter_feature_0_choice_10, transform_right_filter_feature_0_choice_11 : boolean;
+    variable transform_right_filter_feature_0_choice_12, transform_right_filter_feature_0_choice_13 : boolean;
+    variable transform_right_filter_feature_0_choice_14, transform_right_filter_feature_0_choice_15 : boolean;
+    variable transform_right_filter_feature_0_choice_16, transform_right_filter_feature_0_choice_17 : boolean;
+    variable transform_right_filter_feature_0_choice_18, transform_right_filter_feature_0_choice_19 : boolean;
+    variable transform_right_filter_feature_0_choice_20, transform_right_filter_feature_0_choice_21 : boolean;
+    variable transform_right_filter_feature_0_choice_22, transform_right_filter_feature_0_choice_23 : boolean;
+    variable transform_right_filter_feature_0_choice_24, transform_right_filter_feature_0_choice_25 : boolean;
+    variable transform_right_filter_feature_0_choice_26, transform_right_filter_feature_0_choice_27 : boolean;
+    variable transform_right_filter_feature_0_choice_28, transform_right_filter_feature_0_choice_29 : boolean;
+    variable transform_right_filter_feature_0_choice_30, transform_right_filter_feature_0_choice_31 : boolean;
+    variable transform_right_filter_feature_0_choice_32, transform_right_filter_feature_0_choice_33 : boolean;
+    variable transform_right_filter_feature_0_choice_34, transform_right_filter_feature_0_choice_35 : boolean;
+    variable transform_right_filter_feature_0_choice_36, transform_right_filter_feature_0_choice_37 : boolean;
+    variable transform_right_filter_feature_0_choice_38, transform_right_filter_feature_0_choice_39 : boolean;
+    variable transform_right_filter_feature_0_choice_40, transform_right_filter_feature_0_choice_41 : boolean;
+    variable transform_right_filter_feature_0_choice_42, transform_right_filter_feature_0_choice_43 : boolean;
+    variable transform_right_filter_feature_0_choice_44, transform_right_filter_feature_0_choice_45 : boolean;
+    variable transform_right_filter_feature_0_choice_46, transform_right_filter_feature_0_choice_47 : boolean;
+    variable transform_right_filter_feature_0_choice_48, transform_right_filter_feature_0_choice_49 : boolean;
+    variable transform_right_filter_feature_0_choice_50, transform_right_filter_feature_0_choice_51 : boolean;
+    variable transform_right_filter_feature_0_choice_52, transform_right_filter_feature_0_choice_53 : boolean;
+    variable transform_right_filter_feature_0_choice_54, transform_right_filter_feature_0_choice_55 : boolean;
+    variable transform_right_filter_feature_0_choice_56, transform_right_filter_feature_0_choice_57 : boolean;
+    variable transform_right_filter_feature_0_choice_58, transform_right_filter_feature_0_choice_59 : boolean;
+    variable transform_right_filter_feature_0_choice_60, transform_right_filter_feature_0_choice_61 : boolean;
+    variable transform_right_filter_feature_0_choice_62, transform_right_filter_feature_0_choice_63 : boolean;
+    variable transform_right_filter_feature_0_choice_64, transform_right_filter_feature_0_choice_65 : boolean;
+    variable transform_right_filter_feature_0_choice_66, transform_right_filter_feature_0_choice_67 : boolean;
+    variable transform_right_filter_feature_0_choice_68, transform_right_filter_feature_0_choice_69 : boolean;
+    variable transform_right_filter_feature_0_choice_70, transform_right_filter_feature_0_choice_71 : boolean;
+    variable transform_right_filter_feature_0_choice_72, transform_right_filter_feature_0_choice_73 : boolean;
+    variable transform_right_filter_feature_0_choice_74, transform_right_filter_feature_0_choice_75 : boolean;
+    variable transform_right_filter_feature_0_choice_76, transform_right_filter_feature_0_choice_77 : boolean;
+    variable transform_right_filter_feature_0_choice_78, transform_right_filter_feature_0_choice_79 : boolean;
+    variable transform_right_filter_feature_0_choice_80, transform_right_filter_feature_0_choice_81 : boolean;
+    variable transform_right_filter_feature_0_choice_82, transform_right_filter_feature_0_choice_83 : boolean;
+    variable transform_right_filter_feature_0_choice_84, transform_right_filter_feature_0_choice_85 : boolean;
+    variable transform_right_filter_feature_0_choice_86, transform_right_filter_feature_0_choice_87 : boolean;
+    variable transform_right_filter_feature_0_choice_88, transform_right_filter_feature_0_choice_89 : boolean;
+    variable transform_right_filter_feature_0_choice_90, transform_right_filter_feature_0_choice_91 : boolean;
+    variable transform_right_filter_feature_0_choice_92, transform_right_filter_feature_0_choice_93 : boolean;
+    variable transform_right_filter_feature_0_choice_94, transform_right_filter_feature_0_choice_95 : boolean;
+    variable transform_right_filter_feature_0_choice_96, transform_right_filter_feature_0_choice_97 : boolean;
+    variable transform_right_filter_feature_0_choice_98, transform_right_filter_feature_0_choice_99 : boolean;
+    variable transform_right_filter_feature_0_choice_100, transform_right_filter_feature_0_choice_101 : boolean;
+    variable transform_right_filter_feature_0_choice_102, transform_right_filter_feature_0_choice_103 : boolean;
+    variable transform_right_filter_feature_0_choice_104, transform_right_filter_feature_0_choice_105 : boolean;
+    variable transform_right_filter_feature_0_choice_106, transform_right_filter_feature_0_choice_107 : boolean;
+    variable transform_right_filter_feature_0_choice_108, transform_right_filter_feature_0_choice_109 : boolean;
+    variable transform_right_filter_feature_0_choice_110, transform_right_filter_feature_0_choice_111 : boolean;
+    variable transform_right_filter_feature_0_choice_112, transform_right_filter_feature_0_choice_113 : boolean;
+    variable transform_right_filter_feature_0_choice_114, transform_right_filter_feature_0_choice_115 : boolean;
+    variable transform_right_filter_feature_0_choice_116, transform_right_filter_feature_0_choice_117 : boolean;
+    variable transform_right_filter_feature_0_choice_118, transform_right_filter_feature_0_choice_119 : boolean;
+    variable transform_right_filter_feature_0_choice_120, transform_right_filter_feature_0_choice_121 : boolean;
+    variable transform_right_filter_feature_0_choice_122, transform_right_filter_feature_0_choice_123 : boolean;
+    variable transform_right_filter_feature_0_choice_124, transform_right_filter_feature_0_choice_125 : boolean;
+    variable transform_right_filter_feature_0_choice_126, transform_right_filter_feature_0_choice_127 : boolean;
+    variable transform_right_filter_feature_0_choice_128, transform_right_filter_feature_0_choice_129 : boolean;
+    variable transform_right_filter_feature_0_choice_130, transform_right_filter_feature_0_choice_131 : boolean;
+    variable transform_right_filter_feature_0_choice_132, transform_right_filter_feature_0_choice_133 : boolean;
+    variable transform_right_filter_feature_0_choice_134, transform_right_filter_feature_0_choice_135 : boolean;
+    variable transform_right_filter_feature_0_choice_136, transform_right_filter_feature_0_choice_137 : boolean;
+    variable transform_right_filter_feature_0_choice_138, transform_right_filter_feature_0_choice_139 : boolean;
+    variable transform_right_filter_feature_0_choice_140, transform_right_filter_feature_0_choice_141 : boolean;
+    variable transform_right_filter_feature_0_choice_142, transform_right_filter_feature_0_choice_143 : boolean;
+    variable transform_right_filter_feature_0_choice_144, transform_right_filter_feature_0_choice_145 : boolean;
+    variable transform_right_filter_feature_0_choice_146, transform_right_filter_feature_0_choice_147 : boolean;
+    variable transform_right_filter_feature_0_choice_148, transform_right_filter_feature_0_choice_149 : boolean;
+    variable transform_right_filter_feature_0_choice_150, transform_right_filter_feature_0_choice_151 : boolean;
+    variable transform_right_filter_feature_0_choice_152, transform_right_filter_feature_0_choice_153 : boolean;
+    variable transform_right_filter_feature_0_choice_154, transform_right_filter_feature_0_choice_155 : boolean;
+    variable transform_right_filter_feature_0_choice_156, transform_right_filter_feature_0_choice_157 : boolean;
+    variable transform_right_filter_feature_0_choice_158, transform_right_filter_feature_0_choice_159 : boolean;
+    variable transform_right_filter_feature_0_choice_160, transform_right_filter_feature_0_choice_161 : boolean;
+    variable transform_right_filter_feature_0_choice_162, transform_right_filter_feature_0_choice_163 : boolean;
+    variable transform_right_filter_feature_0_choice_164, transform_right_filter_feature_0_choice_165 : boolean;
+    variable transform_right_filter_feature_0_choice_166, transform_right_filter_feature_0_choice_167 : boolean;
+    variable transform_right_filter_feature_0_choice_168, transform_right_filter_feature_0_choice_169 : boolean;
+    variable transform_right_filter_feature_0_choice_170, transform_right_filter_feature_0_choice_171 : boolean;
+    variable transform_right_filter_feature_0_choice_172, transform_right_filter_feature_0_choice_173 : boolean;
+    variable transform_right_filter_feature_0_choice_174, transform_right_filter_feature_0_choice_175 : boolean;
+    variable transform_right_filter_feature_0_choice_176, transform_right_filter_feature_0_choice_177 : boolean;
+    variable transform_right_filter_feature_0_choice_178, transform_right_filter_feature_0_choice_179 : boolean;
+    variable transform_right_filter_feature_0_choice_180, transform_right_filter_feature_0_choice_181 : boolean;
+    variable transform_right_filter_feature_0_choice_182, transform_right_filter_feature_0_choice_183 : boolean;
+    variable transform_right_filter_feature_0_choice_184, transform_right_filter_feature_0_choice_185 : boolean;
+    variable transform_right_filter_feature_0_choice_186, transform_right_filter_feature_0_value_7 : boolean;
+    variable transform_right_filter_feature_0_choice_187, transform_right_filter_feature_0_value_8 : boolean;
+    variable transform_right_filter_feature_0_choice_188, transform_right_filter_feature_0_value_9 : boolean;
+    variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_value_10 : boolean;
+    variable transform_right_filter_feature_0_choice_190, transform_right_filter_feature_0_value_11 : boolean;
+    variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
+    variable transform_counter_next_frame_choice, raster_place_group_value, raster_place_group_choice : boolean;
+    variable raster_place_group_choice_2, raster_place_group_choice_3, raster_place_group_value_2 : boolean;
+    variable raster_place_group_choice_4, raster_place_group_choice_5, raster_place_group_choice_6 : boolean;
+    variable raster_place_group_value_3, raster_place_group_differs, raster_place_group_value_4 : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_choice_7 : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_is_equal_4, raster_place_group_choice_8 : boolean;
+    variable raster_place_group_choice_9, raster_place_group_value_5, raster_place_group_is_equal_5 : boolean;
+    variable raster_place_group_is_equal_6, raster_place_group_choice_10, raster_place_group_is_equal_7 : boolean;
+    variable raster_place_group_is_equal_8, raster_place_group_choice_11, raster_place_group_choice_12 : boolean;
+    variable raster_place_group_differs_2, raster_place_group_value_7, raster_place_group_differs_3 : boolean;
+    variable raster_place_group_all, raster_place_group_value_8, raster_place_group_choice_14 : boolean;
+    variable raster_place_group_choice_15, raster_place_group_choice_16, raster_place_group_value_9 : boolean;
+    variable raster_place_group_choice_17, raster_place_group_choice_18, raster_place_group_choice_19 : boolean;
+    variable raster_place_group_choice_20, raster_place_group_choice_21, raster_place_group_choice_22 : boolean;
+    variable raster_place_group_choice_23, raster_place_group_choice_24, raster_place_group_value_10 : boolean;
+    variable raster_place_group_differs_4, raster_place_next_frame_all, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, raster_place_next_frame_choice_3 : boolean;
+    variable raster_place_next_frame_choice_4, delay_row_inside_0_differs, delay_row_inside_0_is_less : boolean;
+    variable delay_row_inside_0_all, delay_row_inside_1_is_equal, delay_row_inside_1_is_less : boolean;
+    variable delay_row_inside_1_choice, delay_row_inside_2_is_less, delay_tag_map_column_value : boolean;
+    variable delay_tag_map_column_value_2, delay_tag_map_column_choice, delay_tag_map_column_choice_2 : boolean;
+    variable delay_tag_map_column_value_3, delay_tag_map_column_value_4, delay_tag_map_column_choice_3 : boolean;
+    variable delay_tag_map_column_value_5, delay_tag_map_column_choice_4, delay_tag_map_column_value_6 : boolean;
+    variable delay_tag_map_column_value_7, delay_tag_map_column_choice_5, delay_tag_map_column_is_not_less : boolean;
+    variable delay_tag_map_column_any, delay_tag_output_column_choice, delay_tag_output_column_choice_2 : boolean;
+    variable delay_tag_first_column_is_equal, delay_tag_end_of_line_choice, delay_tag_end_of_line_choice_2 : boolean;
+    variable delay_tag_end_of_line_choice_3, delay_tag_end_of_line_choice_4, delay_tag_end_of_line_choice_5 : boolean;
+    variable delay_tag_end_of_line_choice_6, delay_split_search_inside_0_is_equal : boolean;
+    variable delay_split_search_inside_0_value, delay_split_search_inside_0_choice : boolean;
+    variable delay_split_search_inside_0_choice_2, delay_split_search_inside_0_choice_3 : boolean;
+    variable delay_split_search_inside_0_value_2, delay_split_search_inside_0_choice_4 : boolean;
+    variable delay_split_search_inside_0_choice_5, delay_split_search_inside_0_choice_6 : boolean;
+    variable delay_split_search_inside_0_is_equal_2, delay_split_search_inside_0_choice_7 : boolean;
+    variable delay_split_search_inside_0_all, delay_split_search_inside_1_all : boolean;
+    variable delay_split_search_inside_2_all, slice0cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_value_2, slice0cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_2, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value, slice0cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value, slice0cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_2, slice0cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value, slice0cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_2, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value, slice0cost_pixels_first_0_0_count_7_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_value, slice0cost_pixels_first_1_0_count_0_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value, slice0cost_pixels_first_1_0_count_1_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_3, slice0cost_pixels_first_1_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_2_value_2, slice0cost_pixels_first_1_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_2, slice0cost_pixels_first_1_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value, slice0cost_pixels_first_1_0_count_4_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_3, slice0cost_pixels_first_1_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_2, slice0cost_pixels_first_1_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value, slice0cost_pixels_first_1_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value_3, slice0cost_pixels_first_1_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_7_value_2, slice0cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_0_value_2, slice0cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_2, slice0cost_pixels_first_2_0_count_1_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value, slice0cost_pixels_first_2_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value, slice0cost_pixels_first_2_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_3, slice0cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_2, slice0cost_pixels_first_2_0_count_4_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value, slice0cost_pixels_first_2_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_3, slice0cost_pixels_first_2_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value_2, slice0cost_pixels_first_2_0_count_6_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_7_value, slice0cost_pixels_first_2_0_count_7_value_2 : boolean;
+    variable slice0mask_inside_0_choice, slice0mask_inside_0_choice_2, slice0mask_inside_0_value : boolean;
+    variable slice0mask_inside_0_choice_3, slice0mask_inside_0_value_2, slice0mask_inside_0_choice_4 : boolean;
+    variable slice0mask_inside_0_value_3, slice0mask_inside_0_choice_5, slice0mask_inside_0_differs : boolean;
+    variable slice0mask_inside_0_choice_6, slice0mask_inside_0_all, slice0mask_inside_0_choice_7 : boolean;
+    variable slice0mask_inside_1_choice, slice0mask_inside_2_choice, slice0mask_inside_3_choice : boolean;
+    variable slice0mask_inside_4_choice, slice0mask_searched_0_is_equal, slice0mask_searched_0_all : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value, slice1cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value, slice1cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value_2, slice1cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_2, slice1cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value, slice1cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_3, slice1cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_2, slice1cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value, slice1cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_3, slice1cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value_2, slice1cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_value_2, slice1cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_2, slice1cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value, slice1cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value, slice1cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_3, slice1cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_2, slice1cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value, slice1cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_3, slice1cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value_2, slice1cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value, slice1cost_pixels_first_1_0_count_7_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_0_value, slice1cost_pixels_first_2_0_count_0_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value, slice1cost_pixels_first_2_0_count_1_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_3, slice1cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_2_value_2, slice1cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value_2, slice1cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value, slice1cost_pixels_first_2_0_count_4_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_3, slice1cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value_2, slice1cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_value, slice1cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_value_3, slice1cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_7_value_2, slice1mask_inside_0_all, slice1mask_inside_0_choice : boolean;
+    variable slice1mask_inside_1_choice, slice1mask_inside_2_choice, slice1mask_inside_3_choice : boolean;
+    variable slice1mask_inside_4_choice, slice1mask_searched_3_value, slice1mask_searched_3_value_2 : boolean;
+    variable slice1mask_searched_3_value_3, slice1mask_searched_3_value_4, slice1mask_searched_3_value_5 : boolean;
+    variable slice1mask_searched_3_any, slice1mask_searched_3_is_equal, slice1mask_searched_3_value_6 : boolean;
+    variable slice1mask_searched_3_choice, slice1mask_searched_4_value, slice1mask_searched_4_value_2 : boolean;
+    variable slice1mask_searched_4_choice, slice1mask_searched_3_all : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_2_value, slice2cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value, slice2cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value, slice2cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_7_value, slice2cost_pixels_first_1_0_count_7_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_value, slice2cost_pixels_first_2_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value, slice2cost_pixels_first_2_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_value_2, slice2cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_2, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value, slice2cost_pixels_first_2_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, slice2mask_inside_0_all, slice2mask_inside_0_choice : boolean;
+    variable slice2mask_inside_1_choice, slice2mask_searched_0_any, slice2mask_searched_0_choice : boolean;
+    variable slice2mask_searched_0_any_2, slice2mask_searched_0_any_3, slice2mask_searched_0_choice_2 : boolean;
+    variable slice2mask_searched_1_any, slice2mask_searched_1_choice, slice2mask_searched_1_is_equal : boolean;
+    variable slice2mask_searched_1_all, slice2mask_searched_0_all, entry_order_falls_any : boolean;
+    variable entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
+    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
+    variable forward_above_stay_0_value, forward_above_stay_0_choice, forward_above_stay_0_choice_2 : boolean;
+    variable forward_above_stay_0_value_2, forward_above_stay_0_value_3, forward_above_stay_0_choice_3 : boolean;
+    variable forward_above_stay_0_value_4, forward_above_stay_0_value_5, forward_above_stay_0_choice_4 : boolean;
+    variable forward_above_stay_0_value_6, forward_above_stay_0_choice_5, forward_above_stay_0_choice_6 : boolean;
+    variable forward_above_stay_1_any, forward_above_stay_1_choice, forward_above_stay_1_is_equal : boolean;
+    variable forward_above_stay_1_choice_2, forward_above_stay_1_choice_3, forward_above_stay_1_choice_4 : boolean;
+    variable forward_above_stay_1_value, forward_above_stay_1_choice_5, forward_above_stay_2_choice : boolean;
+    variable forward_above_stay_2_choice_2, forward_above_stay_2_choice_3, forward_above_stay_2_choice_4 : boolean;
+    variable forward_above_stay_2_value, forward_above_stay_2_choice_5, forward_above_stay_3_choice : boolean;
+    variable forward_above_stay_3_choice_2, forward_above_stay_3_choice_3, forward_above_stay_3_choice_4 : boolean;
+    variable forward_above_stay_3_value, forward_above_stay_3_choice_5, forward_above_stay_4_choice : boolean;
+    variable forward_above_stay_4_choice_2, forward_above_stay_4_choice_3, forward_above_stay_4_choice_4 : boolean;
+    variable forward_above_stay_4_value, forward_above_stay_4_choice_5, forward_above_stay_5_choice : boolean;
+    variable forward_above_stay_5_choice_2, forward_above_stay_5_choice_3, forward_above_stay_5_choice_4 : boolean;
+    variable forward_above_stay_5_value, forward_above_stay_5_choice_5, forward_above_stay_6_choice : boolean;
+    variable forward_above_stay_6_choice_2, forward_above_stay_6_choice_3, forward_above_stay_6_choice_4 : boolean;
+    variable forward_above_stay_6_value, forward_above_stay_6_choice_5, forward_above_stay_7_choice : boolean;
+    variable forward_above_stay_7_choice_2, forward_above_stay_7_choice_3, forward_above_stay_7_choice_4 : boolean;
+    variable forward_above_stay_7_value, forward_above_stay_7_choice_5, forward_above_stay_8_choice : boolean;
+    variable forward_above_stay_8_choice_2, forward_above_stay_8_choice_3, forward_above_stay_8_choice_4 : boolean;
+    variable forward_above_stay_8_value, forward_above_stay_8_choice_5, forward_above_stay_9_choice : boolean;
+    variable forward_above_stay_9_choice_2, forward_above_stay_9_choice_3, forward_above_stay_9_choice_4 : boolean;
+    variable forward_above_stay_9_value, forward_above_stay_9_choice_5, forward_above_stay_10_choice : boolean;
+    variable forward_above_stay_10_choice_2, forward_above_stay_10_choice_3, forward_above_stay_10_choice_4 : boolean;
+    variable forward_above_stay_10_value, forward_above_stay_10_choice_5, forward_above_stay_11_choice : boolean;
+    variable forward_above_stay_11_choice_2, forward_above_stay_11_choice_3, forward_above_stay_11_choice_4 : boolean;
+    variable forward_above_stay_11_value, forward_above_stay_11_choice_5, forward_left_p1_any : boolean;
+    variable forward_above_p1_any, forward_above_writes_copy_0_choice, sums_right_start_cost_0_value : boolean;
+    variable sums_turn_writes_copy_0_choice, sums_right_p1_any, sums_tag_row_start_value : boolean;
+    variable sums_tag_row_start_choice, sums_tag_row_start_choice_2, sums_tag_row_start_value_2 : boolean;
+    variable sums_tag_row_start_choice_3, sums_tag_row_start_value_3, sums_tag_row_start_choice_4 : boolean;
+    variable sums_tag_row_start_value_4, sums_tag_row_start_choice_5, sums_tag_row_start_value_5 : boolean;
+    variable sums_tag_row_start_choice_6, sums_tag_row_start_value_6, sums_tag_row_start_choice_7 : boolean;
+    variable sums_tag_row_start_choice_8, sums_tag_row_start_choice_9, sums_tag_row_start_all : boolean;
+    variable sums_tag_first_group_value, sums_tag_first_group_choice, sums_tag_first_group_choice_2 : boolean;
+    variable sums_tag_first_group_value_2, sums_tag_first_group_choice_3, sums_tag_first_group_value_3 : boolean;
+    variable sums_tag_first_group_choice_4, sums_tag_first_group_value_4, sums_tag_first_group_choice_5 : boolean;
+    variable sums_tag_first_group_value_5, sums_tag_first_group_choice_6, sums_tag_first_group_value_6 : boolean;
+    variable sums_tag_first_group_choice_7, sums_tag_first_group_choice_8, sums_tag_first_group_choice_9 : boolean;
+    variable sums_tag_first_group_all, sums_tag_newest_inside_all, sums_tag_first_cost_choice : boolean;
+    variable sums_tag_first_cost_choice_2, sums_tag_first_cost_value, sums_tag_first_cost_choice_3 : boolean;
+    variable sums_tag_first_cost_value_2, sums_tag_first_cost_choice_4, sums_tag_first_cost_value_3 : boolean;
+    variable sums_tag_first_cost_choice_5, sums_tag_first_cost_value_4, sums_tag_first_cost_choice_6 : boolean;
+    variable sums_tag_first_cost_value_5, sums_tag_first_cost_choice_7, sums_tag_first_cost_choice_8 : boolean;
+    variable sums_tag_first_cost_choice_9, sums_tag_first_cost_all, winnersmask_inside_11_choice : boolean;
+    variable winnersmask_inside_11_choice_2, winnersmask_inside_11_value, winnersmask_inside_11_choice_3 : boolean;
+    variable winnersmask_inside_11_value_2, winnersmask_inside_11_choice_4, winnersmask_inside_11_choice_5 : boolean;
+    variable winnersmask_inside_11_choice_6, winnersmask_searched_0_all, winnersother_cost_0_1_choice : boolean;
+    variable winnersother_cost_0_1_choice_2, winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3 : boolean;
+    variable winnersother_cost_0_1_value_2, winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3 : boolean;
+    variable winnersother_cost_0_1_choice_5, winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6 : boolean;
+    variable winnersother_cost_0_1_value_5, winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8 : boolean;
+    variable winnersother_cost_0_1_choice_9, winnersother_cost_0_1_all, winnersother_cost_0_2_value : boolean;
+    variable winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2 : boolean;
+    variable winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4 : boolean;
+    variable winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5 : boolean;
+    variable winnersother_cost_0_2_choice_6, winnersother_cost_0_2_value_6, winnersother_cost_0_2_choice_7 : boolean;
+    variable winnersother_cost_0_2_choice_8, winnersother_cost_0_2_choice_9, winnersother_cost_0_2_all : boolean;
+    variable winnersother_cost_0_3_choice, winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value : boolean;
+    variable winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4 : boolean;
+    variable winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4 : boolean;
+    variable winnersother_cost_0_3_choice_6, winnersother_cost_0_3_value_5, winnersother_cost_0_3_choice_7 : boolean;
+    variable winnersother_cost_0_3_choice_8, winnersother_cost_0_3_choice_9, winnersother_cost_0_3_all : boolean;
+    variable winnersother_cost_0_4_value, winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2 : boolean;
+    variable winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3 : boolean;
+    variable winnersother_cost_0_4_choice_4, winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5 : boolean;
+    variable winnersother_cost_0_4_value_5, winnersother_cost_0_4_choice_6, winnersother_cost_0_4_value_6 : boolean;
+    variable winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8, winnersother_cost_0_4_choice_9 : boolean;
+    variable winnersother_cost_0_4_all, winnersother_cost_0_5_choice, winnersother_cost_0_5_choice_2 : boolean;
+    variable winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2 : boolean;
+    variable winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5 : boolean;
+    variable winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6, winnersother_cost_0_5_value_5 : boolean;
+    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9 : boolean;
+    variable winnersother_cost_0_5_all, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
+    variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3 : boolean;
+    variable winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4 : boolean;
+    variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6 : boolean;
+    variable winnersother_cost_0_6_value_6, winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8 : boolean;
+    variable winnersother_cost_0_6_choice_9, winnersother_cost_0_6_all, winnersother_cost_0_7_choice : boolean;
+    variable winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3 : boolean;
+    variable winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3 : boolean;
+    variable winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6 : boolean;
+    variable winnersother_cost_0_7_value_5, winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8 : boolean;
+    variable winnersother_cost_0_7_choice_9, winnersother_cost_0_7_all, winnersother_winner_0_0_value : boolean;
+    variable winnersother_winner_0_0_choice, winnersother_winner_0_0_choice_2 : boolean;
+    variable winnersother_winner_0_0_value_2, winnersother_winner_0_0_choice_3 : boolean;
+    variable winnersother_winner_0_0_value_3, winnersother_winner_0_0_choice_4 : boolean;
+    variable winnersother_winner_0_0_value_4, winnersother_winner_0_0_choice_5 : boolean;
+    variable winnersother_winner_0_0_value_5, winnersother_winner_0_0_choice_6 : boolean;
+    variable winnersother_winner_0_0_value_6, winnersother_winner_0_0_choice_7 : boolean;
+    variable winnersother_winner_0_0_choice_8, winnerswinner1_best_index_0_0_value : boolean;
+    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_value_2 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_value_3 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_value_4 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_value_5 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_value_6 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_1_value, winnerswinner1_best_index_0_1_choice : boolean;
+    variable winnerswinner1_best_index_0_1_value_2, winnerswinner1_best_index_0_1_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_1_value_3, winnerswinner1_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_1_value_4, winnerswinner1_best_index_0_1_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_1_value_5, winnerswinner1_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_1_value_6, winnerswinner1_best_index_0_1_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_1_value_7, winnerswinner1_best_index_0_1_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_2_value, winnerswinner1_best_index_0_2_choice : boolean;
+    variable winnerswinner1_best_index_0_2_value_2, winnerswinner1_best_index_0_2_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_2_value_3, winnerswinner1_best_index_0_2_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_2_value_4, winnerswinner1_best_index_0_2_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_2_value_5, winnerswinner1_best_index_0_2_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_2_value_6, winnerswinner1_best_index_0_2_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_2_value_7, winnerswinner1_best_index_0_2_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_3_value, winnerswinner1_best_index_0_3_choice : boolean;
+    variable winnerswinner1_best_index_0_3_value_2, winnerswinner1_best_index_0_3_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_3_value_3, winnerswinner1_best_index_0_3_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_3_value_4, winnerswinner1_best_index_0_3_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_3_value_5, winnerswinner1_best_index_0_3_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_3_value_6, winnerswinner1_best_index_0_3_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_3_value_7, winnerswinner1_best_index_0_3_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_4_value, winnerswinner1_best_index_0_4_choice : boolean;
+    variable winnerswinner1_best_index_0_4_value_2, winnerswinner1_best_index_0_4_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_4_value_3, winnerswinner1_best_index_0_4_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_4_value_4, winnerswinner1_best_index_0_4_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_4_value_5, winnerswinner1_best_index_0_4_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_4_value_6, winnerswinner1_best_index_0_4_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_4_value_7, winnerswinner1_best_index_0_4_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_5_value, winnerswinner1_best_index_0_5_choice : boolean;
+    variable winnerswinner1_best_index_0_5_value_2, winnerswinner1_best_index_0_5_value_3 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_value_4 : boolean;
+    variable winnerswinner1_best_index_0_5_value_5, winnerswinner1_best_index_0_5_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_5_value_6, winnerswinner1_best_index_0_5_value_7 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_value_8 : boolean;
+    variable winnerswinner1_best_index_0_5_value_9, winnerswinner1_best_index_0_5_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_5_value_10, winnerswinner1_best_index_0_5_value_11 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_6, winnerswinner1_best_index_0_5_value_12 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
+    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
+    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_value_5 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_1_value_5, winnerswinner2_best_index_0_1_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_8, winnerswinner2_best_index_0_2_choice : boolean;
+    variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
+    variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_value_5 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner2_best_index_0_2_choice_8 : boolean;
+    variable winnerswinner2_best_at_start_0_0_choice, winnerswinner2_best_at_start_0_1_choice : boolean;
+    variable winnerswinner2_best_at_start_0_2_choice, winnerswinner3_best_index_0_0_choice : boolean;
+    variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
+    variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_value_5 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner3_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner3_best_below_0_0_is_equal, winnerswinner3_best_above_0_0_is_equal : boolean;
+    variable winnerswinner3_best_at_start_0_0_choice, winnerswinner4_best_index_0_0_choice : boolean;
+    variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
+    variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_value_5 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_7, winnerswinner4_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner4_best_below_0_0_is_equal, winnerswinner4_best_above_0_0_is_equal : boolean;
+    variable refinement_below_0_differs, refinement_below_0_differs_2, refinement_above_0_all : boolean;
+    variable refinement_above_0_choice, refinement_above_0_choice_2, refinement_divisor_0_0_is_less : boolean;
+    variable leftright_holds_winners_all, turn_order_address_any, turn_order_address_any_2 : boolean;
+    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_choice : boolean;
+    variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice_2 : boolean;
+    variable turn_ready_tag_row_start_value, turn_ready_tag_row_start_choice_3 : boolean;
+    variable turn_ready_tag_row_start_value_2, turn_ready_tag_row_start_choice_4 : boolean;
+    variable turn_ready_tag_row_start_value_3, turn_ready_tag_row_start_choice_5 : boolean;
+    variable turn_ready_tag_row_start_choice_6, turn_ready_tag_row_start_choice_7 : boolean;
+    variable turn_ready_tag_row_start_value_4, turn_ready_tag_row_start_choice_8 : boolean;
+    variable turn_ready_tag_row_start_choice_9, turn_ready_tag_row_start_choice_10 : boolean;
+    variable turn_ready_tag_row_start_differs, turn_ready_tag_row_start_differs_2 : boolean;
+    variable turn_ready_tag_row_start_choice_11, turn_ready_tag_row_start_value_6 : boolean;
+    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_is_equal_3 : boolean;
+    variable turn_ready_tag_row_start_choice_12, turn_ready_tag_row_start_is_equal_4 : boolean;
+    variable turn_ready_tag_row_start_is_equal_5, turn_ready_tag_row_start_choice_13 : boolean;
+    variable turn_ready_tag_row_start_choice_14, turn_ready_tag_row_start_is_equal_6 : boolean;
+    variable turn_ready_tag_row_start_is_equal_7, turn_ready_tag_row_start_choice_15 : boolean;
+    variable turn_ready_tag_row_start_is_equal_8, turn_ready_tag_row_start_choice_16 : boolean;
+    variable turn_ready_tag_row_start_choice_17, turn_ready_tag_row_start_differs_3 : boolean;
+    variable turn_ready_tag_row_start_all, turn_ready_tag_row_start_choice_18 : boolean;
+    variable turn_ready_tag_row_start_value_7, turn_ready_tag_row_start_choice_19 : boolean;
+    variable turn_ready_tag_row_start_choice_20, turn_ready_tag_row_start_choice_21 : boolean;
+    variable turn_ready_tag_row_start_choice_22, turn_ready_tag_row_start_choice_23 : boolean;
+    variable turn_ready_tag_row_start_choice_24, turn_ready_tag_row_start_differs_4 : boolean;
+    variable turn_ready_tag_row_start_all_2, turn_ready_tag_row_start_choice_25 : boolean;
+    variable turn_ready_tag_row_start_all_3, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all, map_low_0_0_all : boolean;
+    variable other_1_is_equal, other_1_choice, other_2_all, other_3_any, other_3_choice, other_6_all : boolean;
+    variable other_7_is_equal, other_7_choice, other_8_all, other_9_is_equal, other_9_choice : boolean;
+    variable transform_counter_group_value_7, raster_place_group_value_6 : natural range 0 to 3;
+    variable turn_ready_tag_row_start_value_5 : natural range 0 to 3;
+    variable transform_counter_group_choice_13, transform_counter_group_choice_25 : natural range 0 to 31;
+    variable transform_counter_group_choice_26, transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_193, raster_place_group_choice_13 : natural range 0 to 31;
+    variable raster_place_group_choice_25, raster_place_group_choice_26 : natural range 0 to 31;
+    variable forward_left_room_choice, forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
+    variable forward_above_total_1_choice, forward_above_total_2_choice : natural range 0 to 31;
+    variable forward_above_total_3_choice, forward_above_total_4_choice : natural range 0 to 31;
+    variable forward_above_total_5_choice, forward_above_total_6_choice : natural range 0 to 31;
+    variable forward_above_total_7_choice, forward_above_total_8_choice : natural range 0 to 31;
+    variable forward_above_total_9_choice, forward_above_total_10_choice : natural range 0 to 31;
+    variable forward_above_total_11_choice, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 31;
+    variable map_counter_group_choice, map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 31;
+    variable transform_read_row_inside_0_difference, delay_row_inside_0_difference : integer range -31 to 31;
+    variable transform_left_filter_feature_0_choice_194 : natural range 0 to 1023;
+    variable transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
+    variable transform_left_filter_feature_0_choice_195 : natural range 0 to 8191;
+    variable transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
+    variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
+    variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 63;
+    variable entry_order_address_choice_2, sums_turn_waiting_read_place_choice : natural range 0 to 63;
+    variable sums_turn_waiting_read_place_choice_2, turn_order_address_choice_2 : natural range 0 to 63;
+    variable forward_left_pair_0_choice, forward_left_pair_1_choice : natural range 0 to 127;
+    variable forward_left_pair_2_choice, forward_left_pair_3_choice : natural range 0 to 127;
+    variable forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 127;
+    variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_1_choice, forward_left_cost_1_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_2_choice, forward_left_cost_2_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_3_choice, forward_left_cost_3_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_4_choice, forward_left_cost_4_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_5_choice, forward_left_cost_5_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_6_choice, forward_left_cost_6_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_7_choice, forward_left_cost_7_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_8_choice, forward_left_cost_8_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_9_choice, forward_left_cost_9_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_10_choice, forward_left_cost_10_choice_2 : natural range 0 to 127;
+    variable forward_left_cost_11_choice, forward_left_cost_11_choice_2 : natural range 0 to 127;
+    variable forward_left_arrived_0_choice, forward_left_arrived_1_choice : natural range 0 to 127;
+    variable forward_left_arrived_2_choice, forward_left_arrived_3_choice : natural range 0 to 127;
+    variable forward_left_arrived_3_choice_2, forward_left_arrived_4_choice : natural range 0 to 127;
+    variable forward_left_arrived_4_choice_2, forward_left_arrived_5_choice : natural range 0 to 127;
+    variable forward_left_arrived_6_choice, forward_left_arrived_7_choice : natural range 0 to 127;
+    variable forward_left_arrived_7_choice_2, forward_left_arrived_8_choice : natural range 0 to 127;
+    variable forward_left_arrived_8_choice_2, forward_left_arrived_9_choice : natural range 0 to 127;
+    variable forward_left_arrived_10_choice, forward_left_arrived_11_choice : natural range 0 to 127;
+    variable sums_right_pair_0_choice, sums_right_pair_1_choice, sums_right_pair_2_choice : natural range 0 to 127;
+    variable sums_right_pair_3_choice, sums_right_pair_4_choice, sums_right_pair_5_choice : natural range 0 to 127;
+    variable sums_right_cost_0_choice, sums_right_cost_0_choice_2, sums_right_cost_1_choice : natural range 0 to 127;
+    variable sums_right_cost_1_choice_2, sums_right_cost_2_choice, sums_right_cost_2_choice_2 : natural range 0 to 127;
+    variable sums_right_cost_3_choice, sums_right_cost_3_choice_2, sums_right_cost_4_choice : natural range 0 to 127;
+    variable sums_right_cost_4_choice_2, sums_right_cost_5_choice, sums_right_cost_5_choice_2 : natural range 0 to 127;
+    variable sums_right_cost_6_choice, sums_right_cost_6_choice_2, sums_right_cost_7_choice : natural range 0 to 127;
+    variable sums_right_cost_7_choice_2, sums_right_cost_8_choice, sums_right_cost_8_choice_2 : natural range 0 to 127;
+    variable sums_right_cost_9_choice, sums_right_cost_9_choice_2, sums_right_cost_10_choice : natural range 0 to 127;
+    variable sums_right_cost_10_choice_2, sums_right_cost_11_choice : natural range 0 to 127;
+    variable sums_right_cost_11_choice_2, sums_right_arrived_0_choice : natural range 0 to 127;
+    variable sums_right_arrived_1_choice, sums_right_arrived_2_choice : natural range 0 to 127;
+    variable sums_right_arrived_3_choice, sums_right_arrived_3_choice_2 : natural range 0 to 127;
+    variable sums_right_arrived_4_choice, sums_right_arrived_4_choice_2 : natural range 0 to 127;
+    variable sums_right_arrived_5_choice, sums_right_arrived_6_choice : natural range 0 to 127;
+    variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 127;
+    variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 127;
+    variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 127;
+    variable sums_right_arrived_11_choice : natural range 0 to 127;
+    variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 255;
+    variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : natural range 0 to 255;
+    variable winnersother_cost_0_1_choice_10, winnersother_cost_0_2_choice_10 : natural range 0 to 255;
+    variable winnersother_cost_0_3_choice_10, winnersother_cost_0_4_choice_10 : natural range 0 to 255;
+    variable winnersother_cost_0_5_choice_10, winnersother_cost_0_6_choice_10 : natural range 0 to 255;
+    variable winnersother_cost_0_7_choice_10, winnersother_cost_0_8_choice : natural range 0 to 255;
+    variable winnersother_cost_0_9_choice, winnersother_cost_0_10_choice : natural range 0 to 255;
+    variable winnerswinner1_held_0_0_any, winnerswinner1_held_0_1_any : natural range 0 to 255;
+    variable winnerswinner1_held_0_2_any, winnerswinner1_held_0_3_any : natural range 0 to 255;
+    variable winnerswinner1_held_0_4_any, winnerswinner1_held_0_5_any : natural range 0 to 255;
+    variable winnerswinner1_held_0_6_any, winnerswinner1_held_0_7_any : natural range 0 to 255;
+    variable winnerswinner1_held_0_8_any, winnerswinner1_held_0_9_any : natural range 0 to 255;
+    variable winnerswinner1_held_0_10_any, winnerswinner1_held_0_11_any : natural range 0 to 255;
+    variable winnerswinner2_best_below_0_0_choice, winnerswinner2_best_below_0_1_choice : natural range 0 to 255;
+    variable winnerswinner2_best_below_0_2_choice, winnerswinner2_best_above_0_0_choice : natural range 0 to 255;
+    variable winnerswinner2_best_above_0_1_choice, winnerswinner2_best_above_0_2_choice : natural range 0 to 255;
+    variable winnerswinner2_best_second_0_0_choice, winnerswinner2_best_second_0_0_choice_2 : natural range 0 to 255;
+    variable winnerswinner2_best_second_0_0_choice_3, winnerswinner2_best_second_0_0_choice_4 : natural range 0 to 255;
+    variable winnerswinner2_best_second_0_1_choice, winnerswinner2_best_second_0_1_choice_2 : natural range 0 to 255;
+    variable winnerswinner2_best_second_0_1_choice_3, winnerswinner2_best_second_0_1_choice_4 : natural range 0 to 255;
+    variable winnerswinner2_best_second_0_2_choice, winnerswinner2_best_second_0_2_choice_2 : natural range 0 to 255;
+    variable winnerswinner2_best_second_0_2_choice_3, winnerswinner2_best_second_0_2_choice_4 : natural range 0 to 255;
+    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 255;
+    variable winnerswinner3_best_second_0_0_choice, winnerswinner3_best_second_0_0_choice_2 : natural range 0 to 255;
+    variable winnerswinner3_best_second_0_0_choice_3, winnerswinner3_best_second_0_0_choice_4 : natural range 0 to 255;
+    variable winnerswinner4_best_below_0_0_choice, winnerswinner4_best_above_0_0_choice : natural range 0 to 255;
+    variable winnerswinner4_best_second_0_0_choice, winnerswinner4_best_second_0_0_choice_2 : natural range 0 to 255;
+    variable winnerswinner4_best_second_0_0_choice_3, winnerswinner4_best_second_0_0_choice_4 : natural range 0 to 255;
+    variable refinement_divisor_0_0_choice, refinement_fraction_0_choice : natural range 0 to 255;
+    variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 70;
+    variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 70;
+    variable forward_above_write_words_0_choice_5, forward_above_write_words_0_choice_6 : natural range 0 to 70;
+    variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 70;
+    variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 70;
+    variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 70;
+    variable winnerswinner1_held_0_0_sum, winnerswinner1_held_0_1_sum : natural range 255 to 256;
+    variable winnerswinner1_held_0_2_sum, winnerswinner1_held_0_3_sum : natural range 255 to 256;
+    variable winnerswinner1_held_0_4_sum, winnerswinner1_held_0_5_sum : natural range 255 to 256;
+    variable winnerswinner1_held_0_6_sum, winnerswinner1_held_0_7_sum : natural range 255 to 256;
+    variable winnerswinner1_held_0_8_sum, winnerswinner1_held_0_9_sum : natural range 255 to 256;
+    variable winnerswinner1_held_0_10_sum, winnerswinner1_held_0_11_sum : natural range 255 to 256;
+    variable refinement_remainder_1_0_difference : natural range 257 to 767;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 257 to 1022;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 257 to 1022;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 257 to 1022;
+    variable refinement_fraction_0_difference : integer range -15 to 0;
+    variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice_2 : natural range 0 to 7;
+    variable leftright_checked_passed_0_difference : integer range -15 to 15;
+    variable map_of_column_0_a_choice : natural range 0 to 4095;
+    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
+    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
+    variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 32767;
+    variable map_median_middle_0_choice_4, map_smallest_high_0_choice : natural range 0 to 32767;
+    variable map_smallest_high_0_choice_2, map_out_disparity_0_choice : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 32767;
+    variable map_high_0_0_choice : natural range 0 to 32767;
+  begin
+    if rising_edge(clock) then
+      -- settings
+      settings_p1_any := (not in_valid) or (not in_start_of_frame);
+      if not settings_p1_any then
+        settings_p1 <= in_p1 mod 8;
+        settings_p2 <= in_p2 mod 32;
+        settings_uniqueness_distance <= in_uniqueness_distance mod 256;
+        settings_left_right_threshold <= in_left_right_threshold;
+        settings_first_disparity <= in_first_disparity;
+        settings_last_disparity <= in_last_disparity;
+      end if;
+      -- size
+      size_windows_last_column <= (in_image_width + 63) mod 64;
+      size_windows_last_group <= (in_image_height + 31) mod 32;
+      size_windows_groups <= in_image_height mod 32;
+      size_windows_idle <= (in_image_height + 1) mod 32;
+      size_map_last_column <= (in_image_width + 61) mod 64;
+      size_transform_idle <= (((((in_image_height mod 32) / 2) + 1) mod 16) * 2) + (in_image_height mod 2);
+      size_map_columns_to <= ((((in_image_width / 2) + 31) mod 32) * 2) + (in_image_width mod 2);
+      -- transform
+      transform_counter_group_value := ((transform_counter_group / 8) mod 2) = 1;
+      transform_counter_group_is_equal := (size_windows_last_group / 8) = 3;
+      transform_counter_group_is_equal_2 := (size_windows_last_group / 8) = 2;
+      transform_counter_group_choice := transform_counter_group_is_equal when transform_counter_group_value else
+        transform_counter_group_is_equal_2;
+      transform_counter_group_is_equal_3 := (size_windows_last_group / 8) = 1;
+      transform_counter_group_is_equal_4 := (size_windows_last_group / 8) = 0;
+      transform_counter_group_choice_2 := transform_counter_group_is_equal_3 when transform_counter_group_value else
+        transform_counter_group_is_equal_4;
+      transform_counter_group_choice_3 := transform_counter_group_choice when (transform_counter_group / 16) = 1 else
+        transform_counter_group_choice_2;
+      transform_counter_group_value_2 := ((transform_counter_group / 2) mod 2) = 1;
+      transform_counter_group_is_equal_5 := (size_windows_last_group mod 4) = 3;
+      transform_counter_group_is_equal_6 := (size_windows_last_group mod 4) = 2;
+      transform_counter_group_choice_4 := transform_counter_group_is_equal_5 when (transform_counter_group mod 2) = 1
+        else transform_counter_group_is_equal_6;
+      transform_counter_group_is_equal_7 := (size_windows_last_group mod 4) = 1;
+      transform_counter_group_is_equal_8 := (size_windows_last_group mod 4) = 0;
+      transform_counter_group_choice_5 := transform_counter_group_is_equal_7 when (transform_counter_group mod 2) = 1
+        else transform_counter_group_is_equal_8;
+      transform_counter_group_choice_6 := transform_counter_group_choice_4 when transform_counter_group_value_2 else
+        transform_counter_group_choice_5;
+      transform_counter_group_value_3 := ((transform_counter_group / 4) mod 2) = 1;
+      transform_counter_group_value_4 := ((size_windows_last_group / 4) mod 2) = 1;
+      transform_counter_group_differs := transform_counter_group_value_3 /= (not transform_counter_group_value_4);
+      transform_counter_group_value_5 := ((transform_counter_column / 16) mod 2) = 1;
+      transform_counter_group_is_equal_9 := (size_windows_last_column / 16) = 3;
+      transform_counter_group_is_equal_10 := (size_windows_last_column / 16) = 2;
+      transform_counter_group_choice_7 := transform_counter_group_is_equal_9 when transform_counter_group_value_5 else
+        transform_counter_group_is_equal_10;
+      transform_counter_group_is_equal_11 := (size_windows_last_column / 16) = 1;
+      transform_counter_group_is_equal_12 := (size_windows_last_column / 16) = 0;
+      transform_counter_group_choice_8 := transform_counter_group_is_equal_11 when transform_counter_group_value_5 else
+        transform_counter_group_is_equal_12;
+      transform_counter_group_choice_9 := transform_counter_group_choice_7 when (transform_counter_column / 32) = 1
+        else transform_counter_group_choice_8;
+      transform_counter_group_value_6 := ((transform_counter_column / 2) mod 2) = 1;
+      transform_counter_group_value_7 := (size_windows_last_column / 2) mod 4;
+      transform_counter_group_is_equal_13 := transform_counter_group_value_7 = 3;
+      transform_counter_group_is_equal_14 := transform_counter_group_value_7 = 2;
+      transform_counter_group_choice_10 := transform_counter_group_is_equal_13 when transform_counter_group_value_6
+        else transform_counter_group_is_equal_14;
+      transform_counter_group_is_equal_15 := transform_counter_group_value_7 = 1;
+      transform_counter_group_is_equal_16 := transform_counter_group_value_7 = 0;
+      transform_counter_group_choice_11 := transform_counter_group_is_equal_15 when transform_counter_group_value_6
+        else transform_counter_group_is_equal_16;
+      transform_counter_group_choice_12 := transform_counter_group_choice_10 when ((transform_counter_column / 4) mod
+        2) = 1 else transform_counter_group_choice_11;
+      transform_counter_group_differs_2 := ((transform_counter_column mod 2) = 1) /= (not ((size_windows_last_column
+        mod 2) = 1));
+      transform_counter_group_value_8 := ((size_windows_last_column / 8) mod 2) = 1;
+      transform_counter_group_differs_3 := (((transform_counter_column / 8) mod 2) = 1) /= (not
+        transform_counter_group_value_8);
+      transform_counter_group_all := transform_counter_group_choice_3 and transform_counter_group_choice_6 and
+        transform_counter_group_differs and transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+        transform_counter_group_differs_2 and transform_counter_group_differs_3;
+      transform_counter_group_choice_13 := size_windows_groups when transform_counter_group_all else 0;
+      transform_counter_group_choice_14 := (not transform_counter_group_value_2) or (not ((transform_counter_group mod
+        2) = 1)) when (size_transform_idle mod 2) = 1 else not transform_counter_group_value_2;
+      transform_counter_group_choice_15 := transform_counter_group_choice_14 when ((size_transform_idle / 2) mod 2) = 1
+        else ((size_transform_idle mod 2) = 1) and ((transform_counter_group mod 4) = 0);
+      transform_counter_group_choice_16 := (not (((size_transform_idle / 4) mod 2) = 1)) and
+        transform_counter_group_value_3 when transform_counter_group_choice_15 else (not (((size_transform_idle / 4)
+        mod 2) = 1)) or transform_counter_group_value_3;
+      transform_counter_group_choice_17 := (not (((size_transform_idle / 8) mod 2) = 1)) or
+        transform_counter_group_value when transform_counter_group_choice_16 else (not (((size_transform_idle / 8) mod
+        2) = 1)) and transform_counter_group_value;
+      transform_counter_group_choice_18 := transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+        transform_counter_group_differs_2 and transform_counter_group_differs_3 and ((size_transform_idle / 16) = 1)
+        and (not ((transform_counter_group / 16) = 1)) when transform_counter_group_choice_17 else
+        transform_counter_group_choice_9 and transform_counter_group_choice_12 and transform_counter_group_differs_2
+        and transform_counter_group_differs_3 and (((size_transform_idle / 16) = 1) or (not ((transform_counter_group /
+        16) = 1)));
+      transform_counter_group_choice_19 := (size_windows_idle / 8) = 3 when transform_counter_group_value else
+        (size_windows_idle / 8) = 2;
+      transform_counter_group_choice_20 := (size_windows_idle / 8) = 1 when transform_counter_group_value else
+        (size_windows_idle / 8) = 0;
+      transform_counter_group_choice_21 := transform_counter_group_choice_19 when (transform_counter_group / 16) = 1
+        else transform_counter_group_choice_20;
+      transform_counter_group_choice_22 := (size_windows_idle mod 4) = 3 when (transform_counter_group mod 2) = 1 else
+        (size_windows_idle mod 4) = 2;
+      transform_counter_group_is_equal_17 := (size_windows_idle mod 4) = 0;
+      transform_counter_group_choice_23 := (size_windows_idle mod 4) = 1 when (transform_counter_group mod 2) = 1 else
+        transform_counter_group_is_equal_17;
+      transform_counter_group_choice_24 := transform_counter_group_choice_22 when transform_counter_group_value_2 else
+        transform_counter_group_choice_23;
+      transform_counter_group_value_9 := ((size_windows_idle / 4) mod 2) = 1;
+      transform_counter_group_differs_4 := transform_counter_group_value_3 /= (not transform_counter_group_value_9);
+      transform_counter_group_choice_25 := 2 when transform_counter_group_choice_21 and
+        transform_counter_group_choice_24 and transform_counter_group_differs_4 and transform_counter_next_frame else
+        (transform_counter_group + 1) mod 32;
+      transform_counter_group_choice_26 := transform_counter_group_choice_25 when transform_counter_group_choice_18 and
+        in_valid else transform_counter_group;
+      transform_read_row_inside_0_difference := transform_counter_group - size_windows_groups;
+      transform_read_row_inside_1_is_equal := ((transform_counter_group / 4) mod 4) = 0;
+      transform_read_row_inside_1_choice := (not ((transform_counter_group mod 2) = 1)) and
+        transform_read_row_inside_1_is_equal when transform_counter_group_value_2 else
+        transform_read_row_inside_1_is_equal;
+      transform_read_row_inside_1_is_less := transform_read_row_inside_0_difference < 3;
+      transform_read_row_inside_2_is_equal := (transform_counter_group / 4) = 0;
+      transform_read_row_inside_2_is_less := transform_read_row_inside_0_difference < 2;
+      transform_read_row_inside_3_is_less := transform_read_row_inside_0_difference < 1;
+      transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
+      transform_read_column_inside_1_is_equal_2 := (transform_counter_column / 2) = 0;
+      transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0 when
+        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column mod 2) = 1) or
+        transform_counter_group_value_6;
+      transform_read_column_inside_1_differs := (transform_counter_column / 2) /= 0;
+      transform_read_column_inside_3_choice := ((transform_counter_column / 2) mod 8) = 0 when
+        (transform_counter_column mod 2) = 1 else ((transform_counter_column / 4) mod 4) = 0;
+      transform_read_column_inside_3_choice_2 := (transform_counter_column / 16) = 0 when
+        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column / 32) = 1) or
+        transform_counter_group_value_5;
+      transform_left_filter_feature_0_value := ((transform_left_filter_column_2_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+        ((transform_left_filter_column_2_2 mod 2) = 1));
+      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2_2 mod 4) = 0;
+      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
+        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_2_2 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
+        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_2_2 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
+        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_2_2 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
+        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_2_2 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
+        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_2_2 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
+        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
+        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
+        ((transform_left_filter_column_4_1 / 2) mod 2) = 1 else ((transform_left_filter_column_4_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
+        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
+        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
+        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
+        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
+        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
+        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
+        ((transform_left_filter_column_4_2 / 2) mod 2) = 1 else ((transform_left_filter_column_4_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
+        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
+        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
+        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
+        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
+        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
+        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
+        ((transform_left_filter_column_4_3 / 2) mod 2) = 1 else ((transform_left_filter_column_4_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
+        (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
+        (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
+        (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
+        (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
+        (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
+        ((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
+        ((transform_left_filter_column_4_4 / 2) mod 2) = 1 else ((transform_left_filter_column_4_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
+        (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
+        (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
+        (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
+        (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
+        (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
+        ((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
+        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
+        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
+        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
+        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
+        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
+        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
+        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
+        ((transform_left_filter_column_3_1 / 2) mod 2) = 1 else ((transform_left_filter_column_3_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
+        (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
+        (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
+        (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
+        (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
+        (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
+        ((transform_left_filter_column_3_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
+        ((transform_left_filter_column_3_2 / 2) mod 2) = 1 else ((transform_left_filter_column_3_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
+        (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
+        (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
+        (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
+        (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
+        (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
+        ((transform_left_filter_column_3_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
+        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
+        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
+        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
+        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
+        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
+        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
+        ((transform_left_filter_column_3_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
+        ((transform_left_filter_column_3_4 / 2) mod 2) = 1 else ((transform_left_filter_column_3_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_74 else (not
+        (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_75 else (not
+        (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_76 else (not
+        (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_77 else (not
+        (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_78 else (not
+        (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_79 else
+        ((transform_left_filter_column_3_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81 when
+        ((transform_left_filter_column_2_4 / 2) mod 2) = 1 else ((transform_left_filter_column_2_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_82 else (not
+        (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_83 else (not
+        (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_84 else (not
+        (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_85 else (not
+        (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
+        (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+        ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
+        transform_left_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
+        (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
+      transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89 when
+        ((transform_left_filter_column_2_1 / 2) mod 2) = 1 else ((transform_left_filter_column_2_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_90 else (not
+        (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_91 else (not
+        (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_92 else (not
+        (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_93 else (not
+        (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_94 else (not
+        (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_95 else
+        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97 when
+        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_98 else (not
+        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_99 else (not
+        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_100 else (not
+        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_101 else (not
+        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_102 else (not
+        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_103 else
+        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105 when
+        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_106 else (not
+        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_107 else (not
+        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_108 else (not
+        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_109 else (not
+        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_110 else (not
+        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_111 else
+        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113 when
+        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_114 else (not
+        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_115 else (not
+        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_116 else (not
+        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_117 else (not
+        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_118 else (not
+        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_119 else
+        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121 when
+        ((transform_left_filter_column_1_4 / 2) mod 2) = 1 else ((transform_left_filter_column_1_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_122 else (not
+        (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_123 else (not
+        (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_124 else (not
+        (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_125 else (not
+        (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_126 else (not
+        (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_127 else
+        ((transform_left_filter_column_1_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129 when
+        ((transform_left_filter_column_1_2 / 2) mod 2) = 1 else ((transform_left_filter_column_1_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_130 else (not
+        (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_131 else (not
+        (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_132 else (not
+        (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_133 else (not
+        (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_134 else (not
+        (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_135 else
+        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137 when
+        ((transform_left_filter_column_1_1 / 2) mod 2) = 1 else ((transform_left_filter_column_1_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_138 else (not
+        (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_139 else (not
+        (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_140 else (not
+        (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_141 else (not
+        (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_142 else (not
+        (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_143 else
+        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145 when
+        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_146 else (not
+        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_147 else (not
+        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_148 else (not
+        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_149 else (not
+        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_150 else (not
+        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_151 else
+        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153 when
+        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_154 else (not
+        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_155 else (not
+        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_156 else (not
+        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_157 else (not
+        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_158 else (not
+        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_159 else
+        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161 when
+        ((transform_left_filter_column_0_4 / 2) mod 2) = 1 else ((transform_left_filter_column_0_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_162 else (not
+        (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_163 else (not
+        (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_164 else (not
+        (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_165 else (not
+        (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_166 else (not
+        (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_167 else
+        ((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169 when
+        ((transform_left_filter_column_0_2 / 2) mod 2) = 1 else ((transform_left_filter_column_0_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_170 else (not
+        (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_171 else (not
+        (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_172 else (not
+        (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_173 else (not
+        (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_174 else (not
+        (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_175 else
+        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177 when
+        ((transform_left_filter_column_0_1 / 2) mod 2) = 1 else ((transform_left_filter_column_0_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_178 else (not
+        (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_179 else (not
+        (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_180 else (not
+        (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_181 else (not
+        (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_182 else (not
+        (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_183 else
+        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_185 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
+        (transform_left_filter_column_2_2 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
+      transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
+        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
+        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_185;
+      transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) and
+        transform_left_filter_feature_0_value_7 when transform_left_filter_feature_0_choice_186 else (not
+        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_7;
+      transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) or
+        transform_left_filter_feature_0_value_8 when transform_left_filter_feature_0_choice_187 else (not
+        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_8;
+      transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) or
+        transform_left_filter_feature_0_value_9 when transform_left_filter_feature_0_choice_188 else (not
+        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_9;
+      transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) or
+        transform_left_filter_feature_0_value_10 when transform_left_filter_feature_0_choice_189 else (not
+        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_10;
+      transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) or
+        transform_left_filter_feature_0_value_11 when transform_left_filter_feature_0_choice_190 else (not
+        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_11;
+      transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
+        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_filtering_0_column_inside_0 then
+        transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
+          (as_number(transform_left_filter_feature_0_choice_168) * 16) +
+          (as_number(transform_left_filter_feature_0_choice_176) * 4) +
+          (as_number(transform_left_filter_feature_0_choice_184) * 2) +
+          as_number(transform_left_filter_feature_0_choice_192);
+      else
+        transform_left_filter_feature_0_choice_193 := 0;
+      end if;
+      if transform_filtering_0_column_inside_1 then
+        transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
+          (as_number(transform_left_filter_feature_0_choice_128) * 512) +
+          (as_number(transform_left_filter_feature_0_choice_136) * 128) +
+          (as_number(transform_left_filter_feature_0_choice_144) * 64) +
+          (as_number(transform_left_filter_feature_0_choice_152) * 32) + transform_left_filter_feature_0_choice_193;
+      else
+        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
+      end if;
+      if transform_filtering_0_column_inside_2 then
+        transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
+          (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
+          (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194;
+      else
+        transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
+      end if;
+      if transform_filtering_0_column_inside_3 then
+        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
+          (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
+          (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
+          (as_number(transform_left_filter_feature_0_choice_72) * 131072) +
+          (as_number(transform_left_filter_feature_0_choice_80) * 262144) +
+          (as_number(transform_left_filter_feature_0_choice_88) * 8192) + transform_left_filter_feature_0_choice_195;
+      else
+        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_88) * 8192) +
+          transform_left_filter_feature_0_choice_195;
+      end if;
+      transform_right_filter_feature_0_value := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+        ((transform_right_filter_column_2_2 mod 2) = 1));
+      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2_2 mod 4) = 0;
+      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
+        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_2_2 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
+        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_2_2 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
+        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_2_2 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
+        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_2_2 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
+        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_2_2 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
+        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
+        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
+        ((transform_right_filter_column_4_1 / 2) mod 2) = 1 else ((transform_right_filter_column_4_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
+        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
+        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
+        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
+        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
+        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
+        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
+        ((transform_right_filter_column_4_2 / 2) mod 2) = 1 else ((transform_right_filter_column_4_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
+        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
+        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
+        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
+        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
+        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
+        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
+        ((transform_right_filter_column_4_3 / 2) mod 2) = 1 else ((transform_right_filter_column_4_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
+        (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
+        (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
+        (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
+        (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
+        (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
+        ((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
+        ((transform_right_filter_column_4_4 / 2) mod 2) = 1 else ((transform_right_filter_column_4_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
+        (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
+        (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
+        (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
+        (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
+        (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
+        ((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
+        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
+        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
+        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
+        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
+        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
+        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
+        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
+        ((transform_right_filter_column_3_1 / 2) mod 2) = 1 else ((transform_right_filter_column_3_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
+        (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
+        (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
+        (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
+        (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
+        (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
+        ((transform_right_filter_column_3_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
+        ((transform_right_filter_column_3_2 / 2) mod 2) = 1 else ((transform_right_filter_column_3_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
+        (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
+        (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
+        (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
+        (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
+        (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
+        ((transform_right_filter_column_3_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
+        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
+        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
+        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
+        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
+        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
+        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
+        ((transform_right_filter_column_3_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
+        ((transform_right_filter_column_3_4 / 2) mod 2) = 1 else ((transform_right_filter_column_3_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_74 else (not
+        (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_75 else (not
+        (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_76 else (not
+        (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_77 else (not
+        (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_78 else (not
+        (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_79 else
+        ((transform_right_filter_column_3_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81 when
+        ((transform_right_filter_column_2_4 / 2) mod 2) = 1 else ((transform_right_filter_column_2_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_82 else (not
+        (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_83 else (not
+        (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_84 else (not
+        (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_85 else (not
+        (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
+        (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+        ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1)) when
+        transform_right_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
+        (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
+      transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89 when
+        ((transform_right_filter_column_2_1 / 2) mod 2) = 1 else ((transform_right_filter_column_2_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_90 else (not
+        (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_91 else (not
+        (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_92 else (not
+        (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_93 else (not
+        (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_94 else (not
+        (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_95 else
+        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97 when
+        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_98 else (not
+        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_99 else (not
+        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_100 else (not
+        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_101 else (not
+        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_102 else (not
+        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_103 else
+        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105 when
+        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_106 else (not
+        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_107 else (not
+        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_108 else (not
+        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_109 else (not
+        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_110 else (not
+        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_111 else
+        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113 when
+        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_114 else (not
+        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_115 else (not
+        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_116 else (not
+        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_117 else (not
+        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_118 else (not
+        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_119 else
+        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121 when
+        ((transform_right_filter_column_1_4 / 2) mod 2) = 1 else ((transform_right_filter_column_1_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_122 else (not
+        (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_123 else (not
+        (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_124 else (not
+        (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_125 else (not
+        (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_126 else (not
+        (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_127 else
+        ((transform_right_filter_column_1_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129 when
+        ((transform_right_filter_column_1_2 / 2) mod 2) = 1 else ((transform_right_filter_column_1_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_130 else (not
+        (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_131 else (not
+        (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_132 else (not
+        (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_133 else (not
+        (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_134 else (not
+        (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_135 else
+        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137 when
+        ((transform_right_filter_column_1_1 / 2) mod 2) = 1 else ((transform_right_filter_column_1_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_138 else (not
+        (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_139 else (not
+        (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_140 else (not
+        (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_141 else (not
+        (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_142 else (not
+        (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_143 else
+        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145 when
+        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_146 else (not
+        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_147 else (not
+        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_148 else (not
+        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_149 else (not
+        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_150 else (not
+        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_151 else
+        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153 when
+        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_154 else (not
+        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_155 else (not
+        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_156 else (not
+        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_157 else (not
+        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_158 else (not
+        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_159 else
+        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161 when
+        ((transform_right_filter_column_0_4 / 2) mod 2) = 1 else ((transform_right_filter_column_0_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_162 else (not
+        (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_163 else (not
+        (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_164 else (not
+        (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_165 else (not
+        (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_166 else (not
+        (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_167 else
+        ((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169 when
+        ((transform_right_filter_column_0_2 / 2) mod 2) = 1 else ((transform_right_filter_column_0_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_170 else (not
+        (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_171 else (not
+        (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_172 else (not
+        (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_173 else (not
+        (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_174 else (not
+        (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_175 else
+        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177 when
+        ((transform_right_filter_column_0_1 / 2) mod 2) = 1 else ((transform_right_filter_column_0_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_178 else (not
+        (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_179 else (not
+        (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_180 else (not
+        (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_181 else (not
+        (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_182 else (not
+        (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_183 else
+        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_185 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
+        (transform_right_filter_column_2_2 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
+      transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
+        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
+        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_185;
+      transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) and
+        transform_right_filter_feature_0_value_7 when transform_right_filter_feature_0_choice_186 else (not
+        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_7;
+      transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) or
+        transform_right_filter_feature_0_value_8 when transform_right_filter_feature_0_choice_187 else (not
+        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_8;
+      transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) or
+        transform_right_filter_feature_0_value_9 when transform_right_filter_feature_0_choice_188 else (not
+        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_9;
+      transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) or
+        transform_right_filter_feature_0_value_10 when transform_right_filter_feature_0_choice_189 else (not
+        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_10;
+      transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) or
+        transform_right_filter_feature_0_value_11 when transform_right_filter_feature_0_choice_190 else (not
+        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_11;
+      transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
+        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_filtering_0_column_inside_0 then
+        transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
+          (as_number(transform_right_filter_feature_0_choice_168) * 16) +
+          (as_number(transform_right_filter_feature_0_choice_176) * 4) +
+          (as_number(transform_right_filter_feature_0_choice_184) * 2) +
+          as_number(transform_right_filter_feature_0_choice_192);
+      else
+        transform_right_filter_feature_0_choice_193 := 0;
+      end if;
+      if transform_filtering_0_column_inside_1 then
+        transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
+          (as_number(transform_right_filter_feature_0_choice_128) * 512) +
+          (as_number(transform_right_filter_feature_0_choice_136) * 128) +
+          (as_number(transform_right_filter_feature_0_choice_144) * 64) +
+          (as_number(transform_right_filter_feature_0_choice_152) * 32) + transform_right_filter_feature_0_choice_193;
+      else
+        transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
+      end if;
+      if transform_filtering_0_column_inside_2 then
+        transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
+          (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
+          (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194;
+      else
+        transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
+      end if;
+      if transform_filtering_0_column_inside_3 then
+        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384)
+          + (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
+          (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
+          (as_number(transform_right_filter_feature_0_choice_72) * 131072) +
+          (as_number(transform_right_filter_feature_0_choice_80) * 262144) +
+          (as_number(transform_right_filter_feature_0_choice_88) * 8192) + transform_right_filter_feature_0_choice_195;
+      else
+        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_88) * 8192) +
+          transform_right_filter_feature_0_choice_195;
+      end if;
+      transform_left_0 <= in_left_pixel;
+      transform_right_0 <= in_right_pixel;
+      transform_valid <= in_valid;
+      transform_counter_group <= transform_counter_group_choice_13 when in_valid and in_start_of_frame else
+        transform_counter_group_choice_26;
+      transform_left_rows_read_newest_0 <= transform_left_0;
+      transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
+      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+      transform_right_rows_read_newest_0 <= transform_right_0;
+      transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
+      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+      transform_read_column <= transform_counter_column;
+      transform_read_row_inside_0 <= (transform_read_row_inside_0_difference < 4) and (((transform_counter_group / 16)
+        = 1) or transform_counter_group_value or transform_counter_group_value_3);
+      transform_read_row_inside_1 <= transform_read_row_inside_1_is_less and ((transform_counter_group / 16) = 1) when
+        transform_read_row_inside_1_choice else transform_read_row_inside_1_is_less;
+      transform_read_row_inside_2 <= transform_read_row_inside_2_is_less and transform_counter_group_value_2 when
+        transform_read_row_inside_2_is_equal else transform_read_row_inside_2_is_less;
+      transform_read_row_inside_3 <= transform_read_row_inside_3_is_less and (transform_counter_group_value_2 or
+        ((transform_counter_group mod 2) = 1)) when transform_read_row_inside_2_is_equal else
+        transform_read_row_inside_3_is_less;
+      transform_read_row_inside_4 <= transform_read_row_inside_0_difference < 0;
+      transform_read_column_inside_0 <= (((transform_counter_column / 2) mod 16) /= 0) or ((transform_counter_column /
+        32) = 1);
+      transform_read_column_inside_1 <= transform_read_column_inside_1_choice when
+        transform_read_column_inside_1_is_equal else transform_read_column_inside_1_differs;
+      transform_read_column_inside_2 <= true;
+      transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
+        transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
+      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal /=
+        transform_read_column_inside_1_differs;
+      transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
+      transform_read_valid <= transform_valid;
+      transform_ready_column <= transform_read_column;
+      transform_ready_row_inside_0 <= transform_read_row_inside_0;
+      transform_ready_row_inside_1 <= transform_read_row_inside_1;
+      transform_ready_row_inside_2 <= transform_read_row_inside_2;
+      transform_ready_row_inside_3 <= transform_read_row_inside_3;
+      transform_ready_row_inside_4 <= transform_read_row_inside_4;
+      transform_ready_column_inside_0 <= transform_read_column_inside_0;
+      transform_ready_column_inside_1 <= transform_read_column_inside_1;
+      transform_ready_column_inside_2 <= transform_read_column_inside_2;
+      transform_ready_column_inside_3 <= transform_read_column_inside_3;
+      transform_ready_column_inside_4 <= transform_read_column_inside_4;
+      transform_ready_start_of_frame <= transform_read_start_of_frame;
+      transform_ready_valid <= transform_read_valid;
+      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
+      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column_3 <= to_integer(transform_left_rows_ready_words_0(31 downto 24));
+      transform_left_column_4 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column_1 <= to_integer(transform_right_rows_ready_words_0(15 downto 8));
+      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column_3 <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
+      transform_right_column_4 <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
+      transform_columns_row_inside_1 <= transform_ready_row_inside_1;
+      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
+      transform_columns_row_inside_3 <= transform_ready_row_inside_3;
+      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
+      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
+      transform_columns_column_inside_1 <= transform_ready_column_inside_1;
+      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
+      transform_columns_column_inside_3 <= transform_ready_column_inside_3;
+      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
+      transform_columns_start_of_frame <= transform_ready_start_of_frame;
+      transform_columns_valid <= transform_ready_valid;
+      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196
+        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_196;
+      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_196
+        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_196;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_counter_next_frame_choice := (not (transform_counter_group_choice_21 and
+        transform_counter_group_choice_24 and transform_counter_group_differs_4)) and transform_counter_next_frame when
+        transform_counter_group_choice_18 else transform_counter_next_frame;
+      if in_valid then
+        transform_counter_column <= 0 when (transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+          transform_counter_group_differs_2 and transform_counter_group_differs_3) or in_start_of_frame else
+          (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
+          transform_counter_next_frame_choice else transform_counter_group_choice_3 and
+          transform_counter_group_choice_6 and transform_counter_group_differs and transform_counter_group_choice_9 and
+          transform_counter_group_choice_12 and transform_counter_group_differs_2 and transform_counter_group_differs_3
+          and in_start_of_frame;
+      end if;
+      if transform_ready_valid then
+        transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
+          transform_left_rows_ready_words_0(31 downto 8);
+        transform_right_rows_write_words_0 <= to_unsigned(transform_right_rows_ready_newest_0, 8) &
+          transform_right_rows_ready_words_0(31 downto 8);
+        transform_write_column <= transform_ready_column;
+      end if;
+      if transform_columns_valid then
+        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
+        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
+        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_2 else 0;
+        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
+        transform_left_filter_column_0_4 <= transform_left_column_4 when transform_columns_row_inside_4 else 0;
+        transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
+        transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
+        transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
+        transform_left_filter_column_1_3 <= transform_left_filter_column_0_3;
+        transform_left_filter_column_1_4 <= transform_left_filter_column_0_4;
+        transform_left_filter_column_2_0 <= transform_left_filter_column_1_0;
+        transform_left_filter_column_2_1 <= transform_left_filter_column_1_1;
+        transform_left_filter_column_2_2 <= transform_left_filter_column_1_2;
+        transform_left_filter_column_2_3 <= transform_left_filter_column_1_3;
+        transform_left_filter_column_2_4 <= transform_left_filter_column_1_4;
+        transform_left_filter_column_3_0 <= transform_left_filter_column_2_0;
+        transform_left_filter_column_3_1 <= transform_left_filter_column_2_1;
+        transform_left_filter_column_3_2 <= transform_left_filter_column_2_2;
+        transform_left_filter_column_3_3 <= transform_left_filter_column_2_3;
+        transform_left_filter_column_3_4 <= transform_left_filter_column_2_4;
+        transform_left_filter_column_4_0 <= transform_left_filter_column_3_0;
+        transform_left_filter_column_4_1 <= transform_left_filter_column_3_1;
+        transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
+        transform_left_filter_column_4_3 <= transform_left_filter_column_3_3;
+        transform_left_filter_column_4_4 <= transform_left_filter_column_3_4;
+        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
+        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
+        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_2 else 0;
+        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
+        transform_right_filter_column_0_4 <= transform_right_column_4 when transform_columns_row_inside_4 else 0;
+        transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
+        transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
+        transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
+        transform_right_filter_column_1_3 <= transform_right_filter_column_0_3;
+        transform_right_filter_column_1_4 <= transform_right_filter_column_0_4;
+        transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
+        transform_right_filter_column_2_1 <= transform_right_filter_column_1_1;
+        transform_right_filter_column_2_2 <= transform_right_filter_column_1_2;
+        transform_right_filter_column_2_3 <= transform_right_filter_column_1_3;
+        transform_right_filter_column_2_4 <= transform_right_filter_column_1_4;
+        transform_right_filter_column_3_0 <= transform_right_filter_column_2_0;
+        transform_right_filter_column_3_1 <= transform_right_filter_column_2_1;
+        transform_right_filter_column_3_2 <= transform_right_filter_column_2_2;
+        transform_right_filter_column_3_3 <= transform_right_filter_column_2_3;
+        transform_right_filter_column_3_4 <= transform_right_filter_column_2_4;
+        transform_right_filter_column_4_0 <= transform_right_filter_column_3_0;
+        transform_right_filter_column_4_1 <= transform_right_filter_column_3_1;
+        transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
+        transform_right_filter_column_4_3 <= transform_right_filter_column_3_3;
+        transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
+      end if;
+      -- raster
+      raster_place_group_value := ((raster_place_group / 8) mod 2) = 1;
+      raster_place_group_choice := transform_counter_group_is_equal when raster_place_group_value else
+        transform_counter_group_is_equal_2;
+      raster_place_group_choice_2 := transform_counter_group_is_equal_3 when raster_place_group_value else
+        transform_counter_group_is_equal_4;
+      raster_place_group_choice_3 := raster_place_group_choice when (raster_place_group / 16) = 1 else
+        raster_place_group_choice_2;
+      raster_place_group_value_2 := ((raster_place_group / 2) mod 2) = 1;
+      raster_place_group_choice_4 := transform_counter_group_is_equal_5 when raster_place_group_value_2 else
+        transform_counter_group_is_equal_7;
+      raster_place_group_choice_5 := transform_counter_group_is_equal_6 when raster_place_group_value_2 else
+        transform_counter_group_is_equal_8;
+      raster_place_group_choice_6 := raster_place_group_choice_4 when (raster_place_group mod 2) = 1 else
+        raster_place_group_choice_5;
+      raster_place_group_value_3 := ((raster_place_group / 4) mod 2) = 1;
+      raster_place_group_differs := raster_place_group_value_3 /= (not transform_counter_group_value_4);
+      raster_place_group_value_4 := ((size_windows_last_column / 16) mod 2) = 1;
+      raster_place_group_is_equal := (raster_place_column / 16) = 3;
+      raster_place_group_is_equal_2 := (raster_place_column / 16) = 2;
+      raster_place_group_choice_7 := raster_place_group_is_equal when raster_place_group_value_4 else
+        raster_place_group_is_equal_2;
+      raster_place_group_is_equal_3 := (raster_place_column / 16) = 1;
+      raster_place_group_is_equal_4 := (raster_place_column / 16) = 0;
+      raster_place_group_choice_8 := raster_place_group_is_equal_3 when raster_place_group_value_4 else
+        raster_place_group_is_equal_4;
+      raster_place_group_choice_9 := raster_place_group_choice_7 when (size_windows_last_column / 32) = 1 else
+        raster_place_group_choice_8;
+      raster_place_group_value_5 := ((size_windows_last_column / 2) mod 2) = 1;
+      raster_place_group_value_6 := (raster_place_column / 2) mod 4;
+      raster_place_group_is_equal_5 := raster_place_group_value_6 = 3;
+      raster_place_group_is_equal_6 := raster_place_group_value_6 = 2;
+      raster_place_group_choice_10 := raster_place_group_is_equal_5 when raster_place_group_value_5 else
+        raster_place_group_is_equal_6;
+      raster_place_group_is_equal_7 := raster_place_group_value_6 = 1;
+      raster_place_group_is_equal_8 := raster_place_group_value_6 = 0;
+      raster_place_group_choice_11 := raster_place_group_is_equal_7 when raster_place_group_value_5 else
+        raster_place_group_is_equal_8;
+      raster_place_group_choice_12 := raster_place_group_choice_10 when ((size_windows_last_column / 4) mod 2) = 1 else
+        raster_place_group_choice_11;
+      raster_place_group_differs_2 := ((size_windows_last_column mod 2) = 1) /= (not ((raster_place_column mod 2) = 1));
+      raster_place_group_value_7 := ((raster_place_column / 8) mod 2) = 1;
+      raster_place_group_differs_3 := transform_counter_group_value_8 /= (not raster_place_group_value_7);
+      raster_place_group_all := raster_place_group_choice_3 and raster_place_group_choice_6 and
+        raster_place_group_differs and raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs_2 and raster_place_group_differs_3;
+      raster_place_group_choice_13 := size_windows_groups when raster_place_group_all else 0;
+      raster_place_group_value_8 := ((size_windows_idle / 2) mod 2) = 1;
+      raster_place_group_choice_14 := (not raster_place_group_value_8) or (not ((size_windows_idle mod 2) = 1)) when
+        raster_place_group_value_2 else transform_counter_group_is_equal_17;
+      raster_place_group_choice_15 := raster_place_group_value_2 or (not raster_place_group_value_8) when
+        (raster_place_group mod 2) = 1 else raster_place_group_choice_14;
+      raster_place_group_choice_16 := (not raster_place_group_value_3) and transform_counter_group_value_9 when
+        raster_place_group_choice_15 else (not raster_place_group_value_3) or transform_counter_group_value_9;
+      raster_place_group_value_9 := ((size_windows_idle / 8) mod 2) = 1;
+      raster_place_group_choice_17 := (not raster_place_group_value) or raster_place_group_value_9 when
+        raster_place_group_choice_16 else (not raster_place_group_value) and raster_place_group_value_9;
+      raster_place_group_choice_18 := (not ((raster_place_group / 16) = 1)) or ((size_windows_idle / 16) = 1) when
+        raster_place_group_choice_17 else (not ((raster_place_group / 16) = 1)) and ((size_windows_idle / 16) = 1);
+      raster_place_group_choice_19 := (size_windows_groups / 8) = 3 when raster_place_group_value else
+        (size_windows_groups / 8) = 2;
+      raster_place_group_choice_20 := (size_windows_groups / 8) = 1 when raster_place_group_value else
+        (size_windows_groups / 8) = 0;
+      raster_place_group_choice_21 := raster_place_group_choice_19 when (raster_place_group / 16) = 1 else
+        raster_place_group_choice_20;
+      raster_place_group_choice_22 := (size_windows_groups mod 4) = 3 when raster_place_group_value_2 else
+        (size_windows_groups mod 4) = 1;
+      raster_place_group_choice_23 := (size_windows_groups mod 4) = 2 when raster_place_group_value_2 else
+        (size_windows_groups mod 4) = 0;
+      raster_place_group_choice_24 := raster_place_group_choice_22 when (raster_place_group mod 2) = 1 else
+        raster_place_group_choice_23;
+      raster_place_group_value_10 := ((size_windows_groups / 4) mod 2) = 1;
+      raster_place_group_differs_4 := raster_place_group_value_3 /= (not raster_place_group_value_10);
+      raster_place_group_choice_25 := 1 when raster_place_group_choice_21 and raster_place_group_choice_24 and
+        raster_place_group_differs_4 and raster_place_next_frame else (raster_place_group + 1) mod 32;
+      raster_place_group_choice_26 := raster_place_group_choice_25 when raster_place_group_choice_18 and
+        raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs_2 and
+        raster_place_group_differs_3 and transform_filtering_1_valid else raster_place_group;
+      raster_place_next_frame_all := raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs_2 and raster_place_group_differs_3;
+      raster_place_next_frame_choice := (not raster_place_next_frame_all) and raster_place_next_frame when
+        raster_place_group_choice_18 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_choice_21 and
+        raster_place_group_choice_24 and raster_place_group_differs_4 else raster_place_next_frame;
+      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
+        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_choice_3 and raster_place_group_choice_6 and raster_place_group_differs and
+        raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs_2 and
+        raster_place_group_differs_3 and transform_filtering_1_valid and transform_filtering_1_start_of_frame;
+      raster_features_search_0 <= transform_right_filter_feature_0;
+      raster_features_reference_0 <= transform_left_filter_feature_0;
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= raster_place_group_choice_13 when transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame else raster_place_group_choice_26;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
+        raster_place_next_frame);
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_next_frame_all or transform_filtering_1_start_of_frame else
+          (raster_place_column + 1) mod 64;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 2 else (delay_ring_read_address + 1) mod 4;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_0_differs := (raster_place_group / 2) /= 0;
+      delay_row_inside_0_difference := raster_place_group - size_windows_groups;
+      delay_row_inside_0_is_less := delay_row_inside_0_difference < 2;
+      delay_row_inside_0_all := delay_row_inside_0_differs and delay_row_inside_0_is_less;
+      delay_row_inside_1_is_equal := (raster_place_group / 2) = 0;
+      delay_row_inside_1_is_less := delay_row_inside_0_difference < 1;
+      delay_row_inside_1_choice := delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1) when
+        delay_row_inside_1_is_equal else delay_row_inside_1_is_less;
+      delay_row_inside_2_is_less := delay_row_inside_0_difference < 0;
+      delay_tag_map_column_value := ((size_map_columns_to / 2) mod 2) = 1;
+      delay_tag_map_column_value_2 := ((raster_place_column / 2) mod 2) = 1;
+      delay_tag_map_column_choice := delay_tag_map_column_value_2 when (size_map_columns_to mod 2) = 1 else
+        ((raster_place_column mod 2) = 1) or delay_tag_map_column_value_2;
+      delay_tag_map_column_choice_2 := (not ((size_map_columns_to mod 2) = 1)) and ((raster_place_column mod 4) = 3)
+        when delay_tag_map_column_value else delay_tag_map_column_choice;
+      delay_tag_map_column_value_3 := ((size_map_columns_to / 4) mod 2) = 1;
+      delay_tag_map_column_value_4 := ((raster_place_column / 4) mod 2) = 1;
+      delay_tag_map_column_choice_3 := (not delay_tag_map_column_value_3) or delay_tag_map_column_value_4 when
+        delay_tag_map_column_choice_2 else (not delay_tag_map_column_value_3) and delay_tag_map_column_value_4;
+      delay_tag_map_column_value_5 := ((size_map_columns_to / 8) mod 2) = 1;
+      delay_tag_map_column_choice_4 := (not delay_tag_map_column_value_5) or raster_place_group_value_7 when
+        delay_tag_map_column_choice_3 else (not delay_tag_map_column_value_5) and raster_place_group_value_7;
+      delay_tag_map_column_value_6 := ((size_map_columns_to / 16) mod 2) = 1;
+      delay_tag_map_column_value_7 := ((raster_place_column / 16) mod 2) = 1;
+      delay_tag_map_column_choice_5 := (not delay_tag_map_column_value_6) or delay_tag_map_column_value_7 when
+        delay_tag_map_column_choice_4 else (not delay_tag_map_column_value_6) and delay_tag_map_column_value_7;
+      delay_tag_map_column_is_not_less := (raster_place_column - other_10) >= 0;
+      delay_tag_map_column_any := ((size_map_columns_to / 32) = 1) or (not ((raster_place_column / 32) = 1));
+      delay_tag_output_column_choice := ((size_map_columns_to / 32) = 1) and (not ((raster_place_column / 32) = 1))
+        when delay_tag_map_column_choice_5 else delay_tag_map_column_any;
+      delay_tag_output_column_choice_2 := delay_tag_map_column_is_not_less and ((raster_place_group mod 2) = 1) when
+        delay_row_inside_1_is_equal else delay_tag_map_column_is_not_less;
+      delay_tag_first_column_is_equal := raster_place_column = other_10;
+      delay_tag_end_of_line_choice := raster_place_group_is_equal when delay_tag_map_column_value_6 else
+        raster_place_group_is_equal_2;
+      delay_tag_end_of_line_choice_2 := raster_place_group_is_equal_3 when delay_tag_map_column_value_6 else
+        raster_place_group_is_equal_4;
+      delay_tag_end_of_line_choice_3 := delay_tag_end_of_line_choice when (size_map_columns_to / 32) = 1 else
+        delay_tag_end_of_line_choice_2;
+      delay_tag_end_of_line_choice_4 := raster_place_group_is_equal_5 when delay_tag_map_column_value else
+        raster_place_group_is_equal_6;
+      delay_tag_end_of_line_choice_5 := raster_place_group_is_equal_7 when delay_tag_map_column_value else
+        raster_place_group_is_equal_8;
+      delay_tag_end_of_line_choice_6 := delay_tag_end_of_line_choice_4 when delay_tag_map_column_value_3 else
+        delay_tag_end_of_line_choice_5;
+      delay_split_search_inside_0_is_equal := (raster_place_column / 2) = 0;
+      delay_split_search_inside_0_value := ((delay_column / 16) mod 2) = 1;
+      delay_split_search_inside_0_choice := transform_counter_group_is_equal_9 when delay_split_search_inside_0_value
+        else transform_counter_group_is_equal_10;
+      delay_split_search_inside_0_choice_2 := transform_counter_group_is_equal_11 when
+        delay_split_search_inside_0_value else transform_counter_group_is_equal_12;
+      delay_split_search_inside_0_choice_3 := delay_split_search_inside_0_choice when (delay_column / 32) = 1 else
+        delay_split_search_inside_0_choice_2;
+      delay_split_search_inside_0_value_2 := ((delay_column / 2) mod 2) = 1;
+      delay_split_search_inside_0_choice_4 := transform_counter_group_is_equal_13 when
+        delay_split_search_inside_0_value_2 else transform_counter_group_is_equal_14;
+      delay_split_search_inside_0_choice_5 := transform_counter_group_is_equal_15 when
+        delay_split_search_inside_0_value_2 else transform_counter_group_is_equal_16;
+      delay_split_search_inside_0_choice_6 := delay_split_search_inside_0_choice_4 when ((delay_column / 4) mod 2) = 1
+        else delay_split_search_inside_0_choice_5;
+      delay_split_search_inside_0_is_equal_2 := raster_place_column = 0;
+      delay_split_search_inside_0_choice_7 := (not (delay_split_search_inside_0_choice_6 and (((delay_column mod 2) =
+        1) /= (not ((size_windows_last_column mod 2) = 1))))) and delay_split_search_inside_0_is_equal_2 and
+        raster_features_valid when delay_split_search_inside_0_choice_3 and ((((delay_column / 8) mod 2) = 1) /= (not
+        transform_counter_group_value_8)) else delay_split_search_inside_0_is_equal_2 and raster_features_valid;
+      delay_split_search_inside_0_all := (not delay_split_search_inside_0_choice_7) and delay_split_inside_before_0;
+      delay_split_search_inside_1_all := (not delay_split_search_inside_0_choice_7) and delay_split_inside_before_1;
+      delay_split_search_inside_2_all := (not delay_split_search_inside_0_choice_7) and delay_split_inside_before_2;
+      delay_ahead_0 <= raster_features_reference_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= delay_row_inside_0_all;
+      delay_row_inside_1 <= delay_row_inside_1_choice;
+      delay_row_inside_2 <= delay_row_inside_2_is_less;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_map_column <= delay_tag_map_column_is_not_less and ((size_map_columns_to / 32) = 1) and (not
+        ((raster_place_column / 32) = 1)) when delay_tag_map_column_choice_5 else delay_tag_map_column_is_not_less and
+        delay_tag_map_column_any;
+      delay_tag_output_column <= raster_place_group_choice_18 and delay_tag_output_column_choice and
+        delay_tag_output_column_choice_2;
+      delay_tag_first_column <= delay_tag_first_column_is_equal;
+      delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
+      delay_tag_end_of_line <= delay_tag_end_of_line_choice_3 and delay_tag_end_of_line_choice_6 and
+        (((size_map_columns_to mod 2) = 1) /= (not ((raster_place_column mod 2) = 1))) and
+        (delay_tag_map_column_value_5 /= (not raster_place_group_value_7));
+      delay_split_search_inside_0 <= delay_split_search_inside_0_all when delay_split_search_inside_0_is_equal else
+        delay_row_inside_0_all;
+      delay_split_search_inside_1 <= delay_split_search_inside_1_all when delay_split_search_inside_0_is_equal else
+        delay_row_inside_1_choice;
+      delay_split_search_inside_2 <= delay_split_search_inside_2_all when delay_split_search_inside_0_is_equal else
+        delay_row_inside_2_is_less;
+      delay_split_inside_before_0 <= (not (raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs_2 and raster_place_group_differs_3 and raster_features_valid)) or
+        delay_row_inside_0_all when delay_split_search_inside_0_all else raster_place_group_choice_9 and
+        raster_place_group_choice_12 and raster_place_group_differs_2 and raster_place_group_differs_3 and
+        raster_features_valid and delay_row_inside_0_differs and delay_row_inside_0_is_less;
+      delay_split_inside_before_1 <= (not (raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs_2 and raster_place_group_differs_3 and raster_features_valid)) or
+        delay_row_inside_1_choice when delay_split_search_inside_1_all else raster_place_group_choice_9 and
+        raster_place_group_choice_12 and raster_place_group_differs_2 and raster_place_group_differs_3 and
+        raster_features_valid and delay_row_inside_1_choice;
+      delay_split_inside_before_2 <= (not (raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs_2 and raster_place_group_differs_3 and raster_features_valid)) or
+        delay_row_inside_2_is_less when delay_split_search_inside_2_all else raster_place_group_choice_9 and
+        raster_place_group_choice_12 and raster_place_group_differs_2 and raster_place_group_differs_3 and
+        raster_features_valid and delay_row_inside_2_is_less;
+      -- rows
+      rows_search_rows_read_newest_0 <= to_integer(delay_delayed_0);
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= delay_ahead_0;
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_map_column <= delay_tag_map_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_first_column <= delay_tag_first_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_search_inside_0 <= delay_split_search_inside_0;
+      rows_read_search_inside_1 <= delay_split_search_inside_1;
+      rows_read_search_inside_2 <= delay_split_search_inside_2;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_map_column <= rows_read_tag_map_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_first_column <= rows_read_tag_first_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_ready_search_inside_0 <= rows_read_search_inside_0;
+      rows_ready_search_inside_1 <= rows_read_search_inside_1;
+      rows_ready_search_inside_2 <= rows_read_search_inside_2;
+      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_search_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_words_1 when rows_ready_search_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_search_inside_2 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_map_column <= rows_ready_tag_map_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_first_column <= rows_ready_tag_first_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1;
+        rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_rows_write_words_0 <= rows_reference_rows_ready_words_1;
+        rows_reference_rows_write_words_1 <= rows_reference_rows_ready_newest_0;
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= rows_search_0;
+        slice0shift_search_0_1 <= slice0shift_search_0_0;
+        slice0shift_search_0_2 <= slice0shift_search_0_1;
+        slice0shift_search_0_3 <= slice0shift_search_0_2;
+        slice0shift_search_0_4 <= slice0shift_search_0_3;
+        slice0shift_search_1_0 <= rows_search_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_0;
+        slice0shift_search_1_2 <= slice0shift_search_1_1;
+        slice0shift_search_1_3 <= slice0shift_search_1_2;
+        slice0shift_search_1_4 <= slice0shift_search_1_3;
+        slice0shift_search_2_0 <= rows_search_2;
+        slice0shift_search_2_1 <= slice0shift_search_2_0;
+        slice0shift_search_2_2 <= slice0shift_search_2_1;
+        slice0shift_search_2_3 <= slice0shift_search_2_2;
+        slice0shift_search_2_4 <= slice0shift_search_2_3;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_search_out_0 <= slice0shift_search_0_4;
+      slice0shift_search_out_1 <= slice0shift_search_1_4;
+      slice0shift_search_out_2 <= slice0shift_search_2_4;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_map_column <= rows_tag_map_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_first_column <= rows_tag_first_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pixels_first_0_0_count_0_value := ((slice0shift_reference_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_reference_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_2_value := ((slice0shift_reference_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_reference_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value := ((slice0shift_reference_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value := ((slice0shift_reference_0 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value := ((slice0shift_reference_0 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value := ((slice0shift_reference_0 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_7_value := ((slice0shift_reference_0 / 2097152) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_reference_1 / 2) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_2_value := ((slice0shift_reference_1 / 256) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_reference_1 / 64) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value := ((slice0shift_reference_1 / 512) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value := ((slice0shift_reference_1 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value := ((slice0shift_reference_1 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value := ((slice0shift_reference_1 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_7_value := ((slice0shift_reference_1 / 2097152) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_0_value := ((slice0shift_reference_2 / 4) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_reference_2 / 2) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_2_value := ((slice0shift_reference_2 / 256) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_reference_2 / 64) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value := ((slice0shift_reference_2 / 512) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value := ((slice0shift_reference_2 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value := ((slice0shift_reference_2 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value := ((slice0shift_reference_2 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_7_value := ((slice0shift_reference_2 / 2097152) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value /=
+        (((slice0shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice0shift_search_0_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (((slice0shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice0shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice0shift_search_0_0 / 16) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (((slice0shift_search_0_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (((slice0shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice0shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice0shift_search_0_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (((slice0shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice0shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice0shift_search_0_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (((slice0shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice0shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice0shift_search_0_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (((slice0shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice0shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice0shift_search_0_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (((slice0shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_0 / 8388608) = 1) /=
+        ((slice0shift_search_0_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice0shift_search_0_0 / 4194304) mod 2) = 1)));
+      slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
+      slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((((slice0shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((((slice0shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((((slice0shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((((slice0shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_1 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
+      slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
+      slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((((slice0shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((((slice0shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((((slice0shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((((slice0shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_2 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
+      slice0cost_pixels_first_0_3_count_0 <= as_number((((slice0shift_search_0_3 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_3_count_1 <= as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
+      slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_3 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_3_count_3 <= as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_3_count_4 <= as_number(((((slice0shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_3_count_5 <= as_number(((((slice0shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_3_count_6 <= as_number(((((slice0shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_3_count_7 <= as_number(((((slice0shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_3 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
+      slice0cost_pixels_first_0_4_count_0 <= as_number((((slice0shift_search_0_4 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_4_count_1 <= as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
+      slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_4 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_4_count_3 <= as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_4_count_4 <= as_number(((((slice0shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_4_count_5 <= as_number(((((slice0shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_4_count_6 <= as_number(((((slice0shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_4_count_7 <= as_number(((((slice0shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_4 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
+      slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value /=
+        (((slice0shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice0shift_search_1_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_1 <= as_number((slice0cost_pixels_first_1_0_count_1_value /=
+        (((slice0shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice0shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice0shift_search_1_0 / 16) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
+        as_number((slice0cost_pixels_first_1_0_count_2_value /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_2_value_2 /= (((slice0shift_search_1_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_3 <= as_number((slice0cost_pixels_first_1_0_count_3_value /=
+        (((slice0shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice0shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice0shift_search_1_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_4 <= as_number((slice0cost_pixels_first_1_0_count_4_value /=
+        (((slice0shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice0shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice0shift_search_1_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_5 <= as_number((slice0cost_pixels_first_1_0_count_5_value /=
+        (((slice0shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice0shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice0shift_search_1_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_6 <= as_number((slice0cost_pixels_first_1_0_count_6_value /=
+        (((slice0shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice0shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice0shift_search_1_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_7 <= as_number((slice0cost_pixels_first_1_0_count_7_value /=
+        (((slice0shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_1 / 8388608) = 1) /=
+        ((slice0shift_search_1_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice0shift_search_1_0 / 4194304) mod 2) = 1)));
+      slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_1_count_1 <= as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
+      slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_1_count_3 <= as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_1_count_4 <= as_number(((((slice0shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_1_count_5 <= as_number(((((slice0shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_1_count_6 <= as_number(((((slice0shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_1_count_7 <= as_number(((((slice0shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_1 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
+      slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_2_count_1 <= as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
+      slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_2_count_3 <= as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_2_count_4 <= as_number(((((slice0shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_2_count_5 <= as_number(((((slice0shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_2_count_6 <= as_number(((((slice0shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_2_count_7 <= as_number(((((slice0shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_2 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
+      slice0cost_pixels_first_1_3_count_0 <= as_number((((slice0shift_search_1_3 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_3_count_1 <= as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
+      slice0cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_3 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_3_count_3 <= as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_3_count_4 <= as_number(((((slice0shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_3_count_5 <= as_number(((((slice0shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_3_count_6 <= as_number(((((slice0shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_3_count_7 <= as_number(((((slice0shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_3 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
+      slice0cost_pixels_first_1_4_count_0 <= as_number((((slice0shift_search_1_4 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_4_count_1 <= as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
+      slice0cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_4 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_4_count_3 <= as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_4_count_4 <= as_number(((((slice0shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_4_count_5 <= as_number(((((slice0shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_4_count_6 <= as_number(((((slice0shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_4_count_7 <= as_number(((((slice0shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_4 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
+      slice0cost_pixels_first_2_0_count_0 <= as_number((((slice0shift_search_2_0 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value /=
+        (((slice0shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice0shift_search_2_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_1 <= as_number((slice0cost_pixels_first_2_0_count_1_value /=
+        (((slice0shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice0shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice0shift_search_2_0 / 16) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
+        as_number((slice0cost_pixels_first_2_0_count_2_value /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_2_value_2 /= (((slice0shift_search_2_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_3 <= as_number((slice0cost_pixels_first_2_0_count_3_value /=
+        (((slice0shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice0shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice0shift_search_2_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_4 <= as_number((slice0cost_pixels_first_2_0_count_4_value /=
+        (((slice0shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice0shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice0shift_search_2_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_5 <= as_number((slice0cost_pixels_first_2_0_count_5_value /=
+        (((slice0shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice0shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice0shift_search_2_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_6 <= as_number((slice0cost_pixels_first_2_0_count_6_value /=
+        (((slice0shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice0shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice0shift_search_2_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_7 <= as_number((slice0cost_pixels_first_2_0_count_7_value /=
+        (((slice0shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_2 / 8388608) = 1) /=
+        ((slice0shift_search_2_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice0shift_search_2_0 / 4194304) mod 2) = 1)));
+      slice0cost_pixels_first_2_1_count_0 <= as_number((((slice0shift_search_2_1 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_1_count_1 <= as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
+      slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_1_count_3 <= as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_1_count_4 <= as_number(((((slice0shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_1_count_5 <= as_number(((((slice0shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_1_count_6 <= as_number(((((slice0shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_1_count_7 <= as_number(((((slice0shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_1 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
+      slice0cost_pixels_first_2_2_count_0 <= as_number((((slice0shift_search_2_2 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_2_count_1 <= as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
+      slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_2_count_3 <= as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_2_count_4 <= as_number(((((slice0shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_2_count_5 <= as_number(((((slice0shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_2_count_6 <= as_number(((((slice0shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_2_count_7 <= as_number(((((slice0shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_2 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
+      slice0cost_pixels_first_2_3_count_0 <= as_number((((slice0shift_search_2_3 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_3_count_1 <= as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
+      slice0cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_3 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_3_count_3 <= as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_3_count_4 <= as_number(((((slice0shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_3_count_5 <= as_number(((((slice0shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_3_count_6 <= as_number(((((slice0shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_3_count_7 <= as_number(((((slice0shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_3 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
+      slice0cost_pixels_first_2_4_count_0 <= as_number((((slice0shift_search_2_4 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_4_count_1 <= as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
+      slice0cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_4 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_4_count_3 <= as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_4_count_4 <= as_number(((((slice0shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_4_count_5 <= as_number(((((slice0shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_4_count_6 <= as_number(((((slice0shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_4_count_7 <= as_number(((((slice0shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_4 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
+      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
+      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_pixels_first_tag_first_column <= slice0shift_tag_first_column;
+      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_cost_0_0 <= slice0cost_pixels_first_0_0_count_0 + slice0cost_pixels_first_0_0_count_2 +
+        slice0cost_pixels_first_0_0_count_3 + slice0cost_pixels_first_0_0_count_5 + slice0cost_pixels_first_0_0_count_6
+        + slice0cost_pixels_first_0_0_count_4 + slice0cost_pixels_first_0_0_count_7 +
+        slice0cost_pixels_first_0_0_count_1;
+      slice0cost_pixels_cost_0_1 <= slice0cost_pixels_first_0_1_count_0 + slice0cost_pixels_first_0_1_count_2 +
+        slice0cost_pixels_first_0_1_count_3 + slice0cost_pixels_first_0_1_count_5 + slice0cost_pixels_first_0_1_count_6
+        + slice0cost_pixels_first_0_1_count_4 + slice0cost_pixels_first_0_1_count_7 +
+        slice0cost_pixels_first_0_1_count_1;
+      slice0cost_pixels_cost_0_2 <= slice0cost_pixels_first_0_2_count_0 + slice0cost_pixels_first_0_2_count_2 +
+        slice0cost_pixels_first_0_2_count_3 + slice0cost_pixels_first_0_2_count_5 + slice0cost_pixels_first_0_2_count_6
+        + slice0cost_pixels_first_0_2_count_4 + slice0cost_pixels_first_0_2_count_7 +
+        slice0cost_pixels_first_0_2_count_1;
+      slice0cost_pixels_cost_0_3 <= slice0cost_pixels_first_0_3_count_0 + slice0cost_pixels_first_0_3_count_2 +
+        slice0cost_pixels_first_0_3_count_3 + slice0cost_pixels_first_0_3_count_5 + slice0cost_pixels_first_0_3_count_6
+        + slice0cost_pixels_first_0_3_count_4 + slice0cost_pixels_first_0_3_count_7 +
+        slice0cost_pixels_first_0_3_count_1;
+      slice0cost_pixels_cost_0_4 <= slice0cost_pixels_first_0_4_count_0 + slice0cost_pixels_first_0_4_count_2 +
+        slice0cost_pixels_first_0_4_count_3 + slice0cost_pixels_first_0_4_count_5 + slice0cost_pixels_first_0_4_count_6
+        + slice0cost_pixels_first_0_4_count_4 + slice0cost_pixels_first_0_4_count_7 +
+        slice0cost_pixels_first_0_4_count_1;
+      slice0cost_pixels_cost_1_0 <= slice0cost_pixels_first_1_0_count_0 + slice0cost_pixels_first_1_0_count_2 +
+        slice0cost_pixels_first_1_0_count_3 + slice0cost_pixels_first_1_0_count_5 + slice0cost_pixels_first_1_0_count_6
+        + slice0cost_pixels_first_1_0_count_4 + slice0cost_pixels_first_1_0_count_7 +
+        slice0cost_pixels_first_1_0_count_1;
+      slice0cost_pixels_cost_1_1 <= slice0cost_pixels_first_1_1_count_0 + slice0cost_pixels_first_1_1_count_2 +
+        slice0cost_pixels_first_1_1_count_3 + slice0cost_pixels_first_1_1_count_5 + slice0cost_pixels_first_1_1_count_6
+        + slice0cost_pixels_first_1_1_count_4 + slice0cost_pixels_first_1_1_count_7 +
+        slice0cost_pixels_first_1_1_count_1;
+      slice0cost_pixels_cost_1_2 <= slice0cost_pixels_first_1_2_count_0 + slice0cost_pixels_first_1_2_count_2 +
+        slice0cost_pixels_first_1_2_count_3 + slice0cost_pixels_first_1_2_count_5 + slice0cost_pixels_first_1_2_count_6
+        + slice0cost_pixels_first_1_2_count_4 + slice0cost_pixels_first_1_2_count_7 +
+        slice0cost_pixels_first_1_2_count_1;
+      slice0cost_pixels_cost_1_3 <= slice0cost_pixels_first_1_3_count_0 + slice0cost_pixels_first_1_3_count_2 +
+        slice0cost_pixels_first_1_3_count_3 + slice0cost_pixels_first_1_3_count_5 + slice0cost_pixels_first_1_3_count_6
+        + slice0cost_pixels_first_1_3_count_4 + slice0cost_pixels_first_1_3_count_7 +
+        slice0cost_pixels_first_1_3_count_1;
+      slice0cost_pixels_cost_1_4 <= slice0cost_pixels_first_1_4_count_0 + slice0cost_pixels_first_1_4_count_2 +
+        slice0cost_pixels_first_1_4_count_3 + slice0cost_pixels_first_1_4_count_5 + slice0cost_pixels_first_1_4_count_6
+        + slice0cost_pixels_first_1_4_count_4 + slice0cost_pixels_first_1_4_count_7 +
+        slice0cost_pixels_first_1_4_count_1;
+      slice0cost_pixels_cost_2_0 <= slice0cost_pixels_first_2_0_count_0 + slice0cost_pixels_first_2_0_count_2 +
+        slice0cost_pixels_first_2_0_count_3 + slice0cost_pixels_first_2_0_count_5 + slice0cost_pixels_first_2_0_count_6
+        + slice0cost_pixels_first_2_0_count_4 + slice0cost_pixels_first_2_0_count_7 +
+        slice0cost_pixels_first_2_0_count_1;
+      slice0cost_pixels_cost_2_1 <= slice0cost_pixels_first_2_1_count_0 + slice0cost_pixels_first_2_1_count_2 +
+        slice0cost_pixels_first_2_1_count_3 + slice0cost_pixels_first_2_1_count_5 + slice0cost_pixels_first_2_1_count_6
+        + slice0cost_pixels_first_2_1_count_4 + slice0cost_pixels_first_2_1_count_7 +
+        slice0cost_pixels_first_2_1_count_1;
+      slice0cost_pixels_cost_2_2 <= slice0cost_pixels_first_2_2_count_0 + slice0cost_pixels_first_2_2_count_2 +
+        slice0cost_pixels_first_2_2_count_3 + slice0cost_pixels_first_2_2_count_5 + slice0cost_pixels_first_2_2_count_6
+        + slice0cost_pixels_first_2_2_count_4 + slice0cost_pixels_first_2_2_count_7 +
+        slice0cost_pixels_first_2_2_count_1;
+      slice0cost_pixels_cost_2_3 <= slice0cost_pixels_first_2_3_count_0 + slice0cost_pixels_first_2_3_count_2 +
+        slice0cost_pixels_first_2_3_count_3 + slice0cost_pixels_first_2_3_count_5 + slice0cost_pixels_first_2_3_count_6
+        + slice0cost_pixels_first_2_3_count_4 + slice0cost_pixels_first_2_3_count_7 +
+        slice0cost_pixels_first_2_3_count_1;
+      slice0cost_pixels_cost_2_4 <= slice0cost_pixels_first_2_4_count_0 + slice0cost_pixels_first_2_4_count_2 +
+        slice0cost_pixels_first_2_4_count_3 + slice0cost_pixels_first_2_4_count_5 + slice0cost_pixels_first_2_4_count_6
+        + slice0cost_pixels_first_2_4_count_4 + slice0cost_pixels_first_2_4_count_7 +
+        slice0cost_pixels_first_2_4_count_1;
+      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
+      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
+      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
+      slice0cost_pixels_tag_first_column <= slice0cost_pixels_first_tag_first_column;
+      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
+      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
+      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_first_column <= slice0cost_pixels_tag_first_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
+      slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
+      slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_first_column <= slice0cost_pair_tag_first_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
+        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
+        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
+        slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
+        slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      end if;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
+      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_map_column <= slice0window_centre_map_column_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      if slice0window_tag_valid then
+        slice0window_tag_output_column <= slice0window_centre_output_column_0;
+        slice0window_tag_first_column <= slice0window_centre_first_column_0;
+        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      end if;
+      -- slice0mask
+      slice0mask_inside_0_choice := (not (((slice0mask_column / 2) mod 2) = 1)) or (not ((slice0mask_column mod 2) =
+        1)) when (slice0mask_end_value mod 2) = 1 else not (((slice0mask_column / 2) mod 2) = 1);
+      slice0mask_inside_0_choice_2 := slice0mask_inside_0_choice when ((slice0mask_end_value / 2) mod 2) = 1 else
+        ((slice0mask_end_value mod 2) = 1) and ((slice0mask_column mod 4) = 0);
+      slice0mask_inside_0_value := ((slice0mask_column / 4) mod 2) = 1;
+      slice0mask_inside_0_choice_3 := (not (((slice0mask_end_value / 4) mod 2) = 1)) and slice0mask_inside_0_value when
+        slice0mask_inside_0_choice_2 else (not (((slice0mask_end_value / 4) mod 2) = 1)) or slice0mask_inside_0_value;
+      slice0mask_inside_0_value_2 := ((slice0mask_column / 8) mod 2) = 1;
+      slice0mask_inside_0_choice_4 := (not (((slice0mask_end_value / 8) mod 2) = 1)) or slice0mask_inside_0_value_2
+        when slice0mask_inside_0_choice_3 else (not (((slice0mask_end_value / 8) mod 2) = 1)) and
+        slice0mask_inside_0_value_2;
+      slice0mask_inside_0_value_3 := ((slice0mask_column / 16) mod 2) = 1;
+      slice0mask_inside_0_choice_5 := (not (((slice0mask_end_value / 16) mod 2) = 1)) or slice0mask_inside_0_value_3
+        when slice0mask_inside_0_choice_4 else (not (((slice0mask_end_value / 16) mod 2) = 1)) and
+        slice0mask_inside_0_value_3;
+      slice0mask_inside_0_differs := slice0mask_column /= 0;
+      slice0mask_inside_0_choice_6 := slice0mask_inside_0_differs and ((slice0mask_end_value / 32) = 1) and (not
+        ((slice0mask_column / 32) = 1)) when slice0mask_inside_0_choice_5 else slice0mask_inside_0_differs and
+        (((slice0mask_end_value / 32) = 1) or (not ((slice0mask_column / 32) = 1)));
+      slice0mask_inside_0_all := (not slice0cost_tag_valid) and slice0mask_inside_0;
+      slice0mask_inside_0_choice_7 := slice0mask_inside_0_all when slice1cost_tag_first_column else
+        slice0cost_tag_valid or slice0mask_inside_0;
+      slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
+      slice0mask_inside_2_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_2;
+      slice0mask_inside_3_choice := slice0mask_inside_2 when slice0cost_tag_valid else slice0mask_inside_3;
+      slice0mask_inside_4_choice := slice0mask_inside_3 when slice0cost_tag_valid else slice0mask_inside_4;
+      slice0mask_inside_0 <= slice0mask_inside_0_choice_7 when slice0mask_inside_0_choice_6 else
+        slice0mask_inside_0_all;
+      slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1 when slice1cost_tag_first_column else
+        slice0mask_inside_1_choice;
+      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice1cost_tag_first_column else
+        slice0mask_inside_2_choice;
+      slice0mask_inside_3 <= (not slice0cost_tag_valid) and slice0mask_inside_3 when slice1cost_tag_first_column else
+        slice0mask_inside_3_choice;
+      slice0mask_inside_4 <= (not slice0cost_tag_valid) and slice0mask_inside_4 when slice1cost_tag_first_column else
+        slice0mask_inside_4_choice;
+      slice0mask_left_out <= slice0mask_inside_4;
+      slice0mask_end_value <= size_windows_last_column;
+      if slice0cost_tag_valid then
+        slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 64;
+      end if;
+      slice0mask_searched_0_is_equal := settings_first_disparity = 0;
+      slice0mask_searched_0_all := slice1cost_tag_start_of_frame and slice1cost_tag_output_column and
+        slice0cost_tag_valid;
+      if slice0mask_searched_0_all then
+        slice0mask_searched_0 <= slice0mask_searched_0_is_equal;
+      end if;
+      -- slice0
+      slice0_held_0_0 <= 13 when (not slice0mask_searched_0) or (not slice0mask_inside_0) else slice0window_sum_0_0 /
+        16;
+      slice0_held_0_1 <= 13 when (not other_9) or (not slice0mask_inside_1) else slice0window_sum_0_1 / 16;
+      slice0_held_0_2 <= 13 when (not other_8) or (not slice0mask_inside_2) else slice0window_sum_0_2 / 16;
+      slice0_held_0_3 <= 13 when (not other_7) or (not slice0mask_inside_3) else slice0window_sum_0_3 / 16;
+      slice0_held_0_4 <= 13 when (not other_6) or (not slice0mask_inside_4) else slice0window_sum_0_4 / 16;
+      slice0_held_1_0 <= slice0_held_0_0;
+      slice0_held_1_1 <= slice0_held_0_1;
+      slice0_held_1_2 <= slice0_held_0_2;
+      slice0_held_1_3 <= slice0_held_0_3;
+      slice0_held_1_4 <= slice0_held_0_4;
+      slice0_held_2_0 <= slice0_held_1_0;
+      slice0_held_2_1 <= slice0_held_1_1;
+      slice0_held_2_2 <= slice0_held_1_2;
+      slice0_held_2_3 <= slice0_held_1_3;
+      slice0_held_2_4 <= slice0_held_1_4;
+      slice0_tag_0_valid <= slice0window_tag_valid;
+      slice0_tag_0_map_column <= slice0window_tag_map_column;
+      slice0_tag_0_end_of_line <= slice0window_tag_end_of_line;
+      slice0_tag_1_valid <= slice0_tag_0_valid;
+      slice0_tag_1_map_column <= slice0_tag_0_map_column;
+      slice0_tag_1_output_column <= slice1window_tag_output_column;
+      slice0_tag_1_first_column <= slice1window_tag_first_column;
+      slice0_tag_1_start_of_frame <= slice1window_tag_start_of_frame;
+      slice0_tag_1_end_of_line <= slice0_tag_0_end_of_line;
+      slice0_tag_2_valid <= slice0_tag_1_valid;
+      slice0_tag_2_map_column <= slice0_tag_1_map_column;
+      slice0_tag_2_output_column <= slice0_tag_1_output_column;
+      slice0_tag_2_first_column <= slice0_tag_1_first_column;
+      slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
+      slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
+      if slice0_tag_0_valid then
+        slice0_tag_0_output_column <= slice2cost_tag_output_column;
+        slice0_tag_0_first_column <= slice2cost_tag_first_column;
+        slice0_tag_0_start_of_frame <= slice2cost_tag_start_of_frame;
+      end if;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice0shift_search_out_0;
+        slice1shift_search_0_1 <= slice1shift_search_0_0;
+        slice1shift_search_0_2 <= slice1shift_search_0_1;
+        slice1shift_search_0_3 <= slice1shift_search_0_2;
+        slice1shift_search_0_4 <= slice1shift_search_0_3;
+        slice1shift_search_1_0 <= slice0shift_search_out_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_0;
+        slice1shift_search_1_2 <= slice1shift_search_1_1;
+        slice1shift_search_1_3 <= slice1shift_search_1_2;
+        slice1shift_search_1_4 <= slice1shift_search_1_3;
+        slice1shift_search_2_0 <= slice0shift_search_out_2;
+        slice1shift_search_2_1 <= slice1shift_search_2_0;
+        slice1shift_search_2_2 <= slice1shift_search_2_1;
+        slice1shift_search_2_3 <= slice1shift_search_2_2;
+        slice1shift_search_2_4 <= slice1shift_search_2_3;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_search_out_0 <= slice1shift_search_0_4;
+      slice1shift_search_out_1 <= slice1shift_search_1_4;
+      slice1shift_search_out_2 <= slice1shift_search_2_4;
+      -- slice1cost
+      slice1cost_pixels_first_0_0_count_0_value := ((slice1shift_reference_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_reference_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_2_value := ((slice1shift_reference_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_reference_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value := ((slice1shift_reference_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value := ((slice1shift_reference_0 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value := ((slice1shift_reference_0 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value := ((slice1shift_reference_0 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_7_value := ((slice1shift_reference_0 / 2097152) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_reference_1 / 2) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_2_value := ((slice1shift_reference_1 / 256) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_reference_1 / 64) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value := ((slice1shift_reference_1 / 512) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value := ((slice1shift_reference_1 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value := ((slice1shift_reference_1 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value := ((slice1shift_reference_1 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_7_value := ((slice1shift_reference_1 / 2097152) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_0_value := ((slice1shift_reference_2 / 4) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_reference_2 / 2) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_2_value := ((slice1shift_reference_2 / 256) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_reference_2 / 64) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value := ((slice1shift_reference_2 / 512) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value := ((slice1shift_reference_2 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value := ((slice1shift_reference_2 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value := ((slice1shift_reference_2 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_7_value := ((slice1shift_reference_2 / 2097152) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value /=
+        (((slice1shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice1shift_search_0_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
+        (((slice1shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice1shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice1shift_search_0_0 / 16) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
+        as_number((slice1cost_pixels_first_0_0_count_2_value /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (((slice1shift_search_0_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
+        (((slice1shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice1shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice1shift_search_0_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_4 <= as_number((slice1cost_pixels_first_0_0_count_4_value /=
+        (((slice1shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice1shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice1shift_search_0_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_5 <= as_number((slice1cost_pixels_first_0_0_count_5_value /=
+        (((slice1shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice1shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice1shift_search_0_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_6 <= as_number((slice1cost_pixels_first_0_0_count_6_value /=
+        (((slice1shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice1shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice1shift_search_0_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
+        (((slice1shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_0 / 8388608) = 1) /=
+        ((slice1shift_search_0_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice1shift_search_0_0 / 4194304) mod 2) = 1)));
+      slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_1_count_1 <= as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
+      slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_1_count_3 <= as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_1_count_4 <= as_number(((((slice1shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_1_count_5 <= as_number(((((slice1shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_1_count_6 <= as_number(((((slice1shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_1_count_7 <= as_number(((((slice1shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_1 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
+      slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_2_count_1 <= as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
+      slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_2_count_3 <= as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_2_count_4 <= as_number(((((slice1shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_2_count_5 <= as_number(((((slice1shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_2_count_6 <= as_number(((((slice1shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_2_count_7 <= as_number(((((slice1shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_2 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
+      slice1cost_pixels_first_0_3_count_0 <= as_number((((slice1shift_search_0_3 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_3_count_1 <= as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
+      slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_3 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_3_count_3 <= as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_3_count_4 <= as_number(((((slice1shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_3_count_5 <= as_number(((((slice1shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_3_count_6 <= as_number(((((slice1shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_3_count_7 <= as_number(((((slice1shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_3 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
+      slice1cost_pixels_first_0_4_count_0 <= as_number((((slice1shift_search_0_4 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_4_count_1 <= as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
+      slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_4 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_4_count_3 <= as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_4_count_4 <= as_number(((((slice1shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_4_count_5 <= as_number(((((slice1shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_4_count_6 <= as_number(((((slice1shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_4_count_7 <= as_number(((((slice1shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_4 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
+      slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value /=
+        (((slice1shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice1shift_search_1_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_1 <= as_number((slice1cost_pixels_first_1_0_count_1_value /=
+        (((slice1shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice1shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice1shift_search_1_0 / 16) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
+        as_number((slice1cost_pixels_first_1_0_count_2_value /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_count_2_value_2 /= (((slice1shift_search_1_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_3 <= as_number((slice1cost_pixels_first_1_0_count_3_value /=
+        (((slice1shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice1shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice1shift_search_1_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_4 <= as_number((slice1cost_pixels_first_1_0_count_4_value /=
+        (((slice1shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice1shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice1shift_search_1_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_5 <= as_number((slice1cost_pixels_first_1_0_count_5_value /=
+        (((slice1shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice1shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice1shift_search_1_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_6 <= as_number((slice1cost_pixels_first_1_0_count_6_value /=
+        (((slice1shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice1shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice1shift_search_1_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_7 <= as_number((slice1cost_pixels_first_1_0_count_7_value /=
+        (((slice1shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_1 / 8388608) = 1) /=
+        ((slice1shift_search_1_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice1shift_search_1_0 / 4194304) mod 2) = 1)));
+      slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_1_count_1 <= as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
+      slice1cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_1_count_3 <= as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_1_count_4 <= as_number(((((slice1shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_1_count_5 <= as_number(((((slice1shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_1_count_6 <= as_number(((((slice1shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_1_count_7 <= as_number(((((slice1shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_1 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
+      slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_2_count_1 <= as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
+      slice1cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_2_count_3 <= as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_2_count_4 <= as_number(((((slice1shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_2_count_5 <= as_number(((((slice1shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_2_count_6 <= as_number(((((slice1shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_2_count_7 <= as_number(((((slice1shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_2 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
+      slice1cost_pixels_first_1_3_count_0 <= as_number((((slice1shift_search_1_3 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_3_count_1 <= as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
+      slice1cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_3 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_3_count_3 <= as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_3_count_4 <= as_number(((((slice1shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_3_count_5 <= as_number(((((slice1shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_3_count_6 <= as_number(((((slice1shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_3_count_7 <= as_number(((((slice1shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_3 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
+      slice1cost_pixels_first_1_4_count_0 <= as_number((((slice1shift_search_1_4 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_4_count_1 <= as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
+      slice1cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_4 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_4_count_3 <= as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_4_count_4 <= as_number(((((slice1shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_4_count_5 <= as_number(((((slice1shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_4_count_6 <= as_number(((((slice1shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_4_count_7 <= as_number(((((slice1shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_4 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
+      slice1cost_pixels_first_2_0_count_0 <= as_number((((slice1shift_search_2_0 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value /=
+        (((slice1shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice1shift_search_2_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_1 <= as_number((slice1cost_pixels_first_2_0_count_1_value /=
+        (((slice1shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice1shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice1shift_search_2_0 / 16) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
+        as_number((slice1cost_pixels_first_2_0_count_2_value /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_count_2_value_2 /= (((slice1shift_search_2_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_3 <= as_number((slice1cost_pixels_first_2_0_count_3_value /=
+        (((slice1shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice1shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice1shift_search_2_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_4 <= as_number((slice1cost_pixels_first_2_0_count_4_value /=
+        (((slice1shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice1shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice1shift_search_2_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_5 <= as_number((slice1cost_pixels_first_2_0_count_5_value /=
+        (((slice1shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice1shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice1shift_search_2_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_6 <= as_number((slice1cost_pixels_first_2_0_count_6_value /=
+        (((slice1shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice1shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice1shift_search_2_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_7 <= as_number((slice1cost_pixels_first_2_0_count_7_value /=
+        (((slice1shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_2 / 8388608) = 1) /=
+        ((slice1shift_search_2_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice1shift_search_2_0 / 4194304) mod 2) = 1)));
+      slice1cost_pixels_first_2_1_count_0 <= as_number((((slice1shift_search_2_1 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_1_count_1 <= as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
+      slice1cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_1_count_3 <= as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_1_count_4 <= as_number(((((slice1shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_1_count_5 <= as_number(((((slice1shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_1_count_6 <= as_number(((((slice1shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_1_count_7 <= as_number(((((slice1shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_1 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
+      slice1cost_pixels_first_2_2_count_0 <= as_number((((slice1shift_search_2_2 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_2_count_1 <= as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
+      slice1cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_2_count_3 <= as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_2_count_4 <= as_number(((((slice1shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_2_count_5 <= as_number(((((slice1shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_2_count_6 <= as_number(((((slice1shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_2_count_7 <= as_number(((((slice1shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_2 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
+      slice1cost_pixels_first_2_3_count_0 <= as_number((((slice1shift_search_2_3 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_3_count_1 <= as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
+      slice1cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_3 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_3_count_3 <= as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_3_count_4 <= as_number(((((slice1shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_3_count_5 <= as_number(((((slice1shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_3_count_6 <= as_number(((((slice1shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_3_count_7 <= as_number(((((slice1shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_3 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
+      slice1cost_pixels_first_2_4_count_0 <= as_number((((slice1shift_search_2_4 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_4_count_1 <= as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
+      slice1cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_4 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_4_count_3 <= as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_4_count_4 <= as_number(((((slice1shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_4_count_5 <= as_number(((((slice1shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_4_count_6 <= as_number(((((slice1shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_4_count_7 <= as_number(((((slice1shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_4 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
+      slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_2 +
+        slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_5 + slice1cost_pixels_first_0_0_count_6
+        + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_7 +
+        slice1cost_pixels_first_0_0_count_1;
+      slice1cost_pixels_cost_0_1 <= slice1cost_pixels_first_0_1_count_0 + slice1cost_pixels_first_0_1_count_2 +
+        slice1cost_pixels_first_0_1_count_3 + slice1cost_pixels_first_0_1_count_5 + slice1cost_pixels_first_0_1_count_6
+        + slice1cost_pixels_first_0_1_count_4 + slice1cost_pixels_first_0_1_count_7 +
+        slice1cost_pixels_first_0_1_count_1;
+      slice1cost_pixels_cost_0_2 <= slice1cost_pixels_first_0_2_count_0 + slice1cost_pixels_first_0_2_count_2 +
+        slice1cost_pixels_first_0_2_count_3 + slice1cost_pixels_first_0_2_count_5 + slice1cost_pixels_first_0_2_count_6
+        + slice1cost_pixels_first_0_2_count_4 + slice1cost_pixels_first_0_2_count_7 +
+        slice1cost_pixels_first_0_2_count_1;
+      slice1cost_pixels_cost_0_3 <= slice1cost_pixels_first_0_3_count_0 + slice1cost_pixels_first_0_3_count_2 +
+        slice1cost_pixels_first_0_3_count_3 + slice1cost_pixels_first_0_3_count_5 + slice1cost_pixels_first_0_3_count_6
+        + slice1cost_pixels_first_0_3_count_4 + slice1cost_pixels_first_0_3_count_7 +
+        slice1cost_pixels_first_0_3_count_1;
+      slice1cost_pixels_cost_0_4 <= slice1cost_pixels_first_0_4_count_0 + slice1cost_pixels_first_0_4_count_2 +
+        slice1cost_pixels_first_0_4_count_3 + slice1cost_pixels_first_0_4_count_5 + slice1cost_pixels_first_0_4_count_6
+        + slice1cost_pixels_first_0_4_count_4 + slice1cost_pixels_first_0_4_count_7 +
+        slice1cost_pixels_first_0_4_count_1;
+      slice1cost_pixels_cost_1_0 <= slice1cost_pixels_first_1_0_count_0 + slice1cost_pixels_first_1_0_count_2 +
+        slice1cost_pixels_first_1_0_count_3 + slice1cost_pixels_first_1_0_count_5 + slice1cost_pixels_first_1_0_count_6
+        + slice1cost_pixels_first_1_0_count_4 + slice1cost_pixels_first_1_0_count_7 +
+        slice1cost_pixels_first_1_0_count_1;
+      slice1cost_pixels_cost_1_1 <= slice1cost_pixels_first_1_1_count_0 + slice1cost_pixels_first_1_1_count_2 +
+        slice1cost_pixels_first_1_1_count_3 + slice1cost_pixels_first_1_1_count_5 + slice1cost_pixels_first_1_1_count_6
+        + slice1cost_pixels_first_1_1_count_4 + slice1cost_pixels_first_1_1_count_7 +
+        slice1cost_pixels_first_1_1_count_1;
+      slice1cost_pixels_cost_1_2 <= slice1cost_pixels_first_1_2_count_0 + slice1cost_pixels_first_1_2_count_2 +
+        slice1cost_pixels_first_1_2_count_3 + slice1cost_pixels_first_1_2_count_5 + slice1cost_pixels_first_1_2_count_6
+        + slice1cost_pixels_first_1_2_count_4 + slice1cost_pixels_first_1_2_count_7 +
+        slice1cost_pixels_first_1_2_count_1;
+      slice1cost_pixels_cost_1_3 <= slice1cost_pixels_first_1_3_count_0 + slice1cost_pixels_first_1_3_count_2 +
+        slice1cost_pixels_first_1_3_count_3 + slice1cost_pixels_first_1_3_count_5 + slice1cost_pixels_first_1_3_count_6
+        + slice1cost_pixels_first_1_3_count_4 + slice1cost_pixels_first_1_3_count_7 +
+        slice1cost_pixels_first_1_3_count_1;
+      slice1cost_pixels_cost_1_4 <= slice1cost_pixels_first_1_4_count_0 + slice1cost_pixels_first_1_4_count_2 +
+        slice1cost_pixels_first_1_4_count_3 + slice1cost_pixels_first_1_4_count_5 + slice1cost_pixels_first_1_4_count_6
+        + slice1cost_pixels_first_1_4_count_4 + slice1cost_pixels_first_1_4_count_7 +
+        slice1cost_pixels_first_1_4_count_1;
+      slice1cost_pixels_cost_2_0 <= slice1cost_pixels_first_2_0_count_0 + slice1cost_pixels_first_2_0_count_2 +
+        slice1cost_pixels_first_2_0_count_3 + slice1cost_pixels_first_2_0_count_5 + slice1cost_pixels_first_2_0_count_6
+        + slice1cost_pixels_first_2_0_count_4 + slice1cost_pixels_first_2_0_count_7 +
+        slice1cost_pixels_first_2_0_count_1;
+      slice1cost_pixels_cost_2_1 <= slice1cost_pixels_first_2_1_count_0 + slice1cost_pixels_first_2_1_count_2 +
+        slice1cost_pixels_first_2_1_count_3 + slice1cost_pixels_first_2_1_count_5 + slice1cost_pixels_first_2_1_count_6
+        + slice1cost_pixels_first_2_1_count_4 + slice1cost_pixels_first_2_1_count_7 +
+        slice1cost_pixels_first_2_1_count_1;
+      slice1cost_pixels_cost_2_2 <= slice1cost_pixels_first_2_2_count_0 + slice1cost_pixels_first_2_2_count_2 +
+        slice1cost_pixels_first_2_2_count_3 + slice1cost_pixels_first_2_2_count_5 + slice1cost_pixels_first_2_2_count_6
+        + slice1cost_pixels_first_2_2_count_4 + slice1cost_pixels_first_2_2_count_7 +
+        slice1cost_pixels_first_2_2_count_1;
+      slice1cost_pixels_cost_2_3 <= slice1cost_pixels_first_2_3_count_0 + slice1cost_pixels_first_2_3_count_2 +
+        slice1cost_pixels_first_2_3_count_3 + slice1cost_pixels_first_2_3_count_5 + slice1cost_pixels_first_2_3_count_6
+        + slice1cost_pixels_first_2_3_count_4 + slice1cost_pixels_first_2_3_count_7 +
+        slice1cost_pixels_first_2_3_count_1;
+      slice1cost_pixels_cost_2_4 <= slice1cost_pixels_first_2_4_count_0 + slice1cost_pixels_first_2_4_count_2 +
+        slice1cost_pixels_first_2_4_count_3 + slice1cost_pixels_first_2_4_count_5 + slice1cost_pixels_first_2_4_count_6
+        + slice1cost_pixels_first_2_4_count_4 + slice1cost_pixels_first_2_4_count_7 +
+        slice1cost_pixels_first_2_4_count_1;
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
+      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
+      slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
+      if slice0cost_tag_valid then
+        slice1cost_tag_output_column <= slice0cost_tag_output_column;
+        slice1cost_tag_first_column <= slice0cost_tag_first_column;
+        slice1cost_tag_start_of_frame <= slice0cost_tag_start_of_frame;
+      end if;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
+        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
+        slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
+      end if;
+      slice1window_centre_output_column_0 <= slice1cost_tag_output_column;
+      slice1window_centre_first_column_0 <= slice1cost_tag_first_column;
+      slice1window_centre_start_of_frame_0 <= slice1cost_tag_start_of_frame;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
+      slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
+      slice1window_tag_output_column <= slice1window_centre_output_column_0;
+      slice1window_tag_first_column <= slice1window_centre_first_column_0;
+      slice1window_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
+      -- slice1mask
+      slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside_0;
+      slice1mask_inside_0_choice := slice1mask_inside_0_all when slice0window_tag_first_column else
+        slice0window_tag_valid or slice1mask_inside_0;
+      slice1mask_inside_1_choice := slice1mask_inside_0 when slice0window_tag_valid else slice1mask_inside_1;
+      slice1mask_inside_2_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_2;
+      slice1mask_inside_3_choice := slice1mask_inside_2 when slice0window_tag_valid else slice1mask_inside_3;
+      slice1mask_inside_4_choice := slice1mask_inside_3 when slice0window_tag_valid else slice1mask_inside_4;
+      slice1mask_inside_0 <= slice1mask_inside_0_choice when slice0mask_left_out else slice1mask_inside_0_all;
+      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when slice0window_tag_first_column
+        else slice1mask_inside_1_choice;
+      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when slice0window_tag_first_column
+        else slice1mask_inside_2_choice;
+      slice1mask_inside_3 <= (not slice0window_tag_valid) and slice1mask_inside_3 when slice0window_tag_first_column
+        else slice1mask_inside_3_choice;
+      slice1mask_inside_4 <= (not slice0window_tag_valid) and slice1mask_inside_4 when slice0window_tag_first_column
+        else slice1mask_inside_4_choice;
+      slice1mask_left_out <= slice1mask_inside_4;
+      slice1mask_searched_3_value := ((settings_last_disparity / 8) mod 2) = 1;
+      slice1mask_searched_3_value_2 := ((settings_last_disparity / 4) mod 2) = 1;
+      slice1mask_searched_3_value_3 := ((settings_last_disparity / 2) mod 2) = 1;
+      slice1mask_searched_3_value_4 := ((settings_last_disparity / 64) mod 2) = 1;
+      slice1mask_searched_3_value_5 := ((settings_first_disparity / 8) mod 2) = 1;
+      slice1mask_searched_3_any := (not slice1mask_searched_3_value_5) or (((settings_first_disparity / 2) mod 4) = 0);
+      slice1mask_searched_3_is_equal := (settings_first_disparity / 16) = 0;
+      slice1mask_searched_3_value_6 := ((settings_last_disparity / 32) mod 2) = 1;
+      slice1mask_searched_3_choice := slice1mask_searched_3_any and slice1mask_searched_3_is_equal and
+        slice1mask_searched_3_value_6 when (not (slice1mask_searched_3_value and (slice1mask_searched_3_value_2 or
+        slice1mask_searched_3_value_3 or ((settings_last_disparity mod 2) = 1)))) and (not ((settings_last_disparity /
+        128) = 1)) and (not slice1mask_searched_3_value_4) and (not (((settings_last_disparity / 16) mod 2) = 1)) else
+        slice1mask_searched_3_any and slice1mask_searched_3_is_equal;
+      slice1mask_searched_4_value := ((settings_first_disparity / 4) mod 2) = 1;
+      slice1mask_searched_4_value_2 := ((settings_first_disparity / 2) mod 2) = 1;
+      slice1mask_searched_4_choice := (not (slice1mask_searched_3_value_5 and (slice1mask_searched_4_value or
+        slice1mask_searched_4_value_2 or ((settings_first_disparity mod 2) = 1)))) and slice1mask_searched_3_is_equal
+        and ((settings_last_disparity / 128) = 1) when ((settings_last_disparity / 8) mod 16) = 0 else (not
+        (slice1mask_searched_3_value_5 and (slice1mask_searched_4_value or slice1mask_searched_4_value_2 or
+        ((settings_first_disparity mod 2) = 1)))) and slice1mask_searched_3_is_equal;
+      slice1mask_searched_3_all := slice0window_tag_valid and slice0window_tag_start_of_frame and
+        slice0window_tag_output_column;
+      if slice1mask_searched_3_all then
+        slice1mask_searched_3 <= slice1mask_searched_3_choice;
+        slice1mask_searched_4 <= slice1mask_searched_4_choice;
+      end if;
+      -- slice1
+      slice1_held_0_0 <= 13 when (not other_3) or (not slice1mask_inside_0) else slice1window_sum_0_0 / 16;
+      slice1_held_0_1 <= 13 when (not other_2) or (not slice1mask_inside_1) else slice1window_sum_0_1 / 16;
+      slice1_held_0_2 <= 13 when (not other_1) or (not slice1mask_inside_2) else slice1window_sum_0_2 / 16;
+      slice1_held_0_3 <= 13 when (not slice1mask_searched_4) or (not slice1mask_inside_3) else slice1window_sum_0_3 /
+        16;
+      slice1_held_0_4 <= 13 when (not slice1mask_searched_3) or (not slice1mask_inside_4) else slice1window_sum_0_4 /
+        16;
+      slice1_held_1_0 <= slice1_held_0_0;
+      slice1_held_1_1 <= slice1_held_0_1;
+      slice1_held_1_2 <= slice1_held_0_2;
+      slice1_held_1_3 <= slice1_held_0_3;
+      slice1_held_1_4 <= slice1_held_0_4;
+      -- slice2shift
+      if slice0cost_pixels_first_tag_valid then
+        slice2shift_search_0_0 <= slice1shift_search_out_0;
+        slice2shift_search_0_1 <= slice2shift_search_0_0;
+        slice2shift_search_1_0 <= slice1shift_search_out_1;
+        slice2shift_search_1_1 <= slice2shift_search_1_0;
+        slice2shift_search_2_0 <= slice1shift_search_out_2;
+        slice2shift_search_2_1 <= slice2shift_search_2_0;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      -- slice2cost
+      slice2cost_pixels_first_0_0_count_0_value := ((slice2shift_reference_0 / 4) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_reference_0 / 2) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value := ((slice2shift_reference_0 / 8) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_reference_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 16) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_2_value := ((slice2shift_reference_0 / 256) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_reference_0 / 64) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value := ((slice2shift_reference_0 / 512) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value := ((slice2shift_reference_0 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value := ((slice2shift_reference_0 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value := ((slice2shift_reference_0 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_7_value := ((slice2shift_reference_0 / 2097152) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_reference_1 / 2) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_reference_1 / 32) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 16) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_2_value := ((slice2shift_reference_1 / 256) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_reference_1 / 64) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value := ((slice2shift_reference_1 / 512) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value := ((slice2shift_reference_1 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value := ((slice2shift_reference_1 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value := ((slice2shift_reference_1 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_7_value := ((slice2shift_reference_1 / 2097152) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_0_value := ((slice2shift_reference_2 / 4) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_reference_2 / 2) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value := ((slice2shift_reference_2 / 8) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_reference_2 / 32) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 16) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_2_value := ((slice2shift_reference_2 / 256) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_reference_2 / 64) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value := ((slice2shift_reference_2 / 512) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value := ((slice2shift_reference_2 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value := ((slice2shift_reference_2 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value := ((slice2shift_reference_2 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_7_value := ((slice2shift_reference_2 / 2097152) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value /=
+        (((slice2shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice2shift_search_0_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
+        (((slice2shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice2shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice2shift_search_0_0 / 16) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
+        as_number((slice2cost_pixels_first_0_0_count_2_value /= (((slice2shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (((slice2shift_search_0_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
+        (((slice2shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice2shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice2shift_search_0_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_4 <= as_number((slice2cost_pixels_first_0_0_count_4_value /=
+        (((slice2shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice2shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice2shift_search_0_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_5 <= as_number((slice2cost_pixels_first_0_0_count_5_value /=
+        (((slice2shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice2shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice2shift_search_0_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_6 <= as_number((slice2cost_pixels_first_0_0_count_6_value /=
+        (((slice2shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice2shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice2shift_search_0_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
+        (((slice2shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_0 / 8388608) = 1) /=
+        ((slice2shift_search_0_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice2shift_search_0_0 / 4194304) mod 2) = 1)));
+      slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value_2));
+      slice2cost_pixels_first_0_1_count_1 <= as_number(((((slice2shift_search_0_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((((slice2shift_search_0_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice2shift_search_0_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_3));
+      slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_0_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_0_0_count_2_value)) + as_number(((((slice2shift_search_0_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_0_0_count_2_value_2));
+      slice2cost_pixels_first_0_1_count_3 <= as_number(((((slice2shift_search_0_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((((slice2shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice2shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_3));
+      slice2cost_pixels_first_0_1_count_4 <= as_number(((((slice2shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value)) + as_number(((((slice2shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice2shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_3));
+      slice2cost_pixels_first_0_1_count_5 <= as_number(((((slice2shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value)) + as_number(((((slice2shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice2shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_3));
+      slice2cost_pixels_first_0_1_count_6 <= as_number(((((slice2shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value)) + as_number(((((slice2shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_3));
+      slice2cost_pixels_first_0_1_count_7 <= as_number(((((slice2shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_1 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
+      slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value /=
+        (((slice2shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice2shift_search_1_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_1 <= as_number((slice2cost_pixels_first_1_0_count_1_value /=
+        (((slice2shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice2shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice2shift_search_1_0 / 16) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
+        as_number((slice2cost_pixels_first_1_0_count_2_value /= (((slice2shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_1_0_count_2_value_2 /= (((slice2shift_search_1_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_3 <= as_number((slice2cost_pixels_first_1_0_count_3_value /=
+        (((slice2shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice2shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice2shift_search_1_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_4 <= as_number((slice2cost_pixels_first_1_0_count_4_value /=
+        (((slice2shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice2shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice2shift_search_1_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_5 <= as_number((slice2cost_pixels_first_1_0_count_5_value /=
+        (((slice2shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice2shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice2shift_search_1_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_6 <= as_number((slice2cost_pixels_first_1_0_count_6_value /=
+        (((slice2shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice2shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice2shift_search_1_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_7 <= as_number((slice2cost_pixels_first_1_0_count_7_value /=
+        (((slice2shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_1 / 8388608) = 1) /=
+        ((slice2shift_search_1_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice2shift_search_1_0 / 4194304) mod 2) = 1)));
+      slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value_2));
+      slice2cost_pixels_first_1_1_count_1 <= as_number(((((slice2shift_search_1_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value)) + as_number(((((slice2shift_search_1_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice2shift_search_1_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_3));
+      slice2cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_1_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_1_0_count_2_value)) + as_number(((((slice2shift_search_1_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_1_0_count_2_value_2));
+      slice2cost_pixels_first_1_1_count_3 <= as_number(((((slice2shift_search_1_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value)) + as_number(((((slice2shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice2shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_3));
+      slice2cost_pixels_first_1_1_count_4 <= as_number(((((slice2shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value)) + as_number(((((slice2shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice2shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_3));
+      slice2cost_pixels_first_1_1_count_5 <= as_number(((((slice2shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value)) + as_number(((((slice2shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice2shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_3));
+      slice2cost_pixels_first_1_1_count_6 <= as_number(((((slice2shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value)) + as_number(((((slice2shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_3));
+      slice2cost_pixels_first_1_1_count_7 <= as_number(((((slice2shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_1 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
+      slice2cost_pixels_first_2_0_count_0 <= as_number((((slice2shift_search_2_0 mod 2) = 1) /=
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value /=
+        (((slice2shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice2shift_search_2_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_1 <= as_number((slice2cost_pixels_first_2_0_count_1_value /=
+        (((slice2shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice2shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice2shift_search_2_0 / 16) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
+        as_number((slice2cost_pixels_first_2_0_count_2_value /= (((slice2shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_2_0_count_2_value_2 /= (((slice2shift_search_2_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_3 <= as_number((slice2cost_pixels_first_2_0_count_3_value /=
+        (((slice2shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice2shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice2shift_search_2_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_4 <= as_number((slice2cost_pixels_first_2_0_count_4_value /=
+        (((slice2shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice2shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice2shift_search_2_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_5 <= as_number((slice2cost_pixels_first_2_0_count_5_value /=
+        (((slice2shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice2shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice2shift_search_2_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_6 <= as_number((slice2cost_pixels_first_2_0_count_6_value /=
+        (((slice2shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice2shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice2shift_search_2_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_7 <= as_number((slice2cost_pixels_first_2_0_count_7_value /=
+        (((slice2shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_2 / 8388608) = 1) /=
+        ((slice2shift_search_2_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice2shift_search_2_0 / 4194304) mod 2) = 1)));
+      slice2cost_pixels_first_2_1_count_0 <= as_number((((slice2shift_search_2_1 mod 2) = 1) /=
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number(((((slice2shift_search_2_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value)) + as_number(((((slice2shift_search_2_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value_2));
+      slice2cost_pixels_first_2_1_count_1 <= as_number(((((slice2shift_search_2_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value)) + as_number(((((slice2shift_search_2_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice2shift_search_2_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_3));
+      slice2cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_2_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_2_0_count_2_value)) + as_number(((((slice2shift_search_2_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_2_0_count_2_value_2));
+      slice2cost_pixels_first_2_1_count_3 <= as_number(((((slice2shift_search_2_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value)) + as_number(((((slice2shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice2shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_3));
+      slice2cost_pixels_first_2_1_count_4 <= as_number(((((slice2shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value)) + as_number(((((slice2shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice2shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_3));
+      slice2cost_pixels_first_2_1_count_5 <= as_number(((((slice2shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value)) + as_number(((((slice2shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice2shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_3));
+      slice2cost_pixels_first_2_1_count_6 <= as_number(((((slice2shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value)) + as_number(((((slice2shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice2shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_3));
+      slice2cost_pixels_first_2_1_count_7 <= as_number(((((slice2shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value)) + as_number((((slice2shift_search_2_1 / 8388608) = 1) /=
+        ((slice2shift_reference_2 / 8388608) = 1))) + as_number(((((slice2shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value_2));
+      slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_2 +
+        slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_5 + slice2cost_pixels_first_0_0_count_6
+        + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_7 +
+        slice2cost_pixels_first_0_0_count_1;
+      slice2cost_pixels_cost_0_1 <= slice2cost_pixels_first_0_1_count_0 + slice2cost_pixels_first_0_1_count_2 +
+        slice2cost_pixels_first_0_1_count_3 + slice2cost_pixels_first_0_1_count_5 + slice2cost_pixels_first_0_1_count_6
+        + slice2cost_pixels_first_0_1_count_4 + slice2cost_pixels_first_0_1_count_7 +
+        slice2cost_pixels_first_0_1_count_1;
+      slice2cost_pixels_cost_1_0 <= slice2cost_pixels_first_1_0_count_0 + slice2cost_pixels_first_1_0_count_2 +
+        slice2cost_pixels_first_1_0_count_3 + slice2cost_pixels_first_1_0_count_5 + slice2cost_pixels_first_1_0_count_6
+        + slice2cost_pixels_first_1_0_count_4 + slice2cost_pixels_first_1_0_count_7 +
+        slice2cost_pixels_first_1_0_count_1;
+      slice2cost_pixels_cost_1_1 <= slice2cost_pixels_first_1_1_count_0 + slice2cost_pixels_first_1_1_count_2 +
+        slice2cost_pixels_first_1_1_count_3 + slice2cost_pixels_first_1_1_count_5 + slice2cost_pixels_first_1_1_count_6
+        + slice2cost_pixels_first_1_1_count_4 + slice2cost_pixels_first_1_1_count_7 +
+        slice2cost_pixels_first_1_1_count_1;
+      slice2cost_pixels_cost_2_0 <= slice2cost_pixels_first_2_0_count_0 + slice2cost_pixels_first_2_0_count_2 +
+        slice2cost_pixels_first_2_0_count_3 + slice2cost_pixels_first_2_0_count_5 + slice2cost_pixels_first_2_0_count_6
+        + slice2cost_pixels_first_2_0_count_4 + slice2cost_pixels_first_2_0_count_7 +
+        slice2cost_pixels_first_2_0_count_1;
+      slice2cost_pixels_cost_2_1 <= slice2cost_pixels_first_2_1_count_0 + slice2cost_pixels_first_2_1_count_2 +
+        slice2cost_pixels_first_2_1_count_3 + slice2cost_pixels_first_2_1_count_5 + slice2cost_pixels_first_2_1_count_6
+        + slice2cost_pixels_first_2_1_count_4 + slice2cost_pixels_first_2_1_count_7 +
+        slice2cost_pixels_first_2_1_count_1;
+      slice2cost_pair_0_0 <= slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
+      slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
+      slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+      slice2cost_tag_output_column <= slice0window_centre_output_column_0;
+      slice2cost_tag_first_column <= slice0window_centre_first_column_0;
+      slice2cost_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      -- slice2window
+      if slice0_tag_0_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      -- slice2mask
+      slice2mask_inside_0_all := (not slice0_tag_0_valid) and slice2mask_inside_0;
+      slice2mask_inside_0_choice := slice2mask_inside_0_all when slice0_tag_0_first_column else slice0_tag_0_valid or
+        slice2mask_inside_0;
+      slice2mask_inside_1_choice := slice2mask_inside_0 when slice0_tag_0_valid else slice2mask_inside_1;
+      slice2mask_inside_0 <= slice2mask_inside_0_choice when slice1mask_left_out else slice2mask_inside_0_all;
+      slice2mask_inside_1 <= (not slice0_tag_0_valid) and slice2mask_inside_1 when slice0_tag_0_first_column else
+        slice2mask_inside_1_choice;
+      slice2mask_searched_0_any := (not slice1mask_searched_3_value_3) or (not ((settings_last_disparity mod 2) = 1));
+      slice2mask_searched_0_choice := ((settings_last_disparity / 16) mod 4) = 0 when (not
+        slice1mask_searched_3_value_2) and slice2mask_searched_0_any else ((settings_last_disparity / 8) mod 8) = 0;
+      slice2mask_searched_0_any_2 := (not slice1mask_searched_3_value_5) or (not slice1mask_searched_4_value);
+      slice2mask_searched_0_any_3 := ((settings_last_disparity / 128) = 1) or slice1mask_searched_3_value_4;
+      slice2mask_searched_0_choice_2 := slice2mask_searched_0_any_2 and slice1mask_searched_3_is_equal and
+        slice2mask_searched_0_any_3 when slice2mask_searched_0_choice else slice2mask_searched_0_any_2 and
+        slice1mask_searched_3_is_equal;
+      slice2mask_searched_1_any := (not slice1mask_searched_4_value_2) or (not ((settings_first_disparity mod 2) = 1));
+      slice2mask_searched_1_choice := ((settings_first_disparity / 16) mod 4) = 0 when (not
+        slice1mask_searched_4_value) and slice2mask_searched_1_any else ((settings_first_disparity / 8) mod 8) = 0;
+      slice2mask_searched_1_is_equal := (settings_last_disparity / 16) = 0;
+      slice2mask_searched_1_all := slice2mask_searched_1_choice and (not (((not slice1mask_searched_3_value) or
+        (((settings_last_disparity / 2) mod 4) = 0)) and slice2mask_searched_1_is_equal)) and
+        ((settings_first_disparity / 64) = 0);
+      slice2mask_searched_0_all := slice0_tag_0_start_of_frame and slice0_tag_0_output_column and slice0_tag_0_valid;
+      if slice2mask_searched_0_all then
+        slice2mask_searched_0 <= slice2mask_searched_0_choice_2;
+        slice2mask_searched_1 <= slice2mask_searched_1_all;
+      end if;
+      -- slice2
+      slice2_held_0_0 <= 13 when (not slice2mask_searched_1) or (not slice2mask_inside_0) else slice2window_sum_0_0 /
+        16;
+      slice2_held_0_1 <= 13 when (not slice2mask_searched_0) or (not slice2mask_inside_1) else slice2window_sum_0_1 /
+        16;
+      -- entry
+      entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
+      entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
+      entry_next_cost_0 <= slice0_held_2_0;
+      entry_next_cost_1 <= slice0_held_2_1;
+      entry_next_cost_2 <= slice0_held_2_2;
+      entry_next_cost_3 <= slice0_held_2_3;
+      entry_next_cost_4 <= slice0_held_2_4;
+      entry_next_cost_5 <= slice1_held_1_0;
+      entry_next_cost_6 <= slice1_held_1_1;
+      entry_next_cost_7 <= slice1_held_1_2;
+      entry_next_cost_8 <= slice1_held_1_3;
+      entry_next_cost_9 <= slice1_held_1_4;
+      entry_next_cost_10 <= slice2_held_0_0;
+      entry_next_cost_11 <= slice2_held_0_1;
+      entry_next_tag_valid <= slice0_tag_2_valid;
+      entry_next_tag_map_column <= slice0_tag_2_map_column;
+      entry_next_tag_first_column <= slice0_tag_2_first_column;
+      entry_next_tag_start_of_frame <= slice0_tag_2_start_of_frame;
+      entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
+      entry_order_last_value <= ((((size_windows_last_column / 2) + 31) mod 32) * 2) + (size_windows_last_column mod 2);
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
+        entry_order_complete and entry_order_complete_any;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_first_column <= entry_order_falls_all;
+      entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
+        and entry_order_first and entry_order_output and entry_order_complete;
+      entry_cost_0 <= entry_next_cost_0;
+      entry_cost_1 <= entry_next_cost_1;
+      entry_cost_2 <= entry_next_cost_2;
+      entry_cost_3 <= entry_next_cost_3;
+      entry_cost_4 <= entry_next_cost_4;
+      entry_cost_5 <= entry_next_cost_5;
+      entry_cost_6 <= entry_next_cost_6;
+      entry_cost_7 <= entry_next_cost_7;
+      entry_cost_8 <= entry_next_cost_8;
+      entry_cost_9 <= entry_next_cost_9;
+      entry_cost_10 <= entry_next_cost_10;
+      entry_cost_11 <= entry_next_cost_11;
+      entry_tag_valid <= entry_next_tag_valid;
+      entry_tag_map_column <= entry_next_tag_map_column;
+      entry_tag_first_column <= entry_next_tag_first_column;
+      entry_tag_start_of_frame <= entry_next_tag_start_of_frame;
+      entry_tag_end_of_line <= entry_next_tag_end_of_line;
+      entry_column <= entry_next_column;
+      entry_top <= entry_next_top;
+      entry_place <= entry_order_address;
+      entry_turned_output_column <= entry_order_turned_output_column;
+      entry_turned_first_column <= entry_order_turned_first_column;
+      entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if entry_order_complete_all then
+        entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 64;
+        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
+      end if;
+      entry_order_address_choice := 63 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else entry_order_last_value;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 64 when entry_order_falls_any
+          else entry_order_address_choice_2;
+      end if;
+      if slice0_tag_2_valid then
+        entry_order_inside <= slice0_tag_2_map_column;
+      end if;
+      if entry_order_falls_all then
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_first <= slice0_tag_2_start_of_frame;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
+      end if;
+      -- forward
+      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
+        forward_left_cost_0;
+      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
+        forward_left_cost_1;
+      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
+        forward_left_cost_4;
+      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
+        forward_left_cost_5;
+      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
+        forward_left_cost_8;
+      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
+        forward_left_cost_9;
+      forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_room) / 64) =
+        1;
+      if forward_left_start_cost_0_value then
+        forward_left_start_cost_0_choice := (((as_number(forward_left_start_cost_0_value) + 3) mod 4) * 64) +
+          ((forward_left_tree_next_next_smallest_0 + forward_left_room) mod 64);
+      else
+        forward_left_start_cost_0_choice := 0;
+      end if;
+      if (forward_left_tree_next_next_smallest_0 / 64) = 1 then
+        forward_left_start_cost_0_choice_2 := forward_left_room;
+      else
+        forward_left_start_cost_0_choice_2 := forward_left_start_cost_0_choice;
+      end if;
+      if forward_left_start_cost_0_value then
+        forward_left_room_choice := (0 - forward_left_tree_next_next_smallest_0) mod 32;
+      else
+        forward_left_room_choice := forward_left_room;
+      end if;
+      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 64) = 1 else
+        forward_left_room_choice;
+      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
+        forward_left_cost_0;
+      forward_left_cost_0_choice_2 := 64 when ((forward_left_cost_0_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_0_choice;
+      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
+        forward_left_cost_1;
+      forward_left_cost_1_choice_2 := 64 when ((forward_left_cost_1_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_1_choice;
+      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
+        forward_left_cost_2;
+      forward_left_cost_2_choice_2 := 64 when ((forward_left_cost_2_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_2_choice;
+      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
+        forward_left_cost_3;
+      forward_left_cost_3_choice_2 := 64 when ((forward_left_cost_3_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_3_choice;
+      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
+        forward_left_cost_4;
+      forward_left_cost_4_choice_2 := 64 when ((forward_left_cost_4_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_4_choice;
+      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
+        forward_left_cost_5;
+      forward_left_cost_5_choice_2 := 64 when ((forward_left_cost_5_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_5_choice;
+      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
+        forward_left_cost_6;
+      forward_left_cost_6_choice_2 := 64 when ((forward_left_cost_6_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_6_choice;
+      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
+        forward_left_cost_7;
+      forward_left_cost_7_choice_2 := 64 when ((forward_left_cost_7_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_7_choice;
+      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
+        forward_left_cost_8;
+      forward_left_cost_8_choice_2 := 64 when ((forward_left_cost_8_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_8_choice;
+      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
+        forward_left_cost_9;
+      forward_left_cost_9_choice_2 := 64 when ((forward_left_cost_9_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_9_choice;
+      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
+        else forward_left_cost_10;
+      forward_left_cost_10_choice_2 := 64 when ((forward_left_cost_10_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_10_choice;
+      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
+        else forward_left_cost_11;
+      forward_left_cost_11_choice_2 := 64 when ((forward_left_cost_11_choice / 64) = 1) or forward_left_first_2 else
+        forward_left_cost_11_choice;
+      forward_left_arrived_0_choice := 64 when forward_left_first_2 else forward_left_cost_1;
+      forward_left_arrived_1_choice := 64 when forward_left_first_2 else forward_left_pair_0_choice;
+      forward_left_arrived_2_choice := 64 when forward_left_first_2 else forward_left_pair_1_choice;
+      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
+        forward_left_cost_2;
+      forward_left_arrived_3_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_3_choice;
+      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
+        forward_left_cost_3;
+      forward_left_arrived_4_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_4_choice;
+      forward_left_arrived_5_choice := 64 when forward_left_first_2 else forward_left_pair_2_choice;
+      forward_left_arrived_6_choice := 64 when forward_left_first_2 else forward_left_pair_3_choice;
+      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
+        forward_left_cost_6;
+      forward_left_arrived_7_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_7_choice;
+      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
+        forward_left_cost_7;
+      forward_left_arrived_8_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_8_choice;
+      forward_left_arrived_9_choice := 64 when forward_left_first_2 else forward_left_pair_4_choice;
+      forward_left_arrived_10_choice := 64 when forward_left_first_2 else forward_left_pair_5_choice;
+      forward_left_arrived_11_choice := 64 when forward_left_first_2 else forward_left_cost_10;
+      forward_above_total_0_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_0(4 downto 0));
+      forward_above_total_1_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_0(9 downto 5));
+      forward_above_total_2_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_0(14 downto 10));
+      forward_above_total_3_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_0(19 downto 15));
+      forward_above_total_4_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_0(24 downto 20));
+      forward_above_total_5_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_0(29 downto 25));
+      forward_above_total_6_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_1(4 downto 0));
+      forward_above_total_7_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_1(9 downto 5));
+      forward_above_total_8_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_1(14 downto 10));
+      forward_above_total_9_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_1(19 downto 15));
+      forward_above_total_10_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_1(24 downto 20));
+      forward_above_total_11_choice := forward_above_top_p2 when forward_above_ready_top else
+        to_integer(forward_above_ready_words_1(29 downto 25));
+      forward_above_stay_0_value := ((forward_above_p2 / 2) mod 2) = 1;
+      forward_above_stay_0_choice := not (((forward_above_own_0 / 2) mod 2) = 1) when (forward_above_p2 mod 2) = 1 else
+        (forward_above_own_0 mod 4) = 0;
+      forward_above_stay_0_choice_2 := ((forward_above_p2 mod 2) = 1) or (not (((forward_above_own_0 / 2) mod 2) = 1))
+        or (not ((forward_above_own_0 mod 2) = 1)) when forward_above_stay_0_value else forward_above_stay_0_choice;
+      forward_above_stay_0_value_2 := ((forward_above_p2 / 4) mod 2) = 1;
+      forward_above_stay_0_value_3 := ((forward_above_own_0 / 4) mod 2) = 1;
+      forward_above_stay_0_choice_3 := (not forward_above_stay_0_value_2) and forward_above_stay_0_value_3 when
+        forward_above_stay_0_choice_2 else (not forward_above_stay_0_value_2) or forward_above_stay_0_value_3;
+      forward_above_stay_0_value_4 := ((forward_above_p2 / 8) mod 2) = 1;
+      forward_above_stay_0_value_5 := ((forward_above_own_0 / 8) mod 2) = 1;
+      forward_above_stay_0_choice_4 := (not forward_above_stay_0_value_4) or forward_above_stay_0_value_5 when
+        forward_above_stay_0_choice_3 else (not forward_above_stay_0_value_4) and forward_above_stay_0_value_5;
+      forward_above_stay_0_value_6 := ((forward_above_own_0 / 16) mod 2) = 1;
+      forward_above_stay_0_choice_5 := (forward_above_own_0 / 32) = 1 when (forward_above_p2 / 16) = 1 else
+        ((forward_above_own_0 / 32) = 1) or forward_above_stay_0_value_6;
+      forward_above_stay_0_choice_6 := (not ((forward_above_p2 / 16) = 1)) or ((forward_above_own_0 / 32) = 1) or
+        forward_above_stay_0_value_6 when forward_above_stay_0_choice_4 else forward_above_stay_0_choice_5;
+      forward_above_stay_1_any := (not forward_above_stay_0_value) or (not ((forward_above_p2 mod 2) = 1));
+      forward_above_stay_1_choice := forward_above_stay_1_any when (forward_above_beside_0 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_1_is_equal := (forward_above_p2 mod 4) = 0;
+      forward_above_stay_1_choice_2 := forward_above_stay_1_choice when ((forward_above_beside_0 / 2) mod 2) = 1 else
+        ((forward_above_beside_0 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_1_choice_3 := (not (((forward_above_beside_0 / 4) mod 2) = 1)) and
+        forward_above_stay_0_value_2 when forward_above_stay_1_choice_2 else (not (((forward_above_beside_0 / 4) mod 2)
+        = 1)) or forward_above_stay_0_value_2;
+      forward_above_stay_1_choice_4 := (not (((forward_above_beside_0 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_1_choice_3 else (not (((forward_above_beside_0 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_1_value := ((forward_above_beside_0 / 16) mod 2) = 1;
+      forward_above_stay_1_choice_5 := ((forward_above_beside_0 / 32) = 1) or (forward_above_stay_1_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_1_choice_4 else ((forward_above_beside_0 / 32) = 1) or
+        forward_above_stay_1_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_2_choice := forward_above_stay_1_any when (forward_above_own_2 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_2_choice_2 := forward_above_stay_2_choice when ((forward_above_own_2 / 2) mod 2) = 1 else
+        ((forward_above_own_2 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_2_choice_3 := (not (((forward_above_own_2 / 4) mod 2) = 1)) and forward_above_stay_0_value_2
+        when forward_above_stay_2_choice_2 else (not (((forward_above_own_2 / 4) mod 2) = 1)) or
+        forward_above_stay_0_value_2;
+      forward_above_stay_2_choice_4 := (not (((forward_above_own_2 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_2_choice_3 else (not (((forward_above_own_2 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_2_value := ((forward_above_own_2 / 16) mod 2) = 1;
+      forward_above_stay_2_choice_5 := ((forward_above_own_2 / 32) = 1) or (forward_above_stay_2_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_2_choice_4 else ((forward_above_own_2 / 32) = 1) or
+        forward_above_stay_2_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_3_choice := forward_above_stay_1_any when (forward_above_own_3 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_3_choice_2 := forward_above_stay_3_choice when ((forward_above_own_3 / 2) mod 2) = 1 else
+        ((forward_above_own_3 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_3_choice_3 := (not (((forward_above_own_3 / 4) mod 2) = 1)) and forward_above_stay_0_value_2
+        when forward_above_stay_3_choice_2 else (not (((forward_above_own_3 / 4) mod 2) = 1)) or
+        forward_above_stay_0_value_2;
+      forward_above_stay_3_choice_4 := (not (((forward_above_own_3 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_3_choice_3 else (not (((forward_above_own_3 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_3_value := ((forward_above_own_3 / 16) mod 2) = 1;
+      forward_above_stay_3_choice_5 := ((forward_above_own_3 / 32) = 1) or (forward_above_stay_3_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_3_choice_4 else ((forward_above_own_3 / 32) = 1) or
+        forward_above_stay_3_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_4_choice := forward_above_stay_1_any when (forward_above_own_4 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_4_choice_2 := forward_above_stay_4_choice when ((forward_above_own_4 / 2) mod 2) = 1 else
+        ((forward_above_own_4 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_4_choice_3 := (not (((forward_above_own_4 / 4) mod 2) = 1)) and forward_above_stay_0_value_2
+        when forward_above_stay_4_choice_2 else (not (((forward_above_own_4 / 4) mod 2) = 1)) or
+        forward_above_stay_0_value_2;
+      forward_above_stay_4_choice_4 := (not (((forward_above_own_4 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_4_choice_3 else (not (((forward_above_own_4 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_4_value := ((forward_above_own_4 / 16) mod 2) = 1;
+      forward_above_stay_4_choice_5 := ((forward_above_own_4 / 32) = 1) or (forward_above_stay_4_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_4_choice_4 else ((forward_above_own_4 / 32) = 1) or
+        forward_above_stay_4_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_5_choice := forward_above_stay_1_any when (forward_above_own_5 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_5_choice_2 := forward_above_stay_5_choice when ((forward_above_own_5 / 2) mod 2) = 1 else
+        ((forward_above_own_5 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_5_choice_3 := (not (((forward_above_own_5 / 4) mod 2) = 1)) and forward_above_stay_0_value_2
+        when forward_above_stay_5_choice_2 else (not (((forward_above_own_5 / 4) mod 2) = 1)) or
+        forward_above_stay_0_value_2;
+      forward_above_stay_5_choice_4 := (not (((forward_above_own_5 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_5_choice_3 else (not (((forward_above_own_5 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_5_value := ((forward_above_own_5 / 16) mod 2) = 1;
+      forward_above_stay_5_choice_5 := ((forward_above_own_5 / 32) = 1) or (forward_above_stay_5_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_5_choice_4 else ((forward_above_own_5 / 32) = 1) or
+        forward_above_stay_5_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_6_choice := forward_above_stay_1_any when (forward_above_beside_7 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_6_choice_2 := forward_above_stay_6_choice when ((forward_above_beside_7 / 2) mod 2) = 1 else
+        ((forward_above_beside_7 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_6_choice_3 := (not (((forward_above_beside_7 / 4) mod 2) = 1)) and
+        forward_above_stay_0_value_2 when forward_above_stay_6_choice_2 else (not (((forward_above_beside_7 / 4) mod 2)
+        = 1)) or forward_above_stay_0_value_2;
+      forward_above_stay_6_choice_4 := (not (((forward_above_beside_7 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_6_choice_3 else (not (((forward_above_beside_7 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_6_value := ((forward_above_beside_7 / 16) mod 2) = 1;
+      forward_above_stay_6_choice_5 := ((forward_above_beside_7 / 32) = 1) or (forward_above_stay_6_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_6_choice_4 else ((forward_above_beside_7 / 32) = 1) or
+        forward_above_stay_6_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_7_choice := forward_above_stay_1_any when (forward_above_own_7 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_7_choice_2 := forward_above_stay_7_choice when ((forward_above_own_7 / 2) mod 2) = 1 else
+        ((forward_above_own_7 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_7_choice_3 := (not (((forward_above_own_7 / 4) mod 2) = 1)) and forward_above_stay_0_value_2
+        when forward_above_stay_7_choice_2 else (not (((forward_above_own_7 / 4) mod 2) = 1)) or
+        forward_above_stay_0_value_2;
+      forward_above_stay_7_choice_4 := (not (((forward_above_own_7 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_7_choice_3 else (not (((forward_above_own_7 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_7_value := ((forward_above_own_7 / 16) mod 2) = 1;
+      forward_above_stay_7_choice_5 := ((forward_above_own_7 / 32) = 1) or (forward_above_stay_7_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_7_choice_4 else ((forward_above_own_7 / 32) = 1) or
+        forward_above_stay_7_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_8_choice := forward_above_stay_1_any when (forward_above_own_8 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_8_choice_2 := forward_above_stay_8_choice when ((forward_above_own_8 / 2) mod 2) = 1 else
+        ((forward_above_own_8 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_8_choice_3 := (not (((forward_above_own_8 / 4) mod 2) = 1)) and forward_above_stay_0_value_2
+        when forward_above_stay_8_choice_2 else (not (((forward_above_own_8 / 4) mod 2) = 1)) or
+        forward_above_stay_0_value_2;
+      forward_above_stay_8_choice_4 := (not (((forward_above_own_8 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_8_choice_3 else (not (((forward_above_own_8 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_8_value := ((forward_above_own_8 / 16) mod 2) = 1;
+      forward_above_stay_8_choice_5 := ((forward_above_own_8 / 32) = 1) or (forward_above_stay_8_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_8_choice_4 else ((forward_above_own_8 / 32) = 1) or
+        forward_above_stay_8_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_9_choice := forward_above_stay_1_any when (forward_above_own_9 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_9_choice_2 := forward_above_stay_9_choice when ((forward_above_own_9 / 2) mod 2) = 1 else
+        ((forward_above_own_9 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_9_choice_3 := (not (((forward_above_own_9 / 4) mod 2) = 1)) and forward_above_stay_0_value_2
+        when forward_above_stay_9_choice_2 else (not (((forward_above_own_9 / 4) mod 2) = 1)) or
+        forward_above_stay_0_value_2;
+      forward_above_stay_9_choice_4 := (not (((forward_above_own_9 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_9_choice_3 else (not (((forward_above_own_9 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_9_value := ((forward_above_own_9 / 16) mod 2) = 1;
+      forward_above_stay_9_choice_5 := ((forward_above_own_9 / 32) = 1) or (forward_above_stay_9_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_9_choice_4 else ((forward_above_own_9 / 32) = 1) or
+        forward_above_stay_9_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_10_choice := forward_above_stay_1_any when (forward_above_beside_11 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_10_choice_2 := forward_above_stay_10_choice when ((forward_above_beside_11 / 2) mod 2) = 1
+        else ((forward_above_beside_11 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_10_choice_3 := (not (((forward_above_beside_11 / 4) mod 2) = 1)) and
+        forward_above_stay_0_value_2 when forward_above_stay_10_choice_2 else (not (((forward_above_beside_11 / 4) mod
+        2) = 1)) or forward_above_stay_0_value_2;
+      forward_above_stay_10_choice_4 := (not (((forward_above_beside_11 / 8) mod 2) = 1)) or
+        forward_above_stay_0_value_4 when forward_above_stay_10_choice_3 else (not (((forward_above_beside_11 / 8) mod
+        2) = 1)) and forward_above_stay_0_value_4;
+      forward_above_stay_10_value := ((forward_above_beside_11 / 16) mod 2) = 1;
+      forward_above_stay_10_choice_5 := ((forward_above_beside_11 / 32) = 1) or (forward_above_stay_10_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_10_choice_4 else ((forward_above_beside_11 / 32) = 1)
+        or forward_above_stay_10_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_11_choice := forward_above_stay_1_any when (forward_above_own_11 mod 2) = 1 else not
+        forward_above_stay_0_value;
+      forward_above_stay_11_choice_2 := forward_above_stay_11_choice when ((forward_above_own_11 / 2) mod 2) = 1 else
+        ((forward_above_own_11 mod 2) = 1) and forward_above_stay_1_is_equal;
+      forward_above_stay_11_choice_3 := (not (((forward_above_own_11 / 4) mod 2) = 1)) and forward_above_stay_0_value_2
+        when forward_above_stay_11_choice_2 else (not (((forward_above_own_11 / 4) mod 2) = 1)) or
+        forward_above_stay_0_value_2;
+      forward_above_stay_11_choice_4 := (not (((forward_above_own_11 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
+        when forward_above_stay_11_choice_3 else (not (((forward_above_own_11 / 8) mod 2) = 1)) and
+        forward_above_stay_0_value_4;
+      forward_above_stay_11_value := ((forward_above_own_11 / 16) mod 2) = 1;
+      forward_above_stay_11_choice_5 := ((forward_above_own_11 / 32) = 1) or (forward_above_stay_11_value and (not
+        ((forward_above_p2 / 16) = 1))) when forward_above_stay_11_choice_4 else ((forward_above_own_11 / 32) = 1) or
+        forward_above_stay_11_value or (not ((forward_above_p2 / 16) = 1));
+      if entry_tag_valid then
+        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
+        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
+        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
+        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
+        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
+        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
+        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
+          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
+        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
+          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
+        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
+          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
+        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
+          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
+          forward_smallest_next_smallest_0;
+        forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
+        forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
+          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
+          forward_smallest_next_next_smallest_0;
+        forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
+          (forward_cost_delay_ring_read_address + 1) mod 8;
+        forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
+        forward_left_pair_0 <= forward_left_pair_0_choice;
+        forward_left_pair_1 <= forward_left_pair_1_choice;
+        forward_left_pair_2 <= forward_left_pair_2_choice;
+        forward_left_pair_3 <= forward_left_pair_3_choice;
+        forward_left_pair_4 <= forward_left_pair_4_choice;
+        forward_left_pair_5 <= forward_left_pair_5_choice;
+        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
+          forward_left_pair_0;
+        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
+          forward_left_pair_2;
+        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
+          forward_left_pair_4;
+        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
+          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
+        forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
+        forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
+          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
+          forward_left_tree_next_smallest_0;
+        forward_left_start_cost_0 <= forward_left_p2 when sums_turn_waiting_first_3 else
+          forward_left_start_cost_0_choice_2;
+        forward_left_start_cost_1 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_0;
+        forward_left_start_cost_2 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_1;
+        forward_left_start_cost_3 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_2;
+        forward_left_start_cost_4 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_3;
+        forward_left_start_cost_5 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_4;
+        forward_left_start_cost_6 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_5;
+        forward_left_room <= 0 when sums_turn_waiting_first_3 else (forward_left_room_choice_2 +
+          forward_left_start_cost_6) mod 32;
+        forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
+        forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 - forward_left_p1) mod 128;
+        forward_left_first_0 <= sums_turn_waiting_first_3;
+        forward_left_first_1 <= forward_left_first_0;
+        forward_left_first_2 <= forward_left_first_1;
+        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 128;
+        forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 128;
+        forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_2 <= (forward_cost_0_2 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_3 <= (forward_cost_0_3 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_4 <= (forward_cost_0_4 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_5 <= (forward_cost_0_5 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_6 <= (forward_cost_0_6 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_7 <= (forward_cost_0_7 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_8 <= (forward_cost_0_8 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_9 <= (forward_cost_0_9 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_10 <= (forward_cost_0_10 - forward_left_g_copy_0) mod 128;
+        forward_left_stay_change_11 <= (forward_cost_0_11 - forward_left_g_copy_0) mod 128;
+        forward_left_step_change_0 <= (forward_cost_0_0 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_1 <= (forward_cost_0_1 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_2 <= (forward_cost_0_2 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_3 <= (forward_cost_0_3 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_4 <= (forward_cost_0_4 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_5 <= (forward_cost_0_5 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_6 <= (forward_cost_0_6 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_7 <= (forward_cost_0_7 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_8 <= (forward_cost_0_8 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_9 <= (forward_cost_0_9 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_10 <= (forward_cost_0_10 - forward_left_g_less_copy_0) mod 128;
+        forward_left_step_change_11 <= (forward_cost_0_11 - forward_left_g_less_copy_0) mod 128;
+        forward_left_cost_0 <= (forward_left_cost_0_choice_2 + forward_left_stay_change_0) mod 128;
+        forward_left_cost_1 <= (forward_left_cost_1_choice_2 + forward_left_stay_change_1) mod 128;
+        forward_left_cost_2 <= (forward_left_cost_2_choice_2 + forward_left_stay_change_2) mod 128;
+        forward_left_cost_3 <= (forward_left_cost_3_choice_2 + forward_left_stay_change_3) mod 128;
+        forward_left_cost_4 <= (forward_left_cost_4_choice_2 + forward_left_stay_change_4) mod 128;
+        forward_left_cost_5 <= (forward_left_cost_5_choice_2 + forward_left_stay_change_5) mod 128;
+        forward_left_cost_6 <= (forward_left_cost_6_choice_2 + forward_left_stay_change_6) mod 128;
+        forward_left_cost_7 <= (forward_left_cost_7_choice_2 + forward_left_stay_change_7) mod 128;
+        forward_left_cost_8 <= (forward_left_cost_8_choice_2 + forward_left_stay_change_8) mod 128;
+        forward_left_cost_9 <= (forward_left_cost_9_choice_2 + forward_left_stay_change_9) mod 128;
+        forward_left_cost_10 <= (forward_left_cost_10_choice_2 + forward_left_stay_change_10) mod 128;
+        forward_left_cost_11 <= (forward_left_cost_11_choice_2 + forward_left_stay_change_11) mod 128;
+        forward_left_arrived_0 <= (forward_left_arrived_0_choice + forward_left_step_change_0) mod 128;
+        forward_left_arrived_1 <= (forward_left_arrived_1_choice + forward_left_step_change_1) mod 128;
+        forward_left_arrived_2 <= (forward_left_arrived_2_choice + forward_left_step_change_2) mod 128;
+        forward_left_arrived_3 <= (forward_left_arrived_3_choice_2 + forward_left_step_change_3) mod 128;
+        forward_left_arrived_4 <= (forward_left_arrived_4_choice_2 + forward_left_step_change_4) mod 128;
+        forward_left_arrived_5 <= (forward_left_arrived_5_choice + forward_left_step_change_5) mod 128;
+        forward_left_arrived_6 <= (forward_left_arrived_6_choice + forward_left_step_change_6) mod 128;
+        forward_left_arrived_7 <= (forward_left_arrived_7_choice_2 + forward_left_step_change_7) mod 128;
+        forward_left_arrived_8 <= (forward_left_arrived_8_choice_2 + forward_left_step_change_8) mod 128;
+        forward_left_arrived_9 <= (forward_left_arrived_9_choice + forward_left_step_change_9) mod 128;
+        forward_left_arrived_10 <= (forward_left_arrived_10_choice + forward_left_step_change_10) mod 128;
+        forward_left_arrived_11 <= (forward_left_arrived_11_choice + forward_left_step_change_11) mod 128;
+        forward_above_ready_words_0 <= forward_above_read_words_0;
+        forward_above_ready_words_1 <= forward_above_read_words_1;
+        forward_above_ready_cost_0 <= entry_cost_0;
+        forward_above_ready_cost_1 <= entry_cost_1;
+        forward_above_ready_cost_2 <= entry_cost_2;
+        forward_above_ready_cost_3 <= entry_cost_3;
+        forward_above_ready_cost_4 <= entry_cost_4;
+        forward_above_ready_cost_5 <= entry_cost_5;
+        forward_above_ready_cost_6 <= entry_cost_6;
+        forward_above_ready_cost_7 <= entry_cost_7;
+        forward_above_ready_cost_8 <= entry_cost_8;
+        forward_above_ready_cost_9 <= entry_cost_9;
+        forward_above_ready_cost_10 <= entry_cost_10;
+        forward_above_ready_cost_11 <= entry_cost_11;
+        forward_above_ready_top <= entry_top;
+        forward_above_total_0 <= forward_above_total_0_choice + forward_above_ready_cost_0;
+        forward_above_total_1 <= forward_above_total_1_choice + forward_above_ready_cost_1;
+        forward_above_total_2 <= forward_above_total_2_choice + forward_above_ready_cost_2;
+        forward_above_total_3 <= forward_above_total_3_choice + forward_above_ready_cost_3;
+        forward_above_total_4 <= forward_above_total_4_choice + forward_above_ready_cost_4;
+        forward_above_total_5 <= forward_above_total_5_choice + forward_above_ready_cost_5;
+        forward_above_total_6 <= forward_above_total_6_choice + forward_above_ready_cost_6;
+        forward_above_total_7 <= forward_above_total_7_choice + forward_above_ready_cost_7;
+        forward_above_total_8 <= forward_above_total_8_choice + forward_above_ready_cost_8;
+        forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
+        forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
+        forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
+        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
+          else forward_above_total_0;
+        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
+          else forward_above_total_2;
+        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
+          else forward_above_total_4;
+        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
+          else forward_above_total_6;
+        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
+          else forward_above_total_8;
+        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
+          < 0 else forward_above_total_10;
+        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
+          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
+        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
+          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
+        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
+          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
+        forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
+          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
+          forward_above_tree_next_smallest_0;
+        forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
+        forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
+          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
+          forward_above_tree_next_next_smallest_0;
+        forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
+          (forward_above_delay_ring_read_address + 1) mod 8;
+        forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
+        forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
+        forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(29 downto 6)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_2 <= (to_integer(forward_above_delay_held_0(29 downto 12)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_3 <= (to_integer(forward_above_delay_held_0(29 downto 18)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_4 <= (to_integer(forward_above_delay_held_0(29 downto 24)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_5 <= (to_integer(forward_above_delay_held_1) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost_6 <= (to_integer(forward_above_delay_held_1(29 downto 6)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_7 <= (to_integer(forward_above_delay_held_1(29 downto 12)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_8 <= (to_integer(forward_above_delay_held_1(29 downto 18)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_9 <= (to_integer(forward_above_delay_held_1(29 downto 24)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_10 <= (to_integer(forward_above_delay_held_2) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_beside_0 <= forward_above_cost_1;
+        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
+          forward_above_cost_0;
+        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
+          forward_above_cost_1;
+        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
+          forward_above_cost_2;
+        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
+          forward_above_cost_3;
+        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
+          forward_above_cost_4;
+        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
+          forward_above_cost_5;
+        forward_above_beside_7 <= forward_above_cost_6;
+        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
+          forward_above_cost_7;
+        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
+          forward_above_cost_8;
+        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
+          forward_above_cost_9;
+        forward_above_beside_11 <= forward_above_cost_10;
+        forward_above_own_0 <= forward_above_cost_0;
+        forward_above_own_2 <= forward_above_cost_2;
+        forward_above_own_3 <= forward_above_cost_3;
+        forward_above_own_4 <= forward_above_cost_4;
+        forward_above_own_5 <= forward_above_cost_5;
+        forward_above_own_6 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
+          forward_above_cost_6;
+        forward_above_own_7 <= forward_above_cost_7;
+        forward_above_own_8 <= forward_above_cost_8;
+        forward_above_own_9 <= forward_above_cost_9;
+        forward_above_own_11 <= forward_above_cost_11;
+        forward_above_step_0 <= forward_above_beside_0 + forward_above_p1;
+        forward_above_step_1 <= forward_above_beside_1 + forward_above_p1;
+        forward_above_step_2 <= forward_above_beside_2 + forward_above_p1;
+        forward_above_step_3 <= forward_above_beside_3 + forward_above_p1;
+        forward_above_step_4 <= forward_above_beside_4 + forward_above_p1;
+        forward_above_step_5 <= forward_above_beside_5 + forward_above_p1;
+        forward_above_step_6 <= forward_above_beside_6 + forward_above_p1;
+        forward_above_step_7 <= forward_above_own_6 + forward_above_p1;
+        forward_above_step_8 <= forward_above_beside_8 + forward_above_p1;
+        forward_above_step_9 <= forward_above_beside_9 + forward_above_p1;
+        forward_above_step_10 <= forward_above_beside_10 + forward_above_p1;
+        forward_above_step_11 <= forward_above_beside_11 + forward_above_p1;
+        forward_above_stay_0 <= forward_above_p2 when forward_above_stay_0_choice_6 else forward_above_own_0;
+        forward_above_stay_1 <= forward_above_p2 when forward_above_stay_1_choice_5 else forward_above_beside_0;
+        forward_above_stay_2 <= forward_above_p2 when forward_above_stay_2_choice_5 else forward_above_own_2;
+        forward_above_stay_3 <= forward_above_p2 when forward_above_stay_3_choice_5 else forward_above_own_3;
+        forward_above_stay_4 <= forward_above_p2 when forward_above_stay_4_choice_5 else forward_above_own_4;
+        forward_above_stay_5 <= forward_above_p2 when forward_above_stay_5_choice_5 else forward_above_own_5;
+        forward_above_stay_6 <= forward_above_p2 when forward_above_stay_6_choice_5 else forward_above_beside_7;
+        forward_above_stay_7 <= forward_above_p2 when forward_above_stay_7_choice_5 else forward_above_own_7;
+        forward_above_stay_8 <= forward_above_p2 when forward_above_stay_8_choice_5 else forward_above_own_8;
+        forward_above_stay_9 <= forward_above_p2 when forward_above_stay_9_choice_5 else forward_above_own_9;
+        forward_above_stay_10 <= forward_above_p2 when forward_above_stay_10_choice_5 else forward_above_beside_11;
+        forward_above_stay_11 <= forward_above_p2 when forward_above_stay_11_choice_5 else forward_above_own_11;
+        forward_above_comes_0 <= entry_tag_map_column;
+        forward_above_comes_1 <= forward_above_comes_0;
+        forward_above_comes_2 <= forward_above_comes_1;
+        forward_above_comes_3 <= forward_above_comes_2;
+        forward_above_comes_4 <= forward_above_comes_3;
+        forward_above_comes_5 <= forward_above_comes_4;
+        forward_above_comes_6 <= forward_above_comes_5;
+        forward_above_comes_7 <= forward_above_comes_6;
+        forward_above_comes_8 <= forward_above_comes_7;
+        forward_above_comes_9 <= forward_above_comes_8;
+        forward_above_column_0 <= entry_column;
+        forward_above_column_1 <= forward_above_column_0;
+        forward_above_column_2 <= forward_above_column_1;
+        forward_above_column_3 <= forward_above_column_2;
+        forward_above_column_4 <= forward_above_column_3;
+        forward_above_column_5 <= forward_above_column_4;
+        forward_above_column_6 <= forward_above_column_5;
+        forward_above_column_7 <= forward_above_column_6;
+        forward_above_column_8 <= forward_above_column_7;
+        forward_above_column_9 <= forward_above_column_8;
+        forward_sum_0 <= (forward_left_cost_0 + forward_above_cost_0) mod 128;
+        forward_sum_1 <= (forward_left_cost_1 + forward_above_cost_1) mod 128;
+        forward_sum_2 <= (forward_left_cost_2 + forward_above_cost_2) mod 128;
+        forward_sum_3 <= (forward_left_cost_3 + forward_above_cost_3) mod 128;
+        forward_sum_4 <= (forward_left_cost_4 + forward_above_cost_4) mod 128;
+        forward_sum_5 <= (forward_left_cost_5 + forward_above_cost_5) mod 128;
+        forward_sum_6 <= (forward_left_cost_6 + forward_above_cost_6) mod 128;
+        forward_sum_7 <= (forward_left_cost_7 + forward_above_cost_7) mod 128;
+        forward_sum_8 <= (forward_left_cost_8 + forward_above_cost_8) mod 128;
+        forward_sum_9 <= (forward_left_cost_9 + forward_above_cost_9) mod 128;
+        forward_sum_10 <= (forward_left_cost_10 + forward_above_cost_10) mod 128;
+        forward_sum_11 <= (forward_left_cost_11 + forward_above_cost_11) mod 128;
+        forward_first_0 <= entry_turned_first_column;
+        forward_first_1 <= forward_first_0;
+        forward_first_2 <= forward_first_1;
+        forward_first_3 <= forward_first_2;
+        forward_first_4 <= forward_first_3;
+        forward_first_5 <= forward_first_4;
+        forward_first_6 <= forward_first_5;
+        forward_first_7 <= forward_first_6;
+        forward_first_8 <= forward_first_7;
+        forward_starts_moved_0 <= entry_tag_start_of_frame;
+        forward_starts_moved_1 <= forward_starts_moved_0;
+        forward_starts_moved_2 <= forward_starts_moved_1;
+        forward_starts_moved_3 <= forward_starts_moved_2;
+        forward_starts_moved_4 <= forward_starts_moved_3;
+        forward_starts_moved_5 <= forward_starts_moved_4;
+        forward_starts_moved_6 <= forward_starts_moved_5;
+        forward_starts_moved_7 <= forward_starts_moved_6;
+        forward_cost_0_0 <= to_integer(forward_cost_delay_held_0(3 downto 0));
+        forward_cost_0_1 <= to_integer(forward_cost_delay_held_0(7 downto 0)) / 16;
+        forward_cost_0_2 <= to_integer(forward_cost_delay_held_0(11 downto 8));
+        forward_cost_0_3 <= to_integer(forward_cost_delay_held_0(15 downto 12));
+        forward_cost_0_4 <= to_integer(forward_cost_delay_held_0(19 downto 16));
+        forward_cost_0_5 <= to_integer(forward_cost_delay_held_0(23 downto 20));
+        forward_cost_0_6 <= to_integer(forward_cost_delay_held_0(27 downto 24));
+        forward_cost_0_7 <= to_integer(forward_cost_delay_held_0(31 downto 28));
+        forward_cost_0_8 <= to_integer(forward_cost_delay_held_1(3 downto 0));
+        forward_cost_0_9 <= to_integer(forward_cost_delay_held_1(7 downto 0)) / 16;
+        forward_cost_0_10 <= to_integer(forward_cost_delay_held_1(11 downto 8));
+        forward_cost_0_11 <= to_integer(forward_cost_delay_held_1(15 downto 12));
+        forward_cost_1_0 <= forward_cost_0_0;
+        forward_cost_1_1 <= forward_cost_0_1;
+        forward_cost_1_2 <= forward_cost_0_2;
+        forward_cost_1_3 <= forward_cost_0_3;
+        forward_cost_1_4 <= forward_cost_0_4;
+        forward_cost_1_5 <= forward_cost_0_5;
+        forward_cost_1_6 <= forward_cost_0_6;
+        forward_cost_1_7 <= forward_cost_0_7;
+        forward_cost_1_8 <= forward_cost_0_8;
+        forward_cost_1_9 <= forward_cost_0_9;
+        forward_cost_1_10 <= forward_cost_0_10;
+        forward_cost_1_11 <= forward_cost_0_11;
+        forward_cost_2_0 <= forward_cost_1_0;
+        forward_cost_2_1 <= forward_cost_1_1;
+        forward_cost_2_2 <= forward_cost_1_2;
+        forward_cost_2_3 <= forward_cost_1_3;
+        forward_cost_2_4 <= forward_cost_1_4;
+        forward_cost_2_5 <= forward_cost_1_5;
+        forward_cost_2_6 <= forward_cost_1_6;
+        forward_cost_2_7 <= forward_cost_1_7;
+        forward_cost_2_8 <= forward_cost_1_8;
+        forward_cost_2_9 <= forward_cost_1_9;
+        forward_cost_2_10 <= forward_cost_1_10;
+        forward_cost_2_11 <= forward_cost_1_11;
+        forward_cost_3_0 <= forward_cost_2_0;
+        forward_cost_3_1 <= forward_cost_2_1;
+        forward_cost_3_2 <= forward_cost_2_2;
+        forward_cost_3_3 <= forward_cost_2_3;
+        forward_cost_3_4 <= forward_cost_2_4;
+        forward_cost_3_5 <= forward_cost_2_5;
+        forward_cost_3_6 <= forward_cost_2_6;
+        forward_cost_3_7 <= forward_cost_2_7;
+        forward_cost_3_8 <= forward_cost_2_8;
+        forward_cost_3_9 <= forward_cost_2_9;
+        forward_cost_3_10 <= forward_cost_2_10;
+        forward_cost_3_11 <= forward_cost_2_11;
+        forward_smallest_cost_0 <= forward_smallest_next_next_next_smallest_0;
+        forward_smallest_cost_1 <= forward_smallest_cost_0;
+        forward_smallest_cost_2 <= forward_smallest_cost_1;
+        forward_smallest_cost_3 <= forward_smallest_cost_2;
+        forward_smallest_cost_4 <= forward_smallest_cost_3;
+      end if;
+      forward_left_p1_any := (not forward_starts_moved_2) or (not entry_tag_valid);
+      if not forward_left_p1_any then
+        forward_left_p1 <= settings_p1;
+        forward_left_p2 <= settings_p2;
+      end if;
+      if not ((not entry_tag_start_of_frame) or (not entry_tag_valid)) then
+        forward_above_top_p2 <= settings_p2;
+      end if;
+      forward_above_p1_any := (not forward_starts_moved_7) or (not entry_tag_valid);
+      if not forward_above_p1_any then
+        forward_above_p1 <= settings_p1;
+        forward_above_p2 <= settings_p2;
+      end if;
+      forward_above_writes_copy_0_choice := forward_above_comes_8 when entry_tag_valid else forward_above_comes_9;
+      forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_writes_copy_0_choice;
+      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
+        else forward_above_stay_4;
+      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
+        0 else forward_above_stay_5;
+      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
+        0 else forward_above_stay_3;
+      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
+        0 else forward_above_stay_2;
+      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
+        0 else forward_above_stay_0;
+      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
+        0 else forward_above_stay_1;
+      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
+        < 0 else forward_above_stay_10;
+      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
+        forward_above_stay_11) < 0 else forward_above_stay_11;
+      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
+        0 else forward_above_stay_9;
+      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
+        0 else forward_above_stay_8;
+      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
+        0 else forward_above_stay_6;
+      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
+        0 else forward_above_stay_7;
+      if forward_above_writes_copy_0 then
+        forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
+          20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
+          (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
+          (to_unsigned(forward_above_write_words_0_choice_4, 22) & to_unsigned(0, 10)))) or
+          (to_unsigned(forward_above_write_words_0_choice_5, 32)))) or
+          (to_unsigned(forward_above_write_words_0_choice_6, 27) & to_unsigned(0, 5)));
+        forward_above_write_words_1 <= ((((((((((to_unsigned(forward_above_write_words_1_choice, 12) & to_unsigned(0,
+          20)) or (to_unsigned(forward_above_write_words_1_choice_2, 7) & to_unsigned(0, 25)))) or
+          (to_unsigned(forward_above_write_words_1_choice_3, 17) & to_unsigned(0, 15)))) or
+          (to_unsigned(forward_above_write_words_1_choice_4, 22) & to_unsigned(0, 10)))) or
+          (to_unsigned(forward_above_write_words_1_choice_5, 32)))) or
+          (to_unsigned(forward_above_write_words_1_choice_6, 27) & to_unsigned(0, 5)));
+        forward_above_write_column <= forward_above_column_9;
+      end if;
+      -- sums
+      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
+        sums_right_cost_0;
+      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
+        sums_right_cost_1;
+      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
+        sums_right_cost_4;
+      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
+        sums_right_cost_5;
+      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
+        sums_right_cost_8;
+      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
+        sums_right_cost_9;
+      sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_room) / 64) = 1;
+      if sums_right_start_cost_0_value then
+        sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 3) mod 4) * 64) +
+          ((sums_right_tree_next_next_smallest_0 + sums_right_room) mod 64);
+      else
+        sums_right_start_cost_0_choice := 0;
+      end if;
+      if (sums_right_tree_next_next_smallest_0 / 64) = 1 then
+        sums_right_start_cost_0_choice_2 := sums_right_room;
+      else
+        sums_right_start_cost_0_choice_2 := sums_right_start_cost_0_choice;
+      end if;
+      if sums_right_start_cost_0_value then
+        sums_right_room_choice := (0 - sums_right_tree_next_next_smallest_0) mod 32;
+      else
+        sums_right_room_choice := sums_right_room;
+      end if;
+      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 64) = 1 else sums_right_room_choice;
+      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
+        sums_right_cost_0;
+      sums_right_cost_0_choice_2 := 64 when ((sums_right_cost_0_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_0_choice;
+      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
+        sums_right_cost_1;
+      sums_right_cost_1_choice_2 := 64 when ((sums_right_cost_1_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_1_choice;
+      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
+        sums_right_cost_2;
+      sums_right_cost_2_choice_2 := 64 when ((sums_right_cost_2_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_2_choice;
+      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
+        sums_right_cost_3;
+      sums_right_cost_3_choice_2 := 64 when ((sums_right_cost_3_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_3_choice;
+      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
+        sums_right_cost_4;
+      sums_right_cost_4_choice_2 := 64 when ((sums_right_cost_4_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_4_choice;
+      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
+        sums_right_cost_5;
+      sums_right_cost_5_choice_2 := 64 when ((sums_right_cost_5_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_5_choice;
+      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
+        sums_right_cost_6;
+      sums_right_cost_6_choice_2 := 64 when ((sums_right_cost_6_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_6_choice;
+      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
+        sums_right_cost_7;
+      sums_right_cost_7_choice_2 := 64 when ((sums_right_cost_7_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_7_choice;
+      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
+        sums_right_cost_8;
+      sums_right_cost_8_choice_2 := 64 when ((sums_right_cost_8_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_8_choice;
+      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
+        sums_right_cost_9;
+      sums_right_cost_9_choice_2 := 64 when ((sums_right_cost_9_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_9_choice;
+      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
+        sums_right_cost_10;
+      sums_right_cost_10_choice_2 := 64 when ((sums_right_cost_10_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_10_choice;
+      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
+        sums_right_cost_11;
+      sums_right_cost_11_choice_2 := 64 when ((sums_right_cost_11_choice / 64) = 1) or sums_tags_held_12_first_column
+        else sums_right_cost_11_choice;
+      sums_right_arrived_0_choice := 64 when sums_tags_held_12_first_column else sums_right_cost_1;
+      sums_right_arrived_1_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_0_choice;
+      sums_right_arrived_2_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_1_choice;
+      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
+        sums_right_cost_2;
+      sums_right_arrived_3_choice_2 := 64 when sums_tags_held_12_first_column else sums_right_arrived_3_choice;
+      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
+        sums_right_cost_3;
+      sums_right_arrived_4_choice_2 := 64 when sums_tags_held_12_first_column else sums_right_arrived_4_choice;
+      sums_right_arrived_5_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_2_choice;
+      sums_right_arrived_6_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_3_choice;
+      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
+        sums_right_cost_6;
+      sums_right_arrived_7_choice_2 := 64 when sums_tags_held_12_first_column else sums_right_arrived_7_choice;
+      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
+        sums_right_cost_7;
+      sums_right_arrived_8_choice_2 := 64 when sums_tags_held_12_first_column else sums_right_arrived_8_choice;
+      sums_right_arrived_9_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_4_choice;
+      sums_right_arrived_10_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_5_choice;
+      sums_right_arrived_11_choice := 64 when sums_tags_held_12_first_column else sums_right_cost_10;
+      if entry_tag_valid then
+        sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
+        sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
+        sums_turn_ready_sums_2 <= to_integer(sums_turn_read_sums_2);
+        sums_turn_ready_costs_0 <= sums_turn_read_costs_0;
+        sums_turn_ready_costs_1 <= to_integer(sums_turn_read_costs_1);
+        sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
+        sums_turn_ready_first <= forward_first_8;
+        sums_turn_place_0 <= entry_place;
+        sums_turn_place_1 <= sums_turn_place_0;
+        sums_turn_place_2 <= sums_turn_place_1;
+        sums_turn_place_3 <= sums_turn_place_2;
+        sums_turn_place_4 <= sums_turn_place_3;
+        sums_turn_place_5 <= sums_turn_place_4;
+        sums_turn_place_6 <= sums_turn_place_5;
+        sums_turn_place_7 <= sums_turn_place_6;
+        sums_turn_place_8 <= sums_turn_place_7;
+        sums_turn_waiting_first_0 <= entry_tag_first_column;
+        sums_turn_waiting_first_1 <= sums_turn_waiting_first_0;
+        sums_turn_waiting_first_2 <= sums_turn_waiting_first_1;
+        sums_turn_waiting_first_3 <= sums_turn_waiting_first_2;
+        sums_cost_0_0 <= to_integer(sums_turn_ready_costs_0(3 downto 0));
+        sums_cost_0_1 <= to_integer(sums_turn_ready_costs_0(7 downto 0)) / 16;
+        sums_cost_0_2 <= to_integer(sums_turn_ready_costs_0(11 downto 8));
+        sums_cost_0_3 <= to_integer(sums_turn_ready_costs_0(15 downto 12));
+        sums_cost_0_4 <= to_integer(sums_turn_ready_costs_0(19 downto 16));
+        sums_cost_0_5 <= to_integer(sums_turn_ready_costs_0(23 downto 20));
+        sums_cost_0_6 <= to_integer(sums_turn_ready_costs_0(27 downto 24));
+        sums_cost_0_7 <= to_integer(sums_turn_ready_costs_0(31 downto 28));
+        sums_cost_0_8 <= sums_turn_ready_costs_1 mod 16;
+        sums_cost_0_9 <= (sums_turn_ready_costs_1 mod 256) / 16;
+        sums_cost_0_10 <= (sums_turn_ready_costs_1 / 256) mod 16;
+        sums_cost_0_11 <= sums_turn_ready_costs_1 / 4096;
+        sums_cost_1_0 <= sums_cost_0_0;
+        sums_cost_1_1 <= sums_cost_0_1;
+        sums_cost_1_2 <= sums_cost_0_2;
+        sums_cost_1_3 <= sums_cost_0_3;
+        sums_cost_1_4 <= sums_cost_0_4;
+        sums_cost_1_5 <= sums_cost_0_5;
+        sums_cost_1_6 <= sums_cost_0_6;
+        sums_cost_1_7 <= sums_cost_0_7;
+        sums_cost_1_8 <= sums_cost_0_8;
+        sums_cost_1_9 <= sums_cost_0_9;
+        sums_cost_1_10 <= sums_cost_0_10;
+        sums_cost_1_11 <= sums_cost_0_11;
+        sums_right_pair_0 <= sums_right_pair_0_choice;
+        sums_right_pair_1 <= sums_right_pair_1_choice;
+        sums_right_pair_2 <= sums_right_pair_2_choice;
+        sums_right_pair_3 <= sums_right_pair_3_choice;
+        sums_right_pair_4 <= sums_right_pair_4_choice;
+        sums_right_pair_5 <= sums_right_pair_5_choice;
+        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
+          sums_right_pair_0;
+        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
+          sums_right_pair_2;
+        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
+          sums_right_pair_4;
+        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
+          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
+        sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
+        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
+          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
+        sums_right_start_cost_0 <= sums_right_p2 when sums_turn_ready_first else sums_right_start_cost_0_choice_2;
+        sums_right_start_cost_1 <= 0 when sums_turn_ready_first else sums_right_start_cost_0;
+        sums_right_start_cost_2 <= 0 when sums_turn_ready_first else sums_right_start_cost_1;
+        sums_right_start_cost_3 <= 0 when sums_turn_ready_first else sums_right_start_cost_2;
+        sums_right_start_cost_4 <= 0 when sums_turn_ready_first else sums_right_start_cost_3;
+        sums_right_start_cost_5 <= 0 when sums_turn_ready_first else sums_right_start_cost_4;
+        sums_right_start_cost_6 <= 0 when sums_turn_ready_first else sums_right_start_cost_5;
+        sums_right_room <= 0 when sums_turn_ready_first else (sums_right_room_choice_2 + sums_right_start_cost_6) mod
+          32;
+        sums_right_smallest <= sums_turn_ready_smallest_0;
+        sums_right_smallest_less <= (sums_turn_ready_smallest_0 - sums_right_p1) mod 128;
+        sums_right_first_0 <= sums_turn_ready_first;
+        sums_right_first_1 <= sums_right_first_0;
+        sums_right_first_2 <= sums_right_first_1;
+        sums_right_g_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest) mod 128;
+        sums_right_g_less_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest_less) mod 128;
+        sums_right_stay_change_0 <= (sums_cost_1_0 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_1 <= (sums_cost_1_1 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_2 <= (sums_cost_1_2 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_3 <= (sums_cost_1_3 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_4 <= (sums_cost_1_4 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_5 <= (sums_cost_1_5 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_6 <= (sums_cost_1_6 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_7 <= (sums_cost_1_7 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_8 <= (sums_cost_1_8 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_9 <= (sums_cost_1_9 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_10 <= (sums_cost_1_10 - sums_right_g_copy_0) mod 128;
+        sums_right_stay_change_11 <= (sums_cost_1_11 - sums_right_g_copy_0) mod 128;
+        sums_right_step_change_0 <= (sums_cost_1_0 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_1 <= (sums_cost_1_1 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_2 <= (sums_cost_1_2 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_3 <= (sums_cost_1_3 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_4 <= (sums_cost_1_4 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_5 <= (sums_cost_1_5 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_6 <= (sums_cost_1_6 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_7 <= (sums_cost_1_7 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_8 <= (sums_cost_1_8 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_9 <= (sums_cost_1_9 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_10 <= (sums_cost_1_10 - sums_right_g_less_copy_0) mod 128;
+        sums_right_step_change_11 <= (sums_cost_1_11 - sums_right_g_less_copy_0) mod 128;
+        sums_right_cost_0 <= (sums_right_cost_0_choice_2 + sums_right_stay_change_0) mod 128;
+        sums_right_cost_1 <= (sums_right_cost_1_choice_2 + sums_right_stay_change_1) mod 128;
+        sums_right_cost_2 <= (sums_right_cost_2_choice_2 + sums_right_stay_change_2) mod 128;
+        sums_right_cost_3 <= (sums_right_cost_3_choice_2 + sums_right_stay_change_3) mod 128;
+        sums_right_cost_4 <= (sums_right_cost_4_choice_2 + sums_right_stay_change_4) mod 128;
+        sums_right_cost_5 <= (sums_right_cost_5_choice_2 + sums_right_stay_change_5) mod 128;
+        sums_right_cost_6 <= (sums_right_cost_6_choice_2 + sums_right_stay_change_6) mod 128;
+        sums_right_cost_7 <= (sums_right_cost_7_choice_2 + sums_right_stay_change_7) mod 128;
+        sums_right_cost_8 <= (sums_right_cost_8_choice_2 + sums_right_stay_change_8) mod 128;
+        sums_right_cost_9 <= (sums_right_cost_9_choice_2 + sums_right_stay_change_9) mod 128;
+        sums_right_cost_10 <= (sums_right_cost_10_choice_2 + sums_right_stay_change_10) mod 128;
+        sums_right_cost_11 <= (sums_right_cost_11_choice_2 + sums_right_stay_change_11) mod 128;
+        sums_right_arrived_0 <= (sums_right_arrived_0_choice + sums_right_step_change_0) mod 128;
+        sums_right_arrived_1 <= (sums_right_arrived_1_choice + sums_right_step_change_1) mod 128;
+        sums_right_arrived_2 <= (sums_right_arrived_2_choice + sums_right_step_change_2) mod 128;
+        sums_right_arrived_3 <= (sums_right_arrived_3_choice_2 + sums_right_step_change_3) mod 128;
+        sums_right_arrived_4 <= (sums_right_arrived_4_choice_2 + sums_right_step_change_4) mod 128;
+        sums_right_arrived_5 <= (sums_right_arrived_5_choice + sums_right_step_change_5) mod 128;
+        sums_right_arrived_6 <= (sums_right_arrived_6_choice + sums_right_step_change_6) mod 128;
+        sums_right_arrived_7 <= (sums_right_arrived_7_choice_2 + sums_right_step_change_7) mod 128;
+        sums_right_arrived_8 <= (sums_right_arrived_8_choice_2 + sums_right_step_change_8) mod 128;
+        sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 128;
+        sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 128;
+        sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 128;
+        sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
+          (sums_sum_delay_ring_read_address + 1) mod 4;
+        sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
+        sums_tags_held_0_output_column <= entry_turned_output_column;
+        sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
+        sums_tags_held_0_end_of_line <= entry_tag_end_of_line;
+        sums_tags_held_1_output_column <= sums_tags_held_0_output_column;
+        sums_tags_held_1_start_of_frame <= sums_tags_held_0_start_of_frame;
+        sums_tags_held_1_end_of_line <= sums_tags_held_0_end_of_line;
+        sums_tags_held_2_output_column <= sums_tags_held_1_output_column;
+        sums_tags_held_2_start_of_frame <= sums_tags_held_1_start_of_frame;
+        sums_tags_held_2_end_of_line <= sums_tags_held_1_end_of_line;
+        sums_tags_held_3_output_column <= sums_tags_held_2_output_column;
+        sums_tags_held_3_start_of_frame <= sums_tags_held_2_start_of_frame;
+        sums_tags_held_3_end_of_line <= sums_tags_held_2_end_of_line;
+        sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
+        sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
+        sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
+        sums_tags_held_5_output_column <= sums_tags_held_4_output_column;
+        sums_tags_held_5_start_of_frame <= sums_tags_held_4_start_of_frame;
+        sums_tags_held_5_end_of_line <= sums_tags_held_4_end_of_line;
+        sums_tags_held_6_output_column <= sums_tags_held_5_output_column;
+        sums_tags_held_6_start_of_frame <= sums_tags_held_5_start_of_frame;
+        sums_tags_held_6_end_of_line <= sums_tags_held_5_end_of_line;
+        sums_tags_held_7_output_column <= sums_tags_held_6_output_column;
+        sums_tags_held_7_start_of_frame <= sums_tags_held_6_start_of_frame;
+        sums_tags_held_7_end_of_line <= sums_tags_held_6_end_of_line;
+        sums_tags_held_8_output_column <= sums_tags_held_7_output_column;
+        sums_tags_held_8_start_of_frame <= sums_tags_held_7_start_of_frame;
+        sums_tags_held_8_end_of_line <= sums_tags_held_7_end_of_line;
+        sums_tags_held_9_output_column <= sums_tags_held_8_output_column;
+        sums_tags_held_9_start_of_frame <= sums_tags_held_8_start_of_frame;
+        sums_tags_held_9_end_of_line <= sums_tags_held_8_end_of_line;
+        sums_tags_held_10_map_column <= forward_above_comes_9;
+        sums_tags_held_10_output_column <= sums_tags_held_9_output_column;
+        sums_tags_held_10_first_column <= sums_turn_ready_first;
+        sums_tags_held_10_start_of_frame <= sums_tags_held_9_start_of_frame;
+        sums_tags_held_10_end_of_line <= sums_tags_held_9_end_of_line;
+        sums_tags_held_11_map_column <= sums_tags_held_10_map_column;
+        sums_tags_held_11_output_column <= sums_tags_held_10_output_column;
+        sums_tags_held_11_first_column <= sums_tags_held_10_first_column;
+        sums_tags_held_11_start_of_frame <= sums_tags_held_10_start_of_frame;
+        sums_tags_held_11_end_of_line <= sums_tags_held_10_end_of_line;
+        sums_tags_held_12_map_column <= sums_tags_held_11_map_column;
+        sums_tags_held_12_output_column <= sums_tags_held_11_output_column;
+        sums_tags_held_12_first_column <= sums_tags_held_11_first_column;
+        sums_tags_held_12_start_of_frame <= sums_tags_held_11_start_of_frame;
+        sums_tags_held_12_end_of_line <= sums_tags_held_11_end_of_line;
+        sums_tags_held_13_map_column <= sums_tags_held_12_map_column;
+        sums_tags_held_13_output_column <= sums_tags_held_12_output_column;
+        sums_tags_held_13_first_column <= sums_right_first_2;
+        sums_tags_held_13_start_of_frame <= sums_tags_held_12_start_of_frame;
+        sums_tags_held_13_end_of_line <= sums_tags_held_12_end_of_line;
+      end if;
+      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      sums_turn_waiting_read_place_choice := sums_turn_place_6 when entry_tag_valid else sums_turn_place_7;
+      sums_turn_waiting_read_place_choice_2 := sums_turn_place_7 when entry_tag_valid else sums_turn_place_8;
+      sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
+      sums_turn_waiting_read_place <= sums_turn_waiting_read_place_choice when entry_next_tag_valid else
+        sums_turn_waiting_read_place_choice_2;
+      sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(6 downto 0));
+      sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(13 downto 7));
+      sums_sum_0_2 <= sums_right_cost_2 + to_integer(sums_sum_delay_held_0(20 downto 14));
+      sums_sum_0_3 <= sums_right_cost_3 + to_integer(sums_sum_delay_held_0(27 downto 21));
+      sums_sum_0_4 <= sums_right_cost_4 + to_integer(sums_sum_delay_held_1(6 downto 0));
+      sums_sum_0_5 <= sums_right_cost_5 + to_integer(sums_sum_delay_held_1(13 downto 7));
+      sums_sum_0_6 <= sums_right_cost_6 + to_integer(sums_sum_delay_held_1(20 downto 14));
+      sums_sum_0_7 <= sums_right_cost_7 + to_integer(sums_sum_delay_held_1(27 downto 21));
+      sums_sum_0_8 <= sums_right_cost_8 + to_integer(sums_sum_delay_held_2(6 downto 0));
+      sums_sum_0_9 <= sums_right_cost_9 + to_integer(sums_sum_delay_held_2(13 downto 7));
+      sums_sum_0_10 <= sums_right_cost_10 + to_integer(sums_sum_delay_held_2(20 downto 14));
+      sums_sum_0_11 <= sums_right_cost_11 + to_integer(sums_sum_delay_held_2(27 downto 21));
+      sums_tag_valid <= sums_tags_moved;
+      sums_tag_map_column <= sums_tags_held_13_map_column;
+      sums_tag_output_column <= sums_tags_held_13_output_column;
+      sums_tag_first_column <= sums_tags_held_13_first_column;
+      sums_tag_start_of_frame <= sums_tags_held_13_start_of_frame;
+      sums_tag_end_of_line <= sums_tags_held_13_end_of_line;
+      sums_tags_moved <= entry_tag_valid;
+      if sums_turn_writes_copy_0 then
+        sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
+          * 128);
+        sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
+          * 128);
+        sums_turn_write_sums_2 <= (forward_sum_10 * 16384) + (forward_sum_11 * 2097152) + forward_sum_8 +
+          (forward_sum_9 * 128);
+        sums_turn_write_costs_0 <= to_unsigned(forward_cost_3_7, 4) & to_unsigned(forward_cost_3_6, 4) &
+          to_unsigned(forward_cost_3_5, 4) & to_unsigned(forward_cost_3_4, 4) & to_unsigned(forward_cost_3_3, 4) &
+          to_unsigned(forward_cost_3_2, 4) & to_unsigned(forward_cost_3_1, 4) & to_unsigned(forward_cost_3_0, 4);
+        sums_turn_write_costs_1 <= (forward_cost_3_10 * 256) + (forward_cost_3_11 * 4096) + forward_cost_3_8 +
+          (forward_cost_3_9 * 16);
+        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
+        sums_turn_write_place <= sums_turn_place_8;
+      end if;
+      sums_right_p1_any := (not sums_tags_held_8_start_of_frame) or (not entry_tag_valid);
+      if not sums_right_p1_any then
+        sums_right_p1 <= settings_p1;
+        sums_right_p2 <= settings_p2;
+      end if;
+      sums_tag_row_start_value := ((sums_sum_0_8 / 2) mod 2) = 1;
+      sums_tag_row_start_choice := (not sums_tag_row_start_value) or (not ((sums_sum_0_8 mod 2) = 1)) when
+        (winnersother_cost_0_9 mod 2) = 1 else not sums_tag_row_start_value;
+      sums_tag_row_start_choice_2 := sums_tag_row_start_choice when ((winnersother_cost_0_9 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_9 mod 2) = 1) and ((sums_sum_0_8 mod 4) = 0);
+      sums_tag_row_start_value_2 := ((sums_sum_0_8 / 4) mod 2) = 1;
+      sums_tag_row_start_choice_3 := (not (((winnersother_cost_0_9 / 4) mod 2) = 1)) and sums_tag_row_start_value_2
+        when sums_tag_row_start_choice_2 else (not (((winnersother_cost_0_9 / 4) mod 2) = 1)) or
+        sums_tag_row_start_value_2;
+      sums_tag_row_start_value_3 := ((sums_sum_0_8 / 8) mod 2) = 1;
+      sums_tag_row_start_choice_4 := (not (((winnersother_cost_0_9 / 8) mod 2) = 1)) or sums_tag_row_start_value_3 when
+        sums_tag_row_start_choice_3 else (not (((winnersother_cost_0_9 / 8) mod 2) = 1)) and sums_tag_row_start_value_3;
+      sums_tag_row_start_value_4 := ((sums_sum_0_8 / 16) mod 2) = 1;
+      sums_tag_row_start_choice_5 := (not (((winnersother_cost_0_9 / 16) mod 2) = 1)) or sums_tag_row_start_value_4
+        when sums_tag_row_start_choice_4 else (not (((winnersother_cost_0_9 / 16) mod 2) = 1)) and
+        sums_tag_row_start_value_4;
+      sums_tag_row_start_value_5 := ((sums_sum_0_8 / 32) mod 2) = 1;
+      sums_tag_row_start_choice_6 := (not (((winnersother_cost_0_9 / 32) mod 2) = 1)) or sums_tag_row_start_value_5
+        when sums_tag_row_start_choice_5 else (not (((winnersother_cost_0_9 / 32) mod 2) = 1)) and
+        sums_tag_row_start_value_5;
+      sums_tag_row_start_value_6 := ((sums_sum_0_8 / 64) mod 2) = 1;
+      sums_tag_row_start_choice_7 := (not (((winnersother_cost_0_9 / 64) mod 2) = 1)) or sums_tag_row_start_value_6
+        when sums_tag_row_start_choice_6 else (not (((winnersother_cost_0_9 / 64) mod 2) = 1)) and
+        sums_tag_row_start_value_6;
+      sums_tag_row_start_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_8 / 128) = 1) when
+        (winnersother_cost_0_9 / 128) = 1 else not sums_tag_first_column;
+      sums_tag_row_start_choice_9 := sums_tag_row_start_choice_8 when sums_tag_row_start_choice_7 else (not
+        ((winnersother_cost_0_9 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 128) = 1);
+      sums_tag_row_start_all := (not sums_tag_row_start_choice_9) and sums_tag_output_column and
+        winnersmask_searched_10 and winnersmask_inside_8;
+      sums_tag_first_group_value := ((sums_sum_0_10 / 2) mod 2) = 1;
+      sums_tag_first_group_choice := (not sums_tag_first_group_value) or (not ((sums_sum_0_10 mod 2) = 1)) when
+        (winnersother_cost_0_11 mod 2) = 1 else not sums_tag_first_group_value;
+      sums_tag_first_group_choice_2 := sums_tag_first_group_choice when ((winnersother_cost_0_11 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_11 mod 2) = 1) and ((sums_sum_0_10 mod 4) = 0);
+      sums_tag_first_group_value_2 := ((sums_sum_0_10 / 4) mod 2) = 1;
+      sums_tag_first_group_choice_3 := (not (((winnersother_cost_0_11 / 4) mod 2) = 1)) and
+        sums_tag_first_group_value_2 when sums_tag_first_group_choice_2 else (not (((winnersother_cost_0_11 / 4) mod 2)
+        = 1)) or sums_tag_first_group_value_2;
+      sums_tag_first_group_value_3 := ((sums_sum_0_10 / 8) mod 2) = 1;
+      sums_tag_first_group_choice_4 := (not (((winnersother_cost_0_11 / 8) mod 2) = 1)) or sums_tag_first_group_value_3
+        when sums_tag_first_group_choice_3 else (not (((winnersother_cost_0_11 / 8) mod 2) = 1)) and
+        sums_tag_first_group_value_3;
+      sums_tag_first_group_value_4 := ((sums_sum_0_10 / 16) mod 2) = 1;
+      sums_tag_first_group_choice_5 := (not (((winnersother_cost_0_11 / 16) mod 2) = 1)) or
+        sums_tag_first_group_value_4 when sums_tag_first_group_choice_4 else (not (((winnersother_cost_0_11 / 16) mod
+        2) = 1)) and sums_tag_first_group_value_4;
+      sums_tag_first_group_value_5 := ((sums_sum_0_10 / 32) mod 2) = 1;
+      sums_tag_first_group_choice_6 := (not (((winnersother_cost_0_11 / 32) mod 2) = 1)) or
+        sums_tag_first_group_value_5 when sums_tag_first_group_choice_5 else (not (((winnersother_cost_0_11 / 32) mod
+        2) = 1)) and sums_tag_first_group_value_5;
+      sums_tag_first_group_value_6 := ((sums_sum_0_10 / 64) mod 2) = 1;
+      sums_tag_first_group_choice_7 := (not (((winnersother_cost_0_11 / 64) mod 2) = 1)) or
+        sums_tag_first_group_value_6 when sums_tag_first_group_choice_6 else (not (((winnersother_cost_0_11 / 64) mod
+        2) = 1)) and sums_tag_first_group_value_6;
+      sums_tag_first_group_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_10 / 128) = 1) when
+        (winnersother_cost_0_11 / 128) = 1 else not sums_tag_first_column;
+      sums_tag_first_group_choice_9 := sums_tag_first_group_choice_8 when sums_tag_first_group_choice_7 else (not
+        ((winnersother_cost_0_11 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_10 / 128) = 1);
+      sums_tag_first_group_all := (not sums_tag_first_group_choice_9) and sums_tag_output_column and
+        winnersmask_searched_8 and winnersmask_inside_10;
+      sums_tag_newest_inside_all := sums_tag_output_column and winnersmask_searched_0 and winnersmask_inside_11;
+      sums_tag_first_cost_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1)) when
+        (winnersother_cost_0_10 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
+      sums_tag_first_cost_choice_2 := sums_tag_first_cost_choice when ((winnersother_cost_0_10 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_10 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      sums_tag_first_cost_value := ((sums_sum_0_9 / 4) mod 2) = 1;
+      sums_tag_first_cost_choice_3 := (not (((winnersother_cost_0_10 / 4) mod 2) = 1)) and sums_tag_first_cost_value
+        when sums_tag_first_cost_choice_2 else (not (((winnersother_cost_0_10 / 4) mod 2) = 1)) or
+        sums_tag_first_cost_value;
+      sums_tag_first_cost_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
+      sums_tag_first_cost_choice_4 := (not (((winnersother_cost_0_10 / 8) mod 2) = 1)) or sums_tag_first_cost_value_2
+        when sums_tag_first_cost_choice_3 else (not (((winnersother_cost_0_10 / 8) mod 2) = 1)) and
+        sums_tag_first_cost_value_2;
+      sums_tag_first_cost_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
+      sums_tag_first_cost_choice_5 := (not (((winnersother_cost_0_10 / 16) mod 2) = 1)) or sums_tag_first_cost_value_3
+        when sums_tag_first_cost_choice_4 else (not (((winnersother_cost_0_10 / 16) mod 2) = 1)) and
+        sums_tag_first_cost_value_3;
+      sums_tag_first_cost_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
+      sums_tag_first_cost_choice_6 := (not (((winnersother_cost_0_10 / 32) mod 2) = 1)) or sums_tag_first_cost_value_4
+        when sums_tag_first_cost_choice_5 else (not (((winnersother_cost_0_10 / 32) mod 2) = 1)) and
+        sums_tag_first_cost_value_4;
+      sums_tag_first_cost_value_5 := ((sums_sum_0_9 / 64) mod 2) = 1;
+      sums_tag_first_cost_choice_7 := (not (((winnersother_cost_0_10 / 64) mod 2) = 1)) or sums_tag_first_cost_value_5
+        when sums_tag_first_cost_choice_6 else (not (((winnersother_cost_0_10 / 64) mod 2) = 1)) and
+        sums_tag_first_cost_value_5;
+      sums_tag_first_cost_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_9 / 128) = 1) when
+        (winnersother_cost_0_10 / 128) = 1 else not sums_tag_first_column;
+      sums_tag_first_cost_choice_9 := sums_tag_first_cost_choice_8 when sums_tag_first_cost_choice_7 else (not
+        ((winnersother_cost_0_10 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 128) = 1);
+      sums_tag_first_cost_all := (not sums_tag_first_cost_choice_9) and sums_tag_output_column and
+        winnersmask_searched_9 and winnersmask_inside_9;
+      if sums_tag_valid then
+        sums_tag_row_start <= 8 when sums_tag_row_start_all else sums_tag_first_cost;
+        sums_tag_first_group <= 10 when sums_tag_first_group_all else sums_tag_newest_inside;
+        sums_tag_newest_inside <= 11 when sums_tag_newest_inside_all else 0;
+        sums_tag_first_cost <= 9 when sums_tag_first_cost_all else sums_tag_first_group;
+      end if;
+      -- winnersmask
+      if sums_tags_moved then
+        winnersmask_inside_0 <= sums_tags_held_13_first_column or winnersmask_inside_1;
+        winnersmask_inside_1 <= sums_tags_held_13_first_column or winnersmask_inside_2;
+        winnersmask_inside_2 <= sums_tags_held_13_first_column or winnersmask_inside_3;
+        winnersmask_inside_3 <= sums_tags_held_13_first_column or winnersmask_inside_4;
+        winnersmask_inside_4 <= sums_tags_held_13_first_column or winnersmask_inside_5;
+        winnersmask_inside_5 <= sums_tags_held_13_first_column or winnersmask_inside_6;
+        winnersmask_inside_6 <= sums_tags_held_13_first_column or winnersmask_inside_7;
+        winnersmask_inside_7 <= sums_tags_held_13_first_column or winnersmask_inside_8;
+        winnersmask_inside_8 <= sums_tags_held_13_first_column or winnersmask_inside_9;
+        winnersmask_inside_9 <= sums_tags_held_13_first_column or winnersmask_inside_10;
+        winnersmask_inside_10 <= sums_tags_held_13_first_column or winnersmask_inside_11;
+        winnersmask_column <= 0 when sums_tags_held_13_first_column else (winnersmask_column + 1) mod 64;
+      end if;
+      winnersmask_inside_11_choice := not (((winnersmask_end_value / 2) mod 2) = 1) when (winnersmask_column mod 2) = 1
+        else (winnersmask_end_value mod 4) = 0;
+      winnersmask_inside_11_choice_2 := ((winnersmask_column mod 2) = 1) or (not (((winnersmask_end_value / 2) mod 2) =
+        1)) or (not ((winnersmask_end_value mod 2) = 1)) when ((winnersmask_column / 2) mod 2) = 1 else
+        winnersmask_inside_11_choice;
+      winnersmask_inside_11_value := ((winnersmask_end_value / 4) mod 2) = 1;
+      winnersmask_inside_11_choice_3 := (not (((winnersmask_column / 4) mod 2) = 1)) and winnersmask_inside_11_value
+        when winnersmask_inside_11_choice_2 else (not (((winnersmask_column / 4) mod 2) = 1)) or
+        winnersmask_inside_11_value;
+      winnersmask_inside_11_value_2 := ((winnersmask_end_value / 8) mod 2) = 1;
+      winnersmask_inside_11_choice_4 := (not (((winnersmask_column / 8) mod 2) = 1)) or winnersmask_inside_11_value_2
+        when winnersmask_inside_11_choice_3 else (not (((winnersmask_column / 8) mod 2) = 1)) and
+        winnersmask_inside_11_value_2;
+      winnersmask_inside_11_choice_5 := (not ((winnersmask_column / 32) = 1)) and ((not (((winnersmask_column / 16) mod
+        2) = 1)) or ((winnersmask_end_value / 16) = 1)) when winnersmask_inside_11_choice_4 else ((winnersmask_column /
+        16) = 0) and ((winnersmask_end_value / 16) = 1);
+      winnersmask_inside_11_choice_6 := sums_tags_held_13_first_column when sums_tags_moved else winnersmask_inside_11;
+      winnersmask_inside_11 <= sums_tags_moved or winnersmask_inside_11 when winnersmask_inside_11_choice_5 else
+        winnersmask_inside_11_choice_6;
+      winnersmask_end_value <= (size_windows_last_column + 17) mod 32;
+      winnersmask_searched_0_all := sums_tags_moved and sums_tags_held_13_start_of_frame and
+        sums_tags_held_13_output_column;
+      if winnersmask_searched_0_all then
+        winnersmask_searched_0 <= slice2mask_searched_0_choice_2;
+        winnersmask_searched_8 <= slice2mask_searched_1_all;
+        winnersmask_searched_9 <= slice1mask_searched_3_choice;
+        winnersmask_searched_10 <= slice1mask_searched_4_choice;
+        winnersmask_searched_11 <= slice0mask_searched_0_is_equal;
+      end if;
+      -- winnersother
+      winnersother_cost_0_1_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1)) when
+        (winnersother_cost_0_2 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
+      winnersother_cost_0_1_choice_2 := winnersother_cost_0_1_choice when ((winnersother_cost_0_2 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_2 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      winnersother_cost_0_1_value := ((sums_sum_0_1 / 4) mod 2) = 1;
+      winnersother_cost_0_1_choice_3 := (not (((winnersother_cost_0_2 / 4) mod 2) = 1)) and winnersother_cost_0_1_value
+        when winnersother_cost_0_1_choice_2 else (not (((winnersother_cost_0_2 / 4) mod 2) = 1)) or
+        winnersother_cost_0_1_value;
+      winnersother_cost_0_1_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
+      winnersother_cost_0_1_choice_4 := (not (((winnersother_cost_0_2 / 8) mod 2) = 1)) or
+        winnersother_cost_0_1_value_2 when winnersother_cost_0_1_choice_3 else (not (((winnersother_cost_0_2 / 8) mod
+        2) = 1)) and winnersother_cost_0_1_value_2;
+      winnersother_cost_0_1_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
+      winnersother_cost_0_1_choice_5 := (not (((winnersother_cost_0_2 / 16) mod 2) = 1)) or
+        winnersother_cost_0_1_value_3 when winnersother_cost_0_1_choice_4 else (not (((winnersother_cost_0_2 / 16) mod
+        2) = 1)) and winnersother_cost_0_1_value_3;
+      winnersother_cost_0_1_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
+      winnersother_cost_0_1_choice_6 := (not (((winnersother_cost_0_2 / 32) mod 2) = 1)) or
+        winnersother_cost_0_1_value_4 when winnersother_cost_0_1_choice_5 else (not (((winnersother_cost_0_2 / 32) mod
+        2) = 1)) and winnersother_cost_0_1_value_4;
+      winnersother_cost_0_1_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
+      winnersother_cost_0_1_choice_7 := (not (((winnersother_cost_0_2 / 64) mod 2) = 1)) or
+        winnersother_cost_0_1_value_5 when winnersother_cost_0_1_choice_6 else (not (((winnersother_cost_0_2 / 64) mod
+        2) = 1)) and winnersother_cost_0_1_value_5;
+      winnersother_cost_0_1_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_1 / 128) = 1) when
+        (winnersother_cost_0_2 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_1_choice_9 := winnersother_cost_0_1_choice_8 when winnersother_cost_0_1_choice_7 else (not
+        ((winnersother_cost_0_2 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 128) = 1);
+      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_9) and sums_tag_output_column and other_29 and
+        winnersmask_inside_1;
+      winnersother_cost_0_1_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_2;
+      winnersother_cost_0_2_value := ((sums_sum_0_2 / 2) mod 2) = 1;
+      winnersother_cost_0_2_choice := (not winnersother_cost_0_2_value) or (not ((sums_sum_0_2 mod 2) = 1)) when
+        (winnersother_cost_0_3 mod 2) = 1 else not winnersother_cost_0_2_value;
+      winnersother_cost_0_2_choice_2 := winnersother_cost_0_2_choice when ((winnersother_cost_0_3 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_3 mod 2) = 1) and ((sums_sum_0_2 mod 4) = 0);
+      winnersother_cost_0_2_value_2 := ((sums_sum_0_2 / 4) mod 2) = 1;
+      winnersother_cost_0_2_choice_3 := (not (((winnersother_cost_0_3 / 4) mod 2) = 1)) and
+        winnersother_cost_0_2_value_2 when winnersother_cost_0_2_choice_2 else (not (((winnersother_cost_0_3 / 4) mod
+        2) = 1)) or winnersother_cost_0_2_value_2;
+      winnersother_cost_0_2_value_3 := ((sums_sum_0_2 / 8) mod 2) = 1;
+      winnersother_cost_0_2_choice_4 := (not (((winnersother_cost_0_3 / 8) mod 2) = 1)) or
+        winnersother_cost_0_2_value_3 when winnersother_cost_0_2_choice_3 else (not (((winnersother_cost_0_3 / 8) mod
+        2) = 1)) and winnersother_cost_0_2_value_3;
+      winnersother_cost_0_2_value_4 := ((sums_sum_0_2 / 16) mod 2) = 1;
+      winnersother_cost_0_2_choice_5 := (not (((winnersother_cost_0_3 / 16) mod 2) = 1)) or
+        winnersother_cost_0_2_value_4 when winnersother_cost_0_2_choice_4 else (not (((winnersother_cost_0_3 / 16) mod
+        2) = 1)) and winnersother_cost_0_2_value_4;
+      winnersother_cost_0_2_value_5 := ((sums_sum_0_2 / 32) mod 2) = 1;
+      winnersother_cost_0_2_choice_6 := (not (((winnersother_cost_0_3 / 32) mod 2) = 1)) or
+        winnersother_cost_0_2_value_5 when winnersother_cost_0_2_choice_5 else (not (((winnersother_cost_0_3 / 32) mod
+        2) = 1)) and winnersother_cost_0_2_value_5;
+      winnersother_cost_0_2_value_6 := ((sums_sum_0_2 / 64) mod 2) = 1;
+      winnersother_cost_0_2_choice_7 := (not (((winnersother_cost_0_3 / 64) mod 2) = 1)) or
+        winnersother_cost_0_2_value_6 when winnersother_cost_0_2_choice_6 else (not (((winnersother_cost_0_3 / 64) mod
+        2) = 1)) and winnersother_cost_0_2_value_6;
+      winnersother_cost_0_2_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_2 / 128) = 1) when
+        (winnersother_cost_0_3 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_2_choice_9 := winnersother_cost_0_2_choice_8 when winnersother_cost_0_2_choice_7 else (not
+        ((winnersother_cost_0_3 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 128) = 1);
+      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_9) and sums_tag_output_column and other_28 and
+        winnersmask_inside_2;
+      winnersother_cost_0_2_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_3;
+      winnersother_cost_0_3_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1)) when
+        (winnersother_cost_0_4 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
+      winnersother_cost_0_3_choice_2 := winnersother_cost_0_3_choice when ((winnersother_cost_0_4 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_4 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      winnersother_cost_0_3_value := ((sums_sum_0_3 / 4) mod 2) = 1;
+      winnersother_cost_0_3_choice_3 := (not (((winnersother_cost_0_4 / 4) mod 2) = 1)) and winnersother_cost_0_3_value
+        when winnersother_cost_0_3_choice_2 else (not (((winnersother_cost_0_4 / 4) mod 2) = 1)) or
+        winnersother_cost_0_3_value;
+      winnersother_cost_0_3_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
+      winnersother_cost_0_3_choice_4 := (not (((winnersother_cost_0_4 / 8) mod 2) = 1)) or
+        winnersother_cost_0_3_value_2 when winnersother_cost_0_3_choice_3 else (not (((winnersother_cost_0_4 / 8) mod
+        2) = 1)) and winnersother_cost_0_3_value_2;
+      winnersother_cost_0_3_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
+      winnersother_cost_0_3_choice_5 := (not (((winnersother_cost_0_4 / 16) mod 2) = 1)) or
+        winnersother_cost_0_3_value_3 when winnersother_cost_0_3_choice_4 else (not (((winnersother_cost_0_4 / 16) mod
+        2) = 1)) and winnersother_cost_0_3_value_3;
+      winnersother_cost_0_3_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
+      winnersother_cost_0_3_choice_6 := (not (((winnersother_cost_0_4 / 32) mod 2) = 1)) or
+        winnersother_cost_0_3_value_4 when winnersother_cost_0_3_choice_5 else (not (((winnersother_cost_0_4 / 32) mod
+        2) = 1)) and winnersother_cost_0_3_value_4;
+      winnersother_cost_0_3_value_5 := ((sums_sum_0_3 / 64) mod 2) = 1;
+      winnersother_cost_0_3_choice_7 := (not (((winnersother_cost_0_4 / 64) mod 2) = 1)) or
+        winnersother_cost_0_3_value_5 when winnersother_cost_0_3_choice_6 else (not (((winnersother_cost_0_4 / 64) mod
+        2) = 1)) and winnersother_cost_0_3_value_5;
+      winnersother_cost_0_3_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_3 / 128) = 1) when
+        (winnersother_cost_0_4 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_3_choice_9 := winnersother_cost_0_3_choice_8 when winnersother_cost_0_3_choice_7 else (not
+        ((winnersother_cost_0_4 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 128) = 1);
+      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_9) and sums_tag_output_column and other_27 and
+        winnersmask_inside_3;
+      winnersother_cost_0_3_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_4;
+      winnersother_cost_0_4_value := ((sums_sum_0_4 / 2) mod 2) = 1;
+      winnersother_cost_0_4_choice := (not winnersother_cost_0_4_value) or (not ((sums_sum_0_4 mod 2) = 1)) when
+        (winnersother_cost_0_5 mod 2) = 1 else not winnersother_cost_0_4_value;
+      winnersother_cost_0_4_choice_2 := winnersother_cost_0_4_choice when ((winnersother_cost_0_5 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_5 mod 2) = 1) and ((sums_sum_0_4 mod 4) = 0);
+      winnersother_cost_0_4_value_2 := ((sums_sum_0_4 / 4) mod 2) = 1;
+      winnersother_cost_0_4_choice_3 := (not (((winnersother_cost_0_5 / 4) mod 2) = 1)) and
+        winnersother_cost_0_4_value_2 when winnersother_cost_0_4_choice_2 else (not (((winnersother_cost_0_5 / 4) mod
+        2) = 1)) or winnersother_cost_0_4_value_2;
+      winnersother_cost_0_4_value_3 := ((sums_sum_0_4 / 8) mod 2) = 1;
+      winnersother_cost_0_4_choice_4 := (not (((winnersother_cost_0_5 / 8) mod 2) = 1)) or
+        winnersother_cost_0_4_value_3 when winnersother_cost_0_4_choice_3 else (not (((winnersother_cost_0_5 / 8) mod
+        2) = 1)) and winnersother_cost_0_4_value_3;
+      winnersother_cost_0_4_value_4 := ((sums_sum_0_4 / 16) mod 2) = 1;
+      winnersother_cost_0_4_choice_5 := (not (((winnersother_cost_0_5 / 16) mod 2) = 1)) or
+        winnersother_cost_0_4_value_4 when winnersother_cost_0_4_choice_4 else (not (((winnersother_cost_0_5 / 16) mod
+        2) = 1)) and winnersother_cost_0_4_value_4;
+      winnersother_cost_0_4_value_5 := ((sums_sum_0_4 / 32) mod 2) = 1;
+      winnersother_cost_0_4_choice_6 := (not (((winnersother_cost_0_5 / 32) mod 2) = 1)) or
+        winnersother_cost_0_4_value_5 when winnersother_cost_0_4_choice_5 else (not (((winnersother_cost_0_5 / 32) mod
+        2) = 1)) and winnersother_cost_0_4_value_5;
+      winnersother_cost_0_4_value_6 := ((sums_sum_0_4 / 64) mod 2) = 1;
+      winnersother_cost_0_4_choice_7 := (not (((winnersother_cost_0_5 / 64) mod 2) = 1)) or
+        winnersother_cost_0_4_value_6 when winnersother_cost_0_4_choice_6 else (not (((winnersother_cost_0_5 / 64) mod
+        2) = 1)) and winnersother_cost_0_4_value_6;
+      winnersother_cost_0_4_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_4 / 128) = 1) when
+        (winnersother_cost_0_5 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_4_choice_9 := winnersother_cost_0_4_choice_8 when winnersother_cost_0_4_choice_7 else (not
+        ((winnersother_cost_0_5 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 128) = 1);
+      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_9) and sums_tag_output_column and other_26 and
+        winnersmask_inside_4;
+      winnersother_cost_0_4_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_5;
+      winnersother_cost_0_5_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1)) when
+        (winnersother_cost_0_6 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
+      winnersother_cost_0_5_choice_2 := winnersother_cost_0_5_choice when ((winnersother_cost_0_6 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_6 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      winnersother_cost_0_5_value := ((sums_sum_0_5 / 4) mod 2) = 1;
+      winnersother_cost_0_5_choice_3 := (not (((winnersother_cost_0_6 / 4) mod 2) = 1)) and winnersother_cost_0_5_value
+        when winnersother_cost_0_5_choice_2 else (not (((winnersother_cost_0_6 / 4) mod 2) = 1)) or
+        winnersother_cost_0_5_value;
+      winnersother_cost_0_5_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
+      winnersother_cost_0_5_choice_4 := (not (((winnersother_cost_0_6 / 8) mod 2) = 1)) or
+        winnersother_cost_0_5_value_2 when winnersother_cost_0_5_choice_3 else (not (((winnersother_cost_0_6 / 8) mod
+        2) = 1)) and winnersother_cost_0_5_value_2;
+      winnersother_cost_0_5_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
+      winnersother_cost_0_5_choice_5 := (not (((winnersother_cost_0_6 / 16) mod 2) = 1)) or
+        winnersother_cost_0_5_value_3 when winnersother_cost_0_5_choice_4 else (not (((winnersother_cost_0_6 / 16) mod
+        2) = 1)) and winnersother_cost_0_5_value_3;
+      winnersother_cost_0_5_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
+      winnersother_cost_0_5_choice_6 := (not (((winnersother_cost_0_6 / 32) mod 2) = 1)) or
+        winnersother_cost_0_5_value_4 when winnersother_cost_0_5_choice_5 else (not (((winnersother_cost_0_6 / 32) mod
+        2) = 1)) and winnersother_cost_0_5_value_4;
+      winnersother_cost_0_5_value_5 := ((sums_sum_0_5 / 64) mod 2) = 1;
+      winnersother_cost_0_5_choice_7 := (not (((winnersother_cost_0_6 / 64) mod 2) = 1)) or
+        winnersother_cost_0_5_value_5 when winnersother_cost_0_5_choice_6 else (not (((winnersother_cost_0_6 / 64) mod
+        2) = 1)) and winnersother_cost_0_5_value_5;
+      winnersother_cost_0_5_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_5 / 128) = 1) when
+        (winnersother_cost_0_6 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_5_choice_9 := winnersother_cost_0_5_choice_8 when winnersother_cost_0_5_choice_7 else (not
+        ((winnersother_cost_0_6 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 128) = 1);
+      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_9) and sums_tag_output_column and other_25 and
+        winnersmask_inside_5;
+      winnersother_cost_0_5_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_6;
+      winnersother_cost_0_6_value := ((sums_sum_0_6 / 2) mod 2) = 1;
+      winnersother_cost_0_6_choice := (not winnersother_cost_0_6_value) or (not ((sums_sum_0_6 mod 2) = 1)) when
+        (winnersother_cost_0_7 mod 2) = 1 else not winnersother_cost_0_6_value;
+      winnersother_cost_0_6_choice_2 := winnersother_cost_0_6_choice when ((winnersother_cost_0_7 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_7 mod 2) = 1) and ((sums_sum_0_6 mod 4) = 0);
+      winnersother_cost_0_6_value_2 := ((sums_sum_0_6 / 4) mod 2) = 1;
+      winnersother_cost_0_6_choice_3 := (not (((winnersother_cost_0_7 / 4) mod 2) = 1)) and
+        winnersother_cost_0_6_value_2 when winnersother_cost_0_6_choice_2 else (not (((winnersother_cost_0_7 / 4) mod
+        2) = 1)) or winnersother_cost_0_6_value_2;
+      winnersother_cost_0_6_value_3 := ((sums_sum_0_6 / 8) mod 2) = 1;
+      winnersother_cost_0_6_choice_4 := (not (((winnersother_cost_0_7 / 8) mod 2) = 1)) or
+        winnersother_cost_0_6_value_3 when winnersother_cost_0_6_choice_3 else (not (((winnersother_cost_0_7 / 8) mod
+        2) = 1)) and winnersother_cost_0_6_value_3;
+      winnersother_cost_0_6_value_4 := ((sums_sum_0_6 / 16) mod 2) = 1;
+      winnersother_cost_0_6_choice_5 := (not (((winnersother_cost_0_7 / 16) mod 2) = 1)) or
+        winnersother_cost_0_6_value_4 when winnersother_cost_0_6_choice_4 else (not (((winnersother_cost_0_7 / 16) mod
+        2) = 1)) and winnersother_cost_0_6_value_4;
+      winnersother_cost_0_6_value_5 := ((sums_sum_0_6 / 32) mod 2) = 1;
+      winnersother_cost_0_6_choice_6 := (not (((winnersother_cost_0_7 / 32) mod 2) = 1)) or
+        winnersother_cost_0_6_value_5 when winnersother_cost_0_6_choice_5 else (not (((winnersother_cost_0_7 / 32) mod
+        2) = 1)) and winnersother_cost_0_6_value_5;
+      winnersother_cost_0_6_value_6 := ((sums_sum_0_6 / 64) mod 2) = 1;
+      winnersother_cost_0_6_choice_7 := (not (((winnersother_cost_0_7 / 64) mod 2) = 1)) or
+        winnersother_cost_0_6_value_6 when winnersother_cost_0_6_choice_6 else (not (((winnersother_cost_0_7 / 64) mod
+        2) = 1)) and winnersother_cost_0_6_value_6;
+      winnersother_cost_0_6_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_6 / 128) = 1) when
+        (winnersother_cost_0_7 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_6_choice_9 := winnersother_cost_0_6_choice_8 when winnersother_cost_0_6_choice_7 else (not
+        ((winnersother_cost_0_7 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 128) = 1);
+      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_9) and sums_tag_output_column and other_24 and
+        winnersmask_inside_6;
+      winnersother_cost_0_6_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_7;
+      winnersother_cost_0_7_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1)) when
+        (winnersother_cost_0_8 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
+      winnersother_cost_0_7_choice_2 := winnersother_cost_0_7_choice when ((winnersother_cost_0_8 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_8 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      winnersother_cost_0_7_value := ((sums_sum_0_7 / 4) mod 2) = 1;
+      winnersother_cost_0_7_choice_3 := (not (((winnersother_cost_0_8 / 4) mod 2) = 1)) and winnersother_cost_0_7_value
+        when winnersother_cost_0_7_choice_2 else (not (((winnersother_cost_0_8 / 4) mod 2) = 1)) or
+        winnersother_cost_0_7_value;
+      winnersother_cost_0_7_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
+      winnersother_cost_0_7_choice_4 := (not (((winnersother_cost_0_8 / 8) mod 2) = 1)) or
+        winnersother_cost_0_7_value_2 when winnersother_cost_0_7_choice_3 else (not (((winnersother_cost_0_8 / 8) mod
+        2) = 1)) and winnersother_cost_0_7_value_2;
+      winnersother_cost_0_7_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
+      winnersother_cost_0_7_choice_5 := (not (((winnersother_cost_0_8 / 16) mod 2) = 1)) or
+        winnersother_cost_0_7_value_3 when winnersother_cost_0_7_choice_4 else (not (((winnersother_cost_0_8 / 16) mod
+        2) = 1)) and winnersother_cost_0_7_value_3;
+      winnersother_cost_0_7_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
+      winnersother_cost_0_7_choice_6 := (not (((winnersother_cost_0_8 / 32) mod 2) = 1)) or
+        winnersother_cost_0_7_value_4 when winnersother_cost_0_7_choice_5 else (not (((winnersother_cost_0_8 / 32) mod
+        2) = 1)) and winnersother_cost_0_7_value_4;
+      winnersother_cost_0_7_value_5 := ((sums_sum_0_7 / 64) mod 2) = 1;
+      winnersother_cost_0_7_choice_7 := (not (((winnersother_cost_0_8 / 64) mod 2) = 1)) or
+        winnersother_cost_0_7_value_5 when winnersother_cost_0_7_choice_6 else (not (((winnersother_cost_0_8 / 64) mod
+        2) = 1)) and winnersother_cost_0_7_value_5;
+      winnersother_cost_0_7_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_7 / 128) = 1) when
+        (winnersother_cost_0_8 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_7_choice_9 := winnersother_cost_0_7_choice_8 when winnersother_cost_0_7_choice_7 else (not
+        ((winnersother_cost_0_8 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 128) = 1);
+      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_9) and sums_tag_output_column and other_23 and
+        winnersmask_inside_7;
+      winnersother_cost_0_7_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_8;
+      winnersother_cost_0_8_choice := 255 when sums_tag_first_column else winnersother_cost_0_9;
+      winnersother_cost_0_9_choice := 255 when sums_tag_first_column else winnersother_cost_0_10;
+      winnersother_cost_0_10_choice := 255 when sums_tag_first_column else winnersother_cost_0_11;
+      winnersother_winner_0_0_value := ((sums_sum_0_0 / 2) mod 2) = 1;
+      winnersother_winner_0_0_choice := (not winnersother_winner_0_0_value) or (not ((sums_sum_0_0 mod 2) = 1)) when
+        (winnersother_cost_0_1 mod 2) = 1 else not winnersother_winner_0_0_value;
+      winnersother_winner_0_0_choice_2 := winnersother_winner_0_0_choice when ((winnersother_cost_0_1 / 2) mod 2) = 1
+        else ((winnersother_cost_0_1 mod 2) = 1) and ((sums_sum_0_0 mod 4) = 0);
+      winnersother_winner_0_0_value_2 := ((sums_sum_0_0 / 4) mod 2) = 1;
+      winnersother_winner_0_0_choice_3 := (not (((winnersother_cost_0_1 / 4) mod 2) = 1)) and
+        winnersother_winner_0_0_value_2 when winnersother_winner_0_0_choice_2 else (not (((winnersother_cost_0_1 / 4)
+        mod 2) = 1)) or winnersother_winner_0_0_value_2;
+      winnersother_winner_0_0_value_3 := ((sums_sum_0_0 / 8) mod 2) = 1;
+      winnersother_winner_0_0_choice_4 := (not (((winnersother_cost_0_1 / 8) mod 2) = 1)) or
+        winnersother_winner_0_0_value_3 when winnersother_winner_0_0_choice_3 else (not (((winnersother_cost_0_1 / 8)
+        mod 2) = 1)) and winnersother_winner_0_0_value_3;
+      winnersother_winner_0_0_value_4 := ((sums_sum_0_0 / 16) mod 2) = 1;
+      winnersother_winner_0_0_choice_5 := (not (((winnersother_cost_0_1 / 16) mod 2) = 1)) or
+        winnersother_winner_0_0_value_4 when winnersother_winner_0_0_choice_4 else (not (((winnersother_cost_0_1 / 16)
+        mod 2) = 1)) and winnersother_winner_0_0_value_4;
+      winnersother_winner_0_0_value_5 := ((sums_sum_0_0 / 32) mod 2) = 1;
+      winnersother_winner_0_0_choice_6 := (not (((winnersother_cost_0_1 / 32) mod 2) = 1)) or
+        winnersother_winner_0_0_value_5 when winnersother_winner_0_0_choice_5 else (not (((winnersother_cost_0_1 / 32)
+        mod 2) = 1)) and winnersother_winner_0_0_value_5;
+      winnersother_winner_0_0_value_6 := ((sums_sum_0_0 / 64) mod 2) = 1;
+      winnersother_winner_0_0_choice_7 := (not (((winnersother_cost_0_1 / 64) mod 2) = 1)) or
+        winnersother_winner_0_0_value_6 when winnersother_winner_0_0_choice_6 else (not (((winnersother_cost_0_1 / 64)
+        mod 2) = 1)) and winnersother_winner_0_0_value_6;
+      winnersother_winner_0_0_choice_8 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_1 / 128) = 1)) or
+        ((sums_sum_0_0 / 128) = 1)) when winnersother_winner_0_0_choice_7 else (not sums_tag_first_column) and (not
+        ((winnersother_cost_0_1 / 128) = 1)) and ((sums_sum_0_0 / 128) = 1);
+      if sums_tag_valid then
+        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_1_choice_10;
+        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_2_choice_10;
+        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_3_choice_10;
+        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_4_choice_10;
+        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_5_choice_10;
+        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_6_choice_10;
+        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_7_choice_10;
+        winnersother_cost_0_8 <= sums_sum_0_8 when sums_tag_row_start_all else winnersother_cost_0_8_choice;
+        winnersother_cost_0_9 <= sums_sum_0_9 when sums_tag_first_cost_all else winnersother_cost_0_9_choice;
+        winnersother_cost_0_10 <= sums_sum_0_10 when sums_tag_first_group_all else winnersother_cost_0_10_choice;
+        winnersother_cost_0_11 <= sums_sum_0_11 when sums_tag_newest_inside_all else 255;
+        winnersother_winner_0_0 <= 0 when (not winnersother_winner_0_0_choice_8) and sums_tag_output_column and
+          winnersmask_searched_11 and winnersmask_inside_0 else winnersother_winner_0_1;
+        winnersother_winner_0_1 <= 1 when winnersother_cost_0_1_all else winnersother_winner_0_2;
+        winnersother_winner_0_2 <= 2 when winnersother_cost_0_2_all else winnersother_winner_0_3;
+        winnersother_winner_0_3 <= 3 when winnersother_cost_0_3_all else winnersother_winner_0_4;
+        winnersother_winner_0_4 <= 4 when winnersother_cost_0_4_all else winnersother_winner_0_5;
+        winnersother_winner_0_5 <= 5 when winnersother_cost_0_5_all else winnersother_winner_0_6;
+        winnersother_winner_0_6 <= 6 when winnersother_cost_0_6_all else winnersother_winner_0_7;
+        winnersother_winner_0_7 <= 7 when winnersother_cost_0_7_all else sums_tag_row_start;
+      end if;
+      winnersother_winner_out_0 <= winnersother_winner_0_0;
+      -- winnerswinner1
+      winnerswinner1_held_0_0_sum := as_number((winnersmask_searched_11 and winnersmask_inside_0)) + 255;
+      winnerswinner1_held_0_0_any := to_integer(((to_unsigned(sums_sum_0_0, 8)) or
+        (to_unsigned((winnerswinner1_held_0_0_sum mod 256), 8))));
+      winnerswinner1_held_0_1_sum := as_number((other_29 and winnersmask_inside_1)) + 255;
+      winnerswinner1_held_0_1_any := to_integer(((to_unsigned(sums_sum_0_1, 8)) or
+        (to_unsigned((winnerswinner1_held_0_1_sum mod 256), 8))));
+      winnerswinner1_held_0_2_sum := as_number((other_28 and winnersmask_inside_2)) + 255;
+      winnerswinner1_held_0_2_any := to_integer(((to_unsigned(sums_sum_0_2, 8)) or
+        (to_unsigned((winnerswinner1_held_0_2_sum mod 256), 8))));
+      winnerswinner1_held_0_3_sum := as_number((other_27 and winnersmask_inside_3)) + 255;
+      winnerswinner1_held_0_3_any := to_integer(((to_unsigned(sums_sum_0_3, 8)) or
+        (to_unsigned((winnerswinner1_held_0_3_sum mod 256), 8))));
+      winnerswinner1_held_0_4_sum := as_number((other_26 and winnersmask_inside_4)) + 255;
+      winnerswinner1_held_0_4_any := to_integer(((to_unsigned(sums_sum_0_4, 8)) or
+        (to_unsigned((winnerswinner1_held_0_4_sum mod 256), 8))));
+      winnerswinner1_held_0_5_sum := as_number((other_25 and winnersmask_inside_5)) + 255;
+      winnerswinner1_held_0_5_any := to_integer(((to_unsigned(sums_sum_0_5, 8)) or
+        (to_unsigned((winnerswinner1_held_0_5_sum mod 256), 8))));
+      winnerswinner1_held_0_6_sum := as_number((other_24 and winnersmask_inside_6)) + 255;
+      winnerswinner1_held_0_6_any := to_integer(((to_unsigned(sums_sum_0_6, 8)) or
+        (to_unsigned((winnerswinner1_held_0_6_sum mod 256), 8))));
+      winnerswinner1_held_0_7_sum := as_number((other_23 and winnersmask_inside_7)) + 255;
+      winnerswinner1_held_0_7_any := to_integer(((to_unsigned(sums_sum_0_7, 8)) or
+        (to_unsigned((winnerswinner1_held_0_7_sum mod 256), 8))));
+      winnerswinner1_held_0_8_sum := as_number((winnersmask_searched_10 and winnersmask_inside_8)) + 255;
+      winnerswinner1_held_0_8_any := to_integer(((to_unsigned(sums_sum_0_8, 8)) or
+        (to_unsigned((winnerswinner1_held_0_8_sum mod 256), 8))));
+      winnerswinner1_held_0_9_sum := as_number((winnersmask_searched_9 and winnersmask_inside_9)) + 255;
+      winnerswinner1_held_0_9_any := to_integer(((to_unsigned(sums_sum_0_9, 8)) or
+        (to_unsigned((winnerswinner1_held_0_9_sum mod 256), 8))));
+      winnerswinner1_held_0_10_sum := as_number((winnersmask_searched_8 and winnersmask_inside_10)) + 255;
+      winnerswinner1_held_0_10_any := to_integer(((to_unsigned(sums_sum_0_10, 8)) or
+        (to_unsigned((winnerswinner1_held_0_10_sum mod 256), 8))));
+      winnerswinner1_held_0_11_sum := as_number((winnersmask_searched_0 and winnersmask_inside_11)) + 255;
+      winnerswinner1_held_0_11_any := to_integer(((to_unsigned(sums_sum_0_11, 8)) or
+        (to_unsigned((winnerswinner1_held_0_11_sum mod 256), 8))));
+      winnerswinner1_best_index_0_0_value := (((winnerswinner1_held_0_0_sum mod 256) / 2) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice := (not ((not ((winnerswinner1_held_0_0_sum mod 2) = 1)) and (not
+        ((sums_sum_0_0 mod 2) = 1)) and (((winnerswinner1_held_0_1_sum mod 2) = 1) or ((sums_sum_0_1 mod 2) = 1)))) or
+        winnerswinner1_best_index_0_0_value or winnersother_winner_0_0_value when (not ((((winnerswinner1_held_0_1_sum
+        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_1 / 2) mod 2) = 1)) else (not ((not
+        ((winnerswinner1_held_0_0_sum mod 2) = 1)) and (not ((sums_sum_0_0 mod 2) = 1)) and
+        (((winnerswinner1_held_0_1_sum mod 2) = 1) or ((sums_sum_0_1 mod 2) = 1)))) and
+        (winnerswinner1_best_index_0_0_value or winnersother_winner_0_0_value);
+      winnerswinner1_best_index_0_0_value_2 := (((winnerswinner1_held_0_1_sum mod 256) / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice_2 := (not ((((winnerswinner1_held_0_0_sum mod 256) / 4) mod 2) = 1)) and
+        (not winnersother_winner_0_0_value_2) and (winnerswinner1_best_index_0_0_value_2 or
+        winnersother_cost_0_1_value) when winnerswinner1_best_index_0_0_choice else ((not
+        ((((winnerswinner1_held_0_0_sum mod 256) / 4) mod 2) = 1)) and (not winnersother_winner_0_0_value_2)) or
+        winnerswinner1_best_index_0_0_value_2 or winnersother_cost_0_1_value;
+      winnerswinner1_best_index_0_0_value_3 := (((winnerswinner1_held_0_1_sum mod 256) / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice_3 := ((not ((((winnerswinner1_held_0_0_sum mod 256) / 8) mod 2) = 1)) and
+        (not winnersother_winner_0_0_value_3)) or winnerswinner1_best_index_0_0_value_3 or
+        winnersother_cost_0_1_value_2 when winnerswinner1_best_index_0_0_choice_2 else (not
+        ((((winnerswinner1_held_0_0_sum mod 256) / 8) mod 2) = 1)) and (not winnersother_winner_0_0_value_3) and
+        (winnerswinner1_best_index_0_0_value_3 or winnersother_cost_0_1_value_2);
+      winnerswinner1_best_index_0_0_value_4 := (((winnerswinner1_held_0_1_sum mod 256) / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice_4 := ((not ((((winnerswinner1_held_0_0_sum mod 256) / 16) mod 2) = 1)) and
+        (not winnersother_winner_0_0_value_4)) or winnerswinner1_best_index_0_0_value_4 or
+        winnersother_cost_0_1_value_3 when winnerswinner1_best_index_0_0_choice_3 else (not
+        ((((winnerswinner1_held_0_0_sum mod 256) / 16) mod 2) = 1)) and (not winnersother_winner_0_0_value_4) and
+        (winnerswinner1_best_index_0_0_value_4 or winnersother_cost_0_1_value_3);
+      winnerswinner1_best_index_0_0_value_5 := (((winnerswinner1_held_0_1_sum mod 256) / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice_5 := ((not ((((winnerswinner1_held_0_0_sum mod 256) / 32) mod 2) = 1)) and
+        (not winnersother_winner_0_0_value_5)) or winnerswinner1_best_index_0_0_value_5 or
+        winnersother_cost_0_1_value_4 when winnerswinner1_best_index_0_0_choice_4 else (not
+        ((((winnerswinner1_held_0_0_sum mod 256) / 32) mod 2) = 1)) and (not winnersother_winner_0_0_value_5) and
+        (winnerswinner1_best_index_0_0_value_5 or winnersother_cost_0_1_value_4);
+      winnerswinner1_best_index_0_0_value_6 := (((winnerswinner1_held_0_1_sum mod 256) / 64) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice_6 := ((not ((((winnerswinner1_held_0_0_sum mod 256) / 64) mod 2) = 1)) and
+        (not winnersother_winner_0_0_value_6)) or winnerswinner1_best_index_0_0_value_6 or
+        winnersother_cost_0_1_value_5 when winnerswinner1_best_index_0_0_choice_5 else (not
+        ((((winnerswinner1_held_0_0_sum mod 256) / 64) mod 2) = 1)) and (not winnersother_winner_0_0_value_6) and
+        (winnerswinner1_best_index_0_0_value_6 or winnersother_cost_0_1_value_5);
+      winnerswinner1_best_index_0_0_choice_7 := (not ((not (((winnerswinner1_held_0_0_sum mod 256) / 128) = 1)) and
+        (not ((sums_sum_0_0 / 128) = 1)))) and (not (((winnerswinner1_held_0_1_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_1 / 128) = 1)) when winnerswinner1_best_index_0_0_choice_6 else (not ((not
+        (((winnerswinner1_held_0_0_sum mod 256) / 128) = 1)) and (not ((sums_sum_0_0 / 128) = 1)))) or ((not
+        (((winnerswinner1_held_0_1_sum mod 256) / 128) = 1)) and (not ((sums_sum_0_1 / 128) = 1)));
+      winnerswinner1_best_index_0_1_value := (((winnerswinner1_held_0_2_sum mod 256) / 2) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice := (not ((not ((winnerswinner1_held_0_2_sum mod 2) = 1)) and (not
+        ((sums_sum_0_2 mod 2) = 1)) and (((winnerswinner1_held_0_3_sum mod 2) = 1) or ((sums_sum_0_3 mod 2) = 1)))) or
+        winnerswinner1_best_index_0_1_value or winnersother_cost_0_2_value when (not ((((winnerswinner1_held_0_3_sum
+        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_3 / 2) mod 2) = 1)) else (not ((not
+        ((winnerswinner1_held_0_2_sum mod 2) = 1)) and (not ((sums_sum_0_2 mod 2) = 1)) and
+        (((winnerswinner1_held_0_3_sum mod 2) = 1) or ((sums_sum_0_3 mod 2) = 1)))) and
+        (winnerswinner1_best_index_0_1_value or winnersother_cost_0_2_value);
+      winnerswinner1_best_index_0_1_value_2 := (((winnerswinner1_held_0_3_sum mod 256) / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice_2 := (not ((((winnerswinner1_held_0_2_sum mod 256) / 4) mod 2) = 1)) and
+        (not winnersother_cost_0_2_value_2) and (winnerswinner1_best_index_0_1_value_2 or winnersother_cost_0_3_value)
+        when winnerswinner1_best_index_0_1_choice else ((not ((((winnerswinner1_held_0_2_sum mod 256) / 4) mod 2) = 1))
+        and (not winnersother_cost_0_2_value_2)) or winnerswinner1_best_index_0_1_value_2 or
+        winnersother_cost_0_3_value;
+      winnerswinner1_best_index_0_1_value_3 := (((winnerswinner1_held_0_3_sum mod 256) / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice_3 := ((not ((((winnerswinner1_held_0_2_sum mod 256) / 8) mod 2) = 1)) and
+        (not winnersother_cost_0_2_value_3)) or winnerswinner1_best_index_0_1_value_3 or winnersother_cost_0_3_value_2
+        when winnerswinner1_best_index_0_1_choice_2 else (not ((((winnerswinner1_held_0_2_sum mod 256) / 8) mod 2) =
+        1)) and (not winnersother_cost_0_2_value_3) and (winnerswinner1_best_index_0_1_value_3 or
+        winnersother_cost_0_3_value_2);
+      winnerswinner1_best_index_0_1_value_4 := (((winnerswinner1_held_0_3_sum mod 256) / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice_4 := ((not ((((winnerswinner1_held_0_2_sum mod 256) / 16) mod 2) = 1)) and
+        (not winnersother_cost_0_2_value_4)) or winnerswinner1_best_index_0_1_value_4 or winnersother_cost_0_3_value_3
+        when winnerswinner1_best_index_0_1_choice_3 else (not ((((winnerswinner1_held_0_2_sum mod 256) / 16) mod 2) =
+        1)) and (not winnersother_cost_0_2_value_4) and (winnerswinner1_best_index_0_1_value_4 or
+        winnersother_cost_0_3_value_3);
+      winnerswinner1_best_index_0_1_value_5 := (((winnerswinner1_held_0_3_sum mod 256) / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice_5 := ((not ((((winnerswinner1_held_0_2_sum mod 256) / 32) mod 2) = 1)) and
+        (not winnersother_cost_0_2_value_5)) or winnerswinner1_best_index_0_1_value_5 or winnersother_cost_0_3_value_4
+        when winnerswinner1_best_index_0_1_choice_4 else (not ((((winnerswinner1_held_0_2_sum mod 256) / 32) mod 2) =
+        1)) and (not winnersother_cost_0_2_value_5) and (winnerswinner1_best_index_0_1_value_5 or
+        winnersother_cost_0_3_value_4);
+      winnerswinner1_best_index_0_1_value_6 := (((winnerswinner1_held_0_3_sum mod 256) / 64) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice_6 := ((not ((((winnerswinner1_held_0_2_sum mod 256) / 64) mod 2) = 1)) and
+        (not winnersother_cost_0_2_value_6)) or winnerswinner1_best_index_0_1_value_6 or winnersother_cost_0_3_value_5
+        when winnerswinner1_best_index_0_1_choice_5 else (not ((((winnerswinner1_held_0_2_sum mod 256) / 64) mod 2) =
+        1)) and (not winnersother_cost_0_2_value_6) and (winnerswinner1_best_index_0_1_value_6 or
+        winnersother_cost_0_3_value_5);
+      winnerswinner1_best_index_0_1_value_7 := ((winnerswinner1_held_0_3_sum mod 256) / 128) = 1;
+      winnerswinner1_best_index_0_1_choice_7 := ((not (((winnerswinner1_held_0_2_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_2 / 128) = 1))) or winnerswinner1_best_index_0_1_value_7 or ((sums_sum_0_3 / 128) = 1) when
+        winnerswinner1_best_index_0_1_choice_6 else (not (((winnerswinner1_held_0_2_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_2 / 128) = 1)) and (winnerswinner1_best_index_0_1_value_7 or ((sums_sum_0_3 / 128) = 1));
+      winnerswinner1_best_index_0_2_value := (((winnerswinner1_held_0_4_sum mod 256) / 2) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice := (not ((not ((winnerswinner1_held_0_4_sum mod 2) = 1)) and (not
+        ((sums_sum_0_4 mod 2) = 1)) and (((winnerswinner1_held_0_5_sum mod 2) = 1) or ((sums_sum_0_5 mod 2) = 1)))) or
+        winnerswinner1_best_index_0_2_value or winnersother_cost_0_4_value when (not ((((winnerswinner1_held_0_5_sum
+        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_5 / 2) mod 2) = 1)) else (not ((not
+        ((winnerswinner1_held_0_4_sum mod 2) = 1)) and (not ((sums_sum_0_4 mod 2) = 1)) and
+        (((winnerswinner1_held_0_5_sum mod 2) = 1) or ((sums_sum_0_5 mod 2) = 1)))) and
+        (winnerswinner1_best_index_0_2_value or winnersother_cost_0_4_value);
+      winnerswinner1_best_index_0_2_value_2 := (((winnerswinner1_held_0_5_sum mod 256) / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice_2 := (not ((((winnerswinner1_held_0_4_sum mod 256) / 4) mod 2) = 1)) and
+        (not winnersother_cost_0_4_value_2) and (winnerswinner1_best_index_0_2_value_2 or winnersother_cost_0_5_value)
+        when winnerswinner1_best_index_0_2_choice else ((not ((((winnerswinner1_held_0_4_sum mod 256) / 4) mod 2) = 1))
+        and (not winnersother_cost_0_4_value_2)) or winnerswinner1_best_index_0_2_value_2 or
+        winnersother_cost_0_5_value;
+      winnerswinner1_best_index_0_2_value_3 := (((winnerswinner1_held_0_5_sum mod 256) / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice_3 := ((not ((((winnerswinner1_held_0_4_sum mod 256) / 8) mod 2) = 1)) and
+        (not winnersother_cost_0_4_value_3)) or winnerswinner1_best_index_0_2_value_3 or winnersother_cost_0_5_value_2
+        when winnerswinner1_best_index_0_2_choice_2 else (not ((((winnerswinner1_held_0_4_sum mod 256) / 8) mod 2) =
+        1)) and (not winnersother_cost_0_4_value_3) and (winnerswinner1_best_index_0_2_value_3 or
+        winnersother_cost_0_5_value_2);
+      winnerswinner1_best_index_0_2_value_4 := (((winnerswinner1_held_0_5_sum mod 256) / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice_4 := ((not ((((winnerswinner1_held_0_4_sum mod 256) / 16) mod 2) = 1)) and
+        (not winnersother_cost_0_4_value_4)) or winnerswinner1_best_index_0_2_value_4 or winnersother_cost_0_5_value_3
+        when winnerswinner1_best_index_0_2_choice_3 else (not ((((winnerswinner1_held_0_4_sum mod 256) / 16) mod 2) =
+        1)) and (not winnersother_cost_0_4_value_4) and (winnerswinner1_best_index_0_2_value_4 or
+        winnersother_cost_0_5_value_3);
+      winnerswinner1_best_index_0_2_value_5 := (((winnerswinner1_held_0_5_sum mod 256) / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice_5 := ((not ((((winnerswinner1_held_0_4_sum mod 256) / 32) mod 2) = 1)) and
+        (not winnersother_cost_0_4_value_5)) or winnerswinner1_best_index_0_2_value_5 or winnersother_cost_0_5_value_4
+        when winnerswinner1_best_index_0_2_choice_4 else (not ((((winnerswinner1_held_0_4_sum mod 256) / 32) mod 2) =
+        1)) and (not winnersother_cost_0_4_value_5) and (winnerswinner1_best_index_0_2_value_5 or
+        winnersother_cost_0_5_value_4);
+      winnerswinner1_best_index_0_2_value_6 := (((winnerswinner1_held_0_5_sum mod 256) / 64) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice_6 := ((not ((((winnerswinner1_held_0_4_sum mod 256) / 64) mod 2) = 1)) and
+        (not winnersother_cost_0_4_value_6)) or winnerswinner1_best_index_0_2_value_6 or winnersother_cost_0_5_value_5
+        when winnerswinner1_best_index_0_2_choice_5 else (not ((((winnerswinner1_held_0_4_sum mod 256) / 64) mod 2) =
+        1)) and (not winnersother_cost_0_4_value_6) and (winnerswinner1_best_index_0_2_value_6 or
+        winnersother_cost_0_5_value_5);
+      winnerswinner1_best_index_0_2_value_7 := ((winnerswinner1_held_0_5_sum mod 256) / 128) = 1;
+      winnerswinner1_best_index_0_2_choice_7 := ((not (((winnerswinner1_held_0_4_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_4 / 128) = 1))) or winnerswinner1_best_index_0_2_value_7 or ((sums_sum_0_5 / 128) = 1) when
+        winnerswinner1_best_index_0_2_choice_6 else (not (((winnerswinner1_held_0_4_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_4 / 128) = 1)) and (winnerswinner1_best_index_0_2_value_7 or ((sums_sum_0_5 / 128) = 1));
+      winnerswinner1_best_index_0_3_value := (((winnerswinner1_held_0_6_sum mod 256) / 2) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice := (not ((not ((winnerswinner1_held_0_6_sum mod 2) = 1)) and (not
+        ((sums_sum_0_6 mod 2) = 1)) and (((winnerswinner1_held_0_7_sum mod 2) = 1) or ((sums_sum_0_7 mod 2) = 1)))) or
+        winnerswinner1_best_index_0_3_value or winnersother_cost_0_6_value when (not ((((winnerswinner1_held_0_7_sum
+        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_7 / 2) mod 2) = 1)) else (not ((not
+        ((winnerswinner1_held_0_6_sum mod 2) = 1)) and (not ((sums_sum_0_6 mod 2) = 1)) and
+        (((winnerswinner1_held_0_7_sum mod 2) = 1) or ((sums_sum_0_7 mod 2) = 1)))) and
+        (winnerswinner1_best_index_0_3_value or winnersother_cost_0_6_value);
+      winnerswinner1_best_index_0_3_value_2 := (((winnerswinner1_held_0_7_sum mod 256) / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice_2 := (not ((((winnerswinner1_held_0_6_sum mod 256) / 4) mod 2) = 1)) and
+        (not winnersother_cost_0_6_value_2) and (winnerswinner1_best_index_0_3_value_2 or winnersother_cost_0_7_value)
+        when winnerswinner1_best_index_0_3_choice else ((not ((((winnerswinner1_held_0_6_sum mod 256) / 4) mod 2) = 1))
+        and (not winnersother_cost_0_6_value_2)) or winnerswinner1_best_index_0_3_value_2 or
+        winnersother_cost_0_7_value;
+      winnerswinner1_best_index_0_3_value_3 := (((winnerswinner1_held_0_7_sum mod 256) / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice_3 := ((not ((((winnerswinner1_held_0_6_sum mod 256) / 8) mod 2) = 1)) and
+        (not winnersother_cost_0_6_value_3)) or winnerswinner1_best_index_0_3_value_3 or winnersother_cost_0_7_value_2
+        when winnerswinner1_best_index_0_3_choice_2 else (not ((((winnerswinner1_held_0_6_sum mod 256) / 8) mod 2) =
+        1)) and (not winnersother_cost_0_6_value_3) and (winnerswinner1_best_index_0_3_value_3 or
+        winnersother_cost_0_7_value_2);
+      winnerswinner1_best_index_0_3_value_4 := (((winnerswinner1_held_0_7_sum mod 256) / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice_4 := ((not ((((winnerswinner1_held_0_6_sum mod 256) / 16) mod 2) = 1)) and
+        (not winnersother_cost_0_6_value_4)) or winnerswinner1_best_index_0_3_value_4 or winnersother_cost_0_7_value_3
+        when winnerswinner1_best_index_0_3_choice_3 else (not ((((winnerswinner1_held_0_6_sum mod 256) / 16) mod 2) =
+        1)) and (not winnersother_cost_0_6_value_4) and (winnerswinner1_best_index_0_3_value_4 or
+        winnersother_cost_0_7_value_3);
+      winnerswinner1_best_index_0_3_value_5 := (((winnerswinner1_held_0_7_sum mod 256) / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice_5 := ((not ((((winnerswinner1_held_0_6_sum mod 256) / 32) mod 2) = 1)) and
+        (not winnersother_cost_0_6_value_5)) or winnerswinner1_best_index_0_3_value_5 or winnersother_cost_0_7_value_4
+        when winnerswinner1_best_index_0_3_choice_4 else (not ((((winnerswinner1_held_0_6_sum mod 256) / 32) mod 2) =
+        1)) and (not winnersother_cost_0_6_value_5) and (winnerswinner1_best_index_0_3_value_5 or
+        winnersother_cost_0_7_value_4);
+      winnerswinner1_best_index_0_3_value_6 := (((winnerswinner1_held_0_7_sum mod 256) / 64) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice_6 := ((not ((((winnerswinner1_held_0_6_sum mod 256) / 64) mod 2) = 1)) and
+        (not winnersother_cost_0_6_value_6)) or winnerswinner1_best_index_0_3_value_6 or winnersother_cost_0_7_value_5
+        when winnerswinner1_best_index_0_3_choice_5 else (not ((((winnerswinner1_held_0_6_sum mod 256) / 64) mod 2) =
+        1)) and (not winnersother_cost_0_6_value_6) and (winnerswinner1_best_index_0_3_value_6 or
+        winnersother_cost_0_7_value_5);
+      winnerswinner1_best_index_0_3_value_7 := ((winnerswinner1_held_0_7_sum mod 256) / 128) = 1;
+      winnerswinner1_best_index_0_3_choice_7 := ((not (((winnerswinner1_held_0_6_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_6 / 128) = 1))) or winnerswinner1_best_index_0_3_value_7 or ((sums_sum_0_7 / 128) = 1) when
+        winnerswinner1_best_index_0_3_choice_6 else (not (((winnerswinner1_held_0_6_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_6 / 128) = 1)) and (winnerswinner1_best_index_0_3_value_7 or ((sums_sum_0_7 / 128) = 1));
+      winnerswinner1_best_index_0_4_value := (((winnerswinner1_held_0_8_sum mod 256) / 2) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice := (not ((not ((winnerswinner1_held_0_8_sum mod 2) = 1)) and (not
+        ((sums_sum_0_8 mod 2) = 1)) and (((winnerswinner1_held_0_9_sum mod 2) = 1) or ((sums_sum_0_9 mod 2) = 1)))) or
+        winnerswinner1_best_index_0_4_value or sums_tag_row_start_value when (not ((((winnerswinner1_held_0_9_sum mod
+        256) / 2) mod 2) = 1)) and (not (((sums_sum_0_9 / 2) mod 2) = 1)) else (not ((not ((winnerswinner1_held_0_8_sum
+        mod 2) = 1)) and (not ((sums_sum_0_8 mod 2) = 1)) and (((winnerswinner1_held_0_9_sum mod 2) = 1) or
+        ((sums_sum_0_9 mod 2) = 1)))) and (winnerswinner1_best_index_0_4_value or sums_tag_row_start_value);
+      winnerswinner1_best_index_0_4_value_2 := (((winnerswinner1_held_0_9_sum mod 256) / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice_2 := (not ((((winnerswinner1_held_0_8_sum mod 256) / 4) mod 2) = 1)) and
+        (not sums_tag_row_start_value_2) and (winnerswinner1_best_index_0_4_value_2 or sums_tag_first_cost_value) when
+        winnerswinner1_best_index_0_4_choice else ((not ((((winnerswinner1_held_0_8_sum mod 256) / 4) mod 2) = 1)) and
+        (not sums_tag_row_start_value_2)) or winnerswinner1_best_index_0_4_value_2 or sums_tag_first_cost_value;
+      winnerswinner1_best_index_0_4_value_3 := (((winnerswinner1_held_0_9_sum mod 256) / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice_3 := ((not ((((winnerswinner1_held_0_8_sum mod 256) / 8) mod 2) = 1)) and
+        (not sums_tag_row_start_value_3)) or winnerswinner1_best_index_0_4_value_3 or sums_tag_first_cost_value_2 when
+        winnerswinner1_best_index_0_4_choice_2 else (not ((((winnerswinner1_held_0_8_sum mod 256) / 8) mod 2) = 1)) and
+        (not sums_tag_row_start_value_3) and (winnerswinner1_best_index_0_4_value_3 or sums_tag_first_cost_value_2);
+      winnerswinner1_best_index_0_4_value_4 := (((winnerswinner1_held_0_9_sum mod 256) / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice_4 := ((not ((((winnerswinner1_held_0_8_sum mod 256) / 16) mod 2) = 1)) and
+        (not sums_tag_row_start_value_4)) or winnerswinner1_best_index_0_4_value_4 or sums_tag_first_cost_value_3 when
+        winnerswinner1_best_index_0_4_choice_3 else (not ((((winnerswinner1_held_0_8_sum mod 256) / 16) mod 2) = 1))
+        and (not sums_tag_row_start_value_4) and (winnerswinner1_best_index_0_4_value_4 or sums_tag_first_cost_value_3);
+      winnerswinner1_best_index_0_4_value_5 := (((winnerswinner1_held_0_9_sum mod 256) / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice_5 := ((not ((((winnerswinner1_held_0_8_sum mod 256) / 32) mod 2) = 1)) and
+        (not sums_tag_row_start_value_5)) or winnerswinner1_best_index_0_4_value_5 or sums_tag_first_cost_value_4 when
+        winnerswinner1_best_index_0_4_choice_4 else (not ((((winnerswinner1_held_0_8_sum mod 256) / 32) mod 2) = 1))
+        and (not sums_tag_row_start_value_5) and (winnerswinner1_best_index_0_4_value_5 or sums_tag_first_cost_value_4);
+      winnerswinner1_best_index_0_4_value_6 := (((winnerswinner1_held_0_9_sum mod 256) / 64) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice_6 := ((not ((((winnerswinner1_held_0_8_sum mod 256) / 64) mod 2) = 1)) and
+        (not sums_tag_row_start_value_6)) or winnerswinner1_best_index_0_4_value_6 or sums_tag_first_cost_value_5 when
+        winnerswinner1_best_index_0_4_choice_5 else (not ((((winnerswinner1_held_0_8_sum mod 256) / 64) mod 2) = 1))
+        and (not sums_tag_row_start_value_6) and (winnerswinner1_best_index_0_4_value_6 or sums_tag_first_cost_value_5);
+      winnerswinner1_best_index_0_4_value_7 := ((winnerswinner1_held_0_9_sum mod 256) / 128) = 1;
+      winnerswinner1_best_index_0_4_choice_7 := ((not (((winnerswinner1_held_0_8_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_8 / 128) = 1))) or winnerswinner1_best_index_0_4_value_7 or ((sums_sum_0_9 / 128) = 1) when
+        winnerswinner1_best_index_0_4_choice_6 else (not (((winnerswinner1_held_0_8_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_8 / 128) = 1)) and (winnerswinner1_best_index_0_4_value_7 or ((sums_sum_0_9 / 128) = 1));
+      winnerswinner1_best_index_0_5_value := (((winnerswinner1_held_0_10_sum mod 256) / 2) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice := (not ((not ((winnerswinner1_held_0_10_sum mod 2) = 1)) and (not
+        ((sums_sum_0_10 mod 2) = 1)) and (((winnerswinner1_held_0_11_sum mod 2) = 1) or ((sums_sum_0_11 mod 2) = 1))))
+        or winnerswinner1_best_index_0_5_value or sums_tag_first_group_value when (not ((((winnerswinner1_held_0_11_sum
+        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_11 / 2) mod 2) = 1)) else (not ((not
+        ((winnerswinner1_held_0_10_sum mod 2) = 1)) and (not ((sums_sum_0_10 mod 2) = 1)) and
+        (((winnerswinner1_held_0_11_sum mod 2) = 1) or ((sums_sum_0_11 mod 2) = 1)))) and
+        (winnerswinner1_best_index_0_5_value or sums_tag_first_group_value);
+      winnerswinner1_best_index_0_5_value_2 := (((winnerswinner1_held_0_11_sum mod 256) / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_5_value_3 := ((sums_sum_0_11 / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice_2 := (not ((((winnerswinner1_held_0_10_sum mod 256) / 4) mod 2) = 1)) and
+        (not sums_tag_first_group_value_2) and (winnerswinner1_best_index_0_5_value_2 or
+        winnerswinner1_best_index_0_5_value_3) when winnerswinner1_best_index_0_5_choice else ((not
+        ((((winnerswinner1_held_0_10_sum mod 256) / 4) mod 2) = 1)) and (not sums_tag_first_group_value_2)) or
+        winnerswinner1_best_index_0_5_value_2 or winnerswinner1_best_index_0_5_value_3;
+      winnerswinner1_best_index_0_5_value_4 := (((winnerswinner1_held_0_11_sum mod 256) / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_5_value_5 := ((sums_sum_0_11 / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice_3 := ((not ((((winnerswinner1_held_0_10_sum mod 256) / 8) mod 2) = 1)) and
+        (not sums_tag_first_group_value_3)) or winnerswinner1_best_index_0_5_value_4 or
+        winnerswinner1_best_index_0_5_value_5 when winnerswinner1_best_index_0_5_choice_2 else (not
+        ((((winnerswinner1_held_0_10_sum mod 256) / 8) mod 2) = 1)) and (not sums_tag_first_group_value_3) and
+        (winnerswinner1_best_index_0_5_value_4 or winnerswinner1_best_index_0_5_value_5);
+      winnerswinner1_best_index_0_5_value_6 := (((winnerswinner1_held_0_11_sum mod 256) / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_5_value_7 := ((sums_sum_0_11 / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice_4 := ((not ((((winnerswinner1_held_0_10_sum mod 256) / 16) mod 2) = 1)) and
+        (not sums_tag_first_group_value_4)) or winnerswinner1_best_index_0_5_value_6 or
+        winnerswinner1_best_index_0_5_value_7 when winnerswinner1_best_index_0_5_choice_3 else (not
+        ((((winnerswinner1_held_0_10_sum mod 256) / 16) mod 2) = 1)) and (not sums_tag_first_group_value_4) and
+        (winnerswinner1_best_index_0_5_value_6 or winnerswinner1_best_index_0_5_value_7);
+      winnerswinner1_best_index_0_5_value_8 := (((winnerswinner1_held_0_11_sum mod 256) / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_5_value_9 := ((sums_sum_0_11 / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice_5 := ((not ((((winnerswinner1_held_0_10_sum mod 256) / 32) mod 2) = 1)) and
+        (not sums_tag_first_group_value_5)) or winnerswinner1_best_index_0_5_value_8 or
+        winnerswinner1_best_index_0_5_value_9 when winnerswinner1_best_index_0_5_choice_4 else (not
+        ((((winnerswinner1_held_0_10_sum mod 256) / 32) mod 2) = 1)) and (not sums_tag_first_group_value_5) and
+        (winnerswinner1_best_index_0_5_value_8 or winnerswinner1_best_index_0_5_value_9);
+      winnerswinner1_best_index_0_5_value_10 := (((winnerswinner1_held_0_11_sum mod 256) / 64) mod 2) = 1;
+      winnerswinner1_best_index_0_5_value_11 := ((sums_sum_0_11 / 64) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice_6 := ((not ((((winnerswinner1_held_0_10_sum mod 256) / 64) mod 2) = 1)) and
+        (not sums_tag_first_group_value_6)) or winnerswinner1_best_index_0_5_value_10 or
+        winnerswinner1_best_index_0_5_value_11 when winnerswinner1_best_index_0_5_choice_5 else (not
+        ((((winnerswinner1_held_0_10_sum mod 256) / 64) mod 2) = 1)) and (not sums_tag_first_group_value_6) and
+        (winnerswinner1_best_index_0_5_value_10 or winnerswinner1_best_index_0_5_value_11);
+      winnerswinner1_best_index_0_5_value_12 := ((winnerswinner1_held_0_11_sum mod 256) / 128) = 1;
+      winnerswinner1_best_index_0_5_choice_7 := ((not (((winnerswinner1_held_0_10_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_10 / 128) = 1))) or winnerswinner1_best_index_0_5_value_12 or ((sums_sum_0_11 / 128) = 1) when
+        winnerswinner1_best_index_0_5_choice_6 else (not (((winnerswinner1_held_0_10_sum mod 256) / 128) = 1)) and (not
+        ((sums_sum_0_10 / 128) = 1)) and (winnerswinner1_best_index_0_5_value_12 or ((sums_sum_0_11 / 128) = 1));
+      winnerswinner1_held_0_0 <= winnerswinner1_held_0_0_any;
+      winnerswinner1_held_0_1 <= winnerswinner1_held_0_1_any;
+      winnerswinner1_held_0_2 <= winnerswinner1_held_0_2_any;
+      winnerswinner1_held_0_3 <= winnerswinner1_held_0_3_any;
+      winnerswinner1_held_0_4 <= winnerswinner1_held_0_4_any;
+      winnerswinner1_held_0_5 <= winnerswinner1_held_0_5_any;
+      winnerswinner1_held_0_6 <= winnerswinner1_held_0_6_any;
+      winnerswinner1_held_0_7 <= winnerswinner1_held_0_7_any;
+      winnerswinner1_held_0_8 <= winnerswinner1_held_0_8_any;
+      winnerswinner1_held_0_9 <= winnerswinner1_held_0_9_any;
+      winnerswinner1_held_0_10 <= winnerswinner1_held_0_10_any;
+      winnerswinner1_held_0_11 <= winnerswinner1_held_0_11_any;
+      winnerswinner1_best_cost_0_0 <= winnerswinner1_held_0_1_any when (winnerswinner1_held_0_1_any -
+        winnerswinner1_held_0_0_any) < 0 else winnerswinner1_held_0_0_any;
+      winnerswinner1_best_cost_0_1 <= winnerswinner1_held_0_3_any when (winnerswinner1_held_0_3_any -
+        winnerswinner1_held_0_2_any) < 0 else winnerswinner1_held_0_2_any;
+      winnerswinner1_best_cost_0_2 <= winnerswinner1_held_0_5_any when (winnerswinner1_held_0_5_any -
+        winnerswinner1_held_0_4_any) < 0 else winnerswinner1_held_0_4_any;
+      winnerswinner1_best_cost_0_3 <= winnerswinner1_held_0_7_any when (winnerswinner1_held_0_7_any -
+        winnerswinner1_held_0_6_any) < 0 else winnerswinner1_held_0_6_any;
+      winnerswinner1_best_cost_0_4 <= winnerswinner1_held_0_9_any when (winnerswinner1_held_0_9_any -
+        winnerswinner1_held_0_8_any) < 0 else winnerswinner1_held_0_8_any;
+      winnerswinner1_best_cost_0_5 <= winnerswinner1_held_0_11_any when (winnerswinner1_held_0_11_any -
+        winnerswinner1_held_0_10_any) < 0 else winnerswinner1_held_0_10_any;
+      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_0_choice_7;
+      winnerswinner1_best_index_0_1 <= 2 when winnerswinner1_best_index_0_1_choice_7 else 3;
+      winnerswinner1_best_index_0_2 <= 4 when winnerswinner1_best_index_0_2_choice_7 else 5;
+      winnerswinner1_best_index_0_3 <= 6 when winnerswinner1_best_index_0_3_choice_7 else 7;
+      winnerswinner1_best_index_0_4 <= 8 when winnerswinner1_best_index_0_4_choice_7 else 9;
+      winnerswinner1_best_index_0_5 <= 10 when winnerswinner1_best_index_0_5_choice_7 else 11;
+      winnerswinner1_best_below_0_0 <= winnerswinner1_held_0_0_any when winnerswinner1_best_index_0_0_choice_7 else 0;
+      winnerswinner1_best_below_0_1 <= 0 when winnerswinner1_best_index_0_1_choice_7 else winnerswinner1_held_0_2_any;
+      winnerswinner1_best_below_0_2 <= 0 when winnerswinner1_best_index_0_2_choice_7 else winnerswinner1_held_0_4_any;
+      winnerswinner1_best_below_0_3 <= 0 when winnerswinner1_best_index_0_3_choice_7 else winnerswinner1_held_0_6_any;
+      winnerswinner1_best_below_0_4 <= 0 when winnerswinner1_best_index_0_4_choice_7 else winnerswinner1_held_0_8_any;
+      winnerswinner1_best_below_0_5 <= 0 when winnerswinner1_best_index_0_5_choice_7 else winnerswinner1_held_0_10_any;
+      winnerswinner1_best_above_0_0 <= 0 when winnerswinner1_best_index_0_0_choice_7 else winnerswinner1_held_0_1_any;
+      winnerswinner1_best_above_0_1 <= winnerswinner1_held_0_3_any when winnerswinner1_best_index_0_1_choice_7 else 0;
+      winnerswinner1_best_above_0_2 <= winnerswinner1_held_0_5_any when winnerswinner1_best_index_0_2_choice_7 else 0;
+      winnerswinner1_best_above_0_3 <= winnerswinner1_held_0_7_any when winnerswinner1_best_index_0_3_choice_7 else 0;
+      winnerswinner1_best_above_0_4 <= winnerswinner1_held_0_9_any when winnerswinner1_best_index_0_4_choice_7 else 0;
+      winnerswinner1_best_above_0_5 <= winnerswinner1_held_0_11_any when winnerswinner1_best_index_0_5_choice_7 else 0;
+      winnerswinner1_best_late_cost_0_0 <= winnerswinner1_best_cost_0_0;
+      winnerswinner1_best_late_cost_0_1 <= winnerswinner1_best_cost_0_1;
+      winnerswinner1_best_late_cost_0_2 <= winnerswinner1_best_cost_0_2;
+      winnerswinner1_best_late_cost_0_3 <= winnerswinner1_best_cost_0_3;
+      winnerswinner1_best_late_cost_0_4 <= winnerswinner1_best_cost_0_4;
+      winnerswinner1_best_late_cost_0_5 <= winnerswinner1_best_cost_0_5;
+      winnerswinner1_best_but_first_0_1 <= winnerswinner1_held_0_3;
+      winnerswinner1_best_but_first_0_2 <= winnerswinner1_held_0_5;
+      winnerswinner1_best_but_first_0_3 <= winnerswinner1_held_0_7;
+      winnerswinner1_best_but_first_0_4 <= winnerswinner1_held_0_9;
+      winnerswinner1_best_but_first_0_5 <= winnerswinner1_held_0_11;
+      winnerswinner1_best_but_last_0_0 <= winnerswinner1_held_0_0;
+      winnerswinner1_best_but_last_0_1 <= winnerswinner1_held_0_2;
+      winnerswinner1_best_but_last_0_2 <= winnerswinner1_held_0_4;
+      winnerswinner1_best_but_last_0_3 <= winnerswinner1_held_0_6;
+      winnerswinner1_best_but_last_0_4 <= winnerswinner1_held_0_8;
+      winnerswinner1_tag_valid <= sums_tag_valid;
+      winnerswinner1_tag_map_column <= sums_tag_map_column;
+      winnerswinner1_tag_output_column <= sums_tag_output_column;
+      winnerswinner1_tag_start_of_frame <= sums_tag_start_of_frame;
+      winnerswinner1_tag_end_of_line <= sums_tag_end_of_line;
+      -- winnerswinner2
+      winnerswinner2_best_index_0_0_choice := not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1) when
+        (winnerswinner1_best_cost_0_0 mod 2) = 1 else (winnerswinner1_best_cost_0_1 mod 4) = 0;
+      winnerswinner2_best_index_0_0_choice_2 := ((winnerswinner1_best_cost_0_0 mod 2) = 1) or (not
+        (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when
+        ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 else winnerswinner2_best_index_0_0_choice;
+      winnerswinner2_best_index_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
+      winnerswinner2_best_index_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner2_best_index_0_0_value when winnerswinner2_best_index_0_0_choice_2 else (not
+        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_0_value;
+      winnerswinner2_best_index_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner2_best_index_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner2_best_index_0_0_value_2 when winnerswinner2_best_index_0_0_choice_3 else (not
+        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_2;
+      winnerswinner2_best_index_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner2_best_index_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner2_best_index_0_0_value_3 when winnerswinner2_best_index_0_0_choice_4 else (not
+        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_3;
+      winnerswinner2_best_index_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
+      winnerswinner2_best_index_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
+        winnerswinner2_best_index_0_0_value_4 when winnerswinner2_best_index_0_0_choice_5 else (not
+        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_4;
+      winnerswinner2_best_index_0_0_value_5 := ((winnerswinner1_best_cost_0_1 / 64) mod 2) = 1;
+      winnerswinner2_best_index_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
+        winnerswinner2_best_index_0_0_value_5 when winnerswinner2_best_index_0_0_choice_6 else (not
+        (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_5;
+      winnerswinner2_best_index_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
+        ((winnerswinner1_best_cost_0_1 / 128) = 1)) when winnerswinner2_best_index_0_0_choice_7 else
+        ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      winnerswinner2_best_index_0_1_choice := not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1) when
+        (winnerswinner1_best_cost_0_2 mod 2) = 1 else (winnerswinner1_best_cost_0_3 mod 4) = 0;
+      winnerswinner2_best_index_0_1_choice_2 := ((winnerswinner1_best_cost_0_2 mod 2) = 1) or (not
+        (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1)) or (not ((winnerswinner1_best_cost_0_3 mod 2) = 1)) when
+        ((winnerswinner1_best_cost_0_2 / 2) mod 2) = 1 else winnerswinner2_best_index_0_1_choice;
+      winnerswinner2_best_index_0_1_value := ((winnerswinner1_best_cost_0_3 / 4) mod 2) = 1;
+      winnerswinner2_best_index_0_1_choice_3 := (not (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) and
+        winnerswinner2_best_index_0_1_value when winnerswinner2_best_index_0_1_choice_2 else (not
+        (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_1_value;
+      winnerswinner2_best_index_0_1_value_2 := ((winnerswinner1_best_cost_0_3 / 8) mod 2) = 1;
+      winnerswinner2_best_index_0_1_choice_4 := (not (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) or
+        winnerswinner2_best_index_0_1_value_2 when winnerswinner2_best_index_0_1_choice_3 else (not
+        (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_2;
+      winnerswinner2_best_index_0_1_value_3 := ((winnerswinner1_best_cost_0_3 / 16) mod 2) = 1;
+      winnerswinner2_best_index_0_1_choice_5 := (not (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) or
+        winnerswinner2_best_index_0_1_value_3 when winnerswinner2_best_index_0_1_choice_4 else (not
+        (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_3;
+      winnerswinner2_best_index_0_1_value_4 := ((winnerswinner1_best_cost_0_3 / 32) mod 2) = 1;
+      winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) or
+        winnerswinner2_best_index_0_1_value_4 when winnerswinner2_best_index_0_1_choice_5 else (not
+        (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_4;
+      winnerswinner2_best_index_0_1_value_5 := ((winnerswinner1_best_cost_0_3 / 64) mod 2) = 1;
+      winnerswinner2_best_index_0_1_choice_7 := (not (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) or
+        winnerswinner2_best_index_0_1_value_5 when winnerswinner2_best_index_0_1_choice_6 else (not
+        (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_5;
+      winnerswinner2_best_index_0_1_choice_8 := ((winnerswinner1_best_cost_0_2 / 128) = 1) and (not
+        ((winnerswinner1_best_cost_0_3 / 128) = 1)) when winnerswinner2_best_index_0_1_choice_7 else
+        ((winnerswinner1_best_cost_0_2 / 128) = 1) or (not ((winnerswinner1_best_cost_0_3 / 128) = 1));
+      winnerswinner2_best_index_0_2_choice := not (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1) when
+        (winnerswinner1_best_cost_0_4 mod 2) = 1 else (winnerswinner1_best_cost_0_5 mod 4) = 0;
+      winnerswinner2_best_index_0_2_choice_2 := ((winnerswinner1_best_cost_0_4 mod 2) = 1) or (not
+        (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1)) or (not ((winnerswinner1_best_cost_0_5 mod 2) = 1)) when
+        ((winnerswinner1_best_cost_0_4 / 2) mod 2) = 1 else winnerswinner2_best_index_0_2_choice;
+      winnerswinner2_best_index_0_2_value := ((winnerswinner1_best_cost_0_5 / 4) mod 2) = 1;
+      winnerswinner2_best_index_0_2_choice_3 := (not (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) and
+        winnerswinner2_best_index_0_2_value when winnerswinner2_best_index_0_2_choice_2 else (not
+        (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_2_value;
+      winnerswinner2_best_index_0_2_value_2 := ((winnerswinner1_best_cost_0_5 / 8) mod 2) = 1;
+      winnerswinner2_best_index_0_2_choice_4 := (not (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) or
+        winnerswinner2_best_index_0_2_value_2 when winnerswinner2_best_index_0_2_choice_3 else (not
+        (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_2;
+      winnerswinner2_best_index_0_2_value_3 := ((winnerswinner1_best_cost_0_5 / 16) mod 2) = 1;
+      winnerswinner2_best_index_0_2_choice_5 := (not (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) or
+        winnerswinner2_best_index_0_2_value_3 when winnerswinner2_best_index_0_2_choice_4 else (not
+        (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_3;
+      winnerswinner2_best_index_0_2_value_4 := ((winnerswinner1_best_cost_0_5 / 32) mod 2) = 1;
+      winnerswinner2_best_index_0_2_choice_6 := (not (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) or
+        winnerswinner2_best_index_0_2_value_4 when winnerswinner2_best_index_0_2_choice_5 else (not
+        (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_4;
+      winnerswinner2_best_index_0_2_value_5 := ((winnerswinner1_best_cost_0_5 / 64) mod 2) = 1;
+      winnerswinner2_best_index_0_2_choice_7 := (not (((winnerswinner1_best_cost_0_4 / 64) mod 2) = 1)) or
+        winnerswinner2_best_index_0_2_value_5 when winnerswinner2_best_index_0_2_choice_6 else (not
+        (((winnerswinner1_best_cost_0_4 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_5;
+      winnerswinner2_best_index_0_2_choice_8 := ((winnerswinner1_best_cost_0_4 / 128) = 1) and (not
+        ((winnerswinner1_best_cost_0_5 / 128) = 1)) when winnerswinner2_best_index_0_2_choice_7 else
+        ((winnerswinner1_best_cost_0_4 / 128) = 1) or (not ((winnerswinner1_best_cost_0_5 / 128) = 1));
+      winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1 when other_5 else winnerswinner1_best_below_0_1;
+      winnerswinner2_best_below_0_1_choice := winnerswinner1_held_0_5 when other_4 else winnerswinner1_best_below_0_3;
+      winnerswinner2_best_below_0_2_choice := winnerswinner1_held_0_9 when other_0 else winnerswinner1_best_below_0_5;
+      winnerswinner2_best_above_0_0_choice := winnerswinner1_held_0_2 when winnerswinner1_best_index_0_0 else
+        winnerswinner1_best_above_0_0;
+      winnerswinner2_best_above_0_1_choice := winnerswinner1_held_0_6 when ((winnerswinner1_best_index_0_2 / 4) = 1)
+        and ((winnerswinner1_best_index_0_2 mod 2) = 1) else winnerswinner1_best_above_0_2;
+      winnerswinner2_best_above_0_2_choice := winnerswinner1_held_0_10 when ((winnerswinner1_best_index_0_4 / 8) = 1)
+        and ((winnerswinner1_best_index_0_4 mod 2) = 1) else winnerswinner1_best_above_0_4;
+      winnerswinner2_best_at_start_0_0_choice := (not ((winnerswinner1_best_cost_0_0 / 128) = 1)) or
+        ((winnerswinner1_best_cost_0_1 / 128) = 1) when winnerswinner2_best_index_0_0_choice_7 else (not
+        ((winnerswinner1_best_cost_0_0 / 128) = 1)) and ((winnerswinner1_best_cost_0_1 / 128) = 1);
+      winnerswinner2_best_at_start_0_1_choice := (not ((winnerswinner1_best_cost_0_2 / 128) = 1)) or
+        ((winnerswinner1_best_cost_0_3 / 128) = 1) when winnerswinner2_best_index_0_1_choice_7 else (not
+        ((winnerswinner1_best_cost_0_2 / 128) = 1)) and ((winnerswinner1_best_cost_0_3 / 128) = 1);
+      winnerswinner2_best_at_start_0_2_choice := (not ((winnerswinner1_best_cost_0_4 / 128) = 1)) or
+        ((winnerswinner1_best_cost_0_5 / 128) = 1) when winnerswinner2_best_index_0_2_choice_7 else (not
+        ((winnerswinner1_best_cost_0_4 / 128) = 1)) and ((winnerswinner1_best_cost_0_5 / 128) = 1);
+      winnerswinner2_best_second_0_0_choice := 255 when winnerswinner2_best_place_0_0 else
+        winnerswinner1_best_late_cost_0_1;
+      winnerswinner2_best_second_0_0_choice_2 := winnerswinner1_best_but_first_0_1 when winnerswinner2_best_at_end_0_0
+        else winnerswinner2_best_second_0_0_choice;
+      winnerswinner2_best_second_0_0_choice_3 := winnerswinner1_best_late_cost_0_0 when winnerswinner2_best_place_0_0
+        else 255;
+      winnerswinner2_best_second_0_0_choice_4 := winnerswinner1_best_but_last_0_0 when winnerswinner2_best_at_start_0_0
+        else winnerswinner2_best_second_0_0_choice_3;
+      winnerswinner2_best_second_0_1_choice := 255 when winnerswinner2_best_place_0_1 else
+        winnerswinner1_best_late_cost_0_3;
+      winnerswinner2_best_second_0_1_choice_2 := winnerswinner1_best_but_first_0_3 when winnerswinner2_best_at_end_0_1
+        else winnerswinner2_best_second_0_1_choice;
+      winnerswinner2_best_second_0_1_choice_3 := winnerswinner1_best_late_cost_0_2 when winnerswinner2_best_place_0_1
+        else 255;
+      winnerswinner2_best_second_0_1_choice_4 := winnerswinner1_best_but_last_0_2 when winnerswinner2_best_at_start_0_1
+        else winnerswinner2_best_second_0_1_choice_3;
+      winnerswinner2_best_second_0_2_choice := 255 when winnerswinner2_best_place_0_2 else
+        winnerswinner1_best_late_cost_0_5;
+      winnerswinner2_best_second_0_2_choice_2 := winnerswinner1_best_but_first_0_5 when winnerswinner2_best_at_end_0_2
+        else winnerswinner2_best_second_0_2_choice;
+      winnerswinner2_best_second_0_2_choice_3 := winnerswinner1_best_late_cost_0_4 when winnerswinner2_best_place_0_2
+        else 255;
+      winnerswinner2_best_second_0_2_choice_4 := winnerswinner1_best_but_last_0_4 when winnerswinner2_best_at_start_0_2
+        else winnerswinner2_best_second_0_2_choice_3;
+      winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when (winnerswinner1_best_cost_0_1 -
+        winnerswinner1_best_cost_0_0) < 0 else winnerswinner1_best_cost_0_0;
+      winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3 when (winnerswinner1_best_cost_0_3 -
+        winnerswinner1_best_cost_0_2) < 0 else winnerswinner1_best_cost_0_2;
+      winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when (winnerswinner1_best_cost_0_5 -
+        winnerswinner1_best_cost_0_4) < 0 else winnerswinner1_best_cost_0_4;
+      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_8 else
+        as_number(winnerswinner1_best_index_0_0);
+      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_8 else
+        winnerswinner1_best_index_0_2;
+      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_8 else
+        winnerswinner1_best_index_0_4;
+      winnerswinner2_best_below_0_0 <= winnerswinner2_best_below_0_0_choice when winnerswinner2_best_index_0_0_choice_8
+        else winnerswinner1_best_below_0_0;
+      winnerswinner2_best_below_0_1 <= winnerswinner2_best_below_0_1_choice when winnerswinner2_best_index_0_1_choice_8
+        else winnerswinner1_best_below_0_2;
+      winnerswinner2_best_below_0_2 <= winnerswinner2_best_below_0_2_choice when winnerswinner2_best_index_0_2_choice_8
+        else winnerswinner1_best_below_0_4;
+      winnerswinner2_best_above_0_0 <= winnerswinner1_best_above_0_1 when winnerswinner2_best_index_0_0_choice_8 else
+        winnerswinner2_best_above_0_0_choice;
+      winnerswinner2_best_above_0_1 <= winnerswinner1_best_above_0_3 when winnerswinner2_best_index_0_1_choice_8 else
+        winnerswinner2_best_above_0_1_choice;
+      winnerswinner2_best_above_0_2 <= winnerswinner1_best_above_0_5 when winnerswinner2_best_index_0_2_choice_8 else
+        winnerswinner2_best_above_0_2_choice;
+      winnerswinner2_best_first_0_1 <= winnerswinner1_held_0_4;
+      winnerswinner2_best_first_0_2 <= winnerswinner1_held_0_8;
+      winnerswinner2_best_last_0_0 <= winnerswinner1_held_0_3;
+      winnerswinner2_best_last_0_1 <= winnerswinner1_held_0_7;
+      winnerswinner2_best_place_0_0 <= winnerswinner2_best_index_0_0_choice_8;
+      winnerswinner2_best_place_0_1 <= winnerswinner2_best_index_0_1_choice_8;
+      winnerswinner2_best_place_0_2 <= winnerswinner2_best_index_0_2_choice_8;
+      winnerswinner2_best_at_start_0_0 <= (not winnerswinner2_best_at_start_0_0_choice) and other_5;
+      winnerswinner2_best_at_start_0_1 <= (not winnerswinner2_best_at_start_0_1_choice) and other_4;
+      winnerswinner2_best_at_start_0_2 <= (not winnerswinner2_best_at_start_0_2_choice) and other_0;
+      winnerswinner2_best_at_end_0_0 <= winnerswinner2_best_at_start_0_0_choice and winnerswinner1_best_index_0_0;
+      winnerswinner2_best_at_end_0_1 <= winnerswinner2_best_at_start_0_1_choice and ((winnerswinner1_best_index_0_2 /
+        4) = 1) and ((winnerswinner1_best_index_0_2 mod 2) = 1);
+      winnerswinner2_best_at_end_0_2 <= winnerswinner2_best_at_start_0_2_choice and ((winnerswinner1_best_index_0_4 /
+        8) = 1) and ((winnerswinner1_best_index_0_4 mod 2) = 1);
+      winnerswinner2_best_late_cost_0_0 <= winnerswinner2_best_cost_0_0;
+      winnerswinner2_best_late_cost_0_1 <= winnerswinner2_best_cost_0_1;
+      winnerswinner2_best_late_cost_0_2 <= winnerswinner2_best_cost_0_2;
+      winnerswinner2_best_second_0_0 <= winnerswinner2_best_second_0_0_choice_2 when
+        (winnerswinner2_best_second_0_0_choice_2 - winnerswinner2_best_second_0_0_choice_4) < 0 else
+        winnerswinner2_best_second_0_0_choice_4;
+      winnerswinner2_best_second_0_1 <= winnerswinner2_best_second_0_1_choice_2 when
+        (winnerswinner2_best_second_0_1_choice_2 - winnerswinner2_best_second_0_1_choice_4) < 0 else
+        winnerswinner2_best_second_0_1_choice_4;
+      winnerswinner2_best_second_0_2 <= winnerswinner2_best_second_0_2_choice_2 when
+        (winnerswinner2_best_second_0_2_choice_2 - winnerswinner2_best_second_0_2_choice_4) < 0 else
+        winnerswinner2_best_second_0_2_choice_4;
+      winnerswinner2_best_but_first_0_1 <= winnerswinner1_best_late_cost_0_3 when (winnerswinner1_best_late_cost_0_3 -
+        winnerswinner1_best_but_first_0_2) < 0 else winnerswinner1_best_but_first_0_2;
+      winnerswinner2_best_but_first_0_2 <= winnerswinner1_best_late_cost_0_5 when (winnerswinner1_best_late_cost_0_5 -
+        winnerswinner1_best_but_first_0_4) < 0 else winnerswinner1_best_but_first_0_4;
+      winnerswinner2_best_but_last_0_0 <= winnerswinner1_best_but_last_0_1 when (winnerswinner1_best_but_last_0_1 -
+        winnerswinner1_best_late_cost_0_0) < 0 else winnerswinner1_best_late_cost_0_0;
+      winnerswinner2_best_but_last_0_1 <= winnerswinner1_best_but_last_0_3 when (winnerswinner1_best_but_last_0_3 -
+        winnerswinner1_best_late_cost_0_2) < 0 else winnerswinner1_best_late_cost_0_2;
+      winnerswinner2_tag_valid <= winnerswinner1_tag_valid;
+      winnerswinner2_tag_map_column <= winnerswinner1_tag_map_column;
+      winnerswinner2_tag_output_column <= winnerswinner1_tag_output_column;
+      winnerswinner2_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
+      winnerswinner2_tag_end_of_line <= winnerswinner1_tag_end_of_line;
+      -- winnerswinner3
+      winnerswinner3_best_index_0_0_choice := not (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1) when
+        (winnerswinner2_best_cost_0_0 mod 2) = 1 else (winnerswinner2_best_cost_0_1 mod 4) = 0;
+      winnerswinner3_best_index_0_0_choice_2 := ((winnerswinner2_best_cost_0_0 mod 2) = 1) or (not
+        (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1)) or (not ((winnerswinner2_best_cost_0_1 mod 2) = 1)) when
+        ((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1 else winnerswinner3_best_index_0_0_choice;
+      winnerswinner3_best_index_0_0_value := ((winnerswinner2_best_cost_0_1 / 4) mod 2) = 1;
+      winnerswinner3_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner3_best_index_0_0_value when winnerswinner3_best_index_0_0_choice_2 else (not
+        (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner3_best_index_0_0_value;
+      winnerswinner3_best_index_0_0_value_2 := ((winnerswinner2_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner3_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner3_best_index_0_0_value_2 when winnerswinner3_best_index_0_0_choice_3 else (not
+        (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_2;
+      winnerswinner3_best_index_0_0_value_3 := ((winnerswinner2_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner3_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner3_best_index_0_0_value_3 when winnerswinner3_best_index_0_0_choice_4 else (not
+        (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_3;
+      winnerswinner3_best_index_0_0_value_4 := ((winnerswinner2_best_cost_0_1 / 32) mod 2) = 1;
+      winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
+        winnerswinner3_best_index_0_0_value_4 when winnerswinner3_best_index_0_0_choice_5 else (not
+        (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_4;
+      winnerswinner3_best_index_0_0_value_5 := ((winnerswinner2_best_cost_0_1 / 64) mod 2) = 1;
+      winnerswinner3_best_index_0_0_choice_7 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) or
+        winnerswinner3_best_index_0_0_value_5 when winnerswinner3_best_index_0_0_choice_6 else (not
+        (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_5;
+      winnerswinner3_best_index_0_0_choice_8 := ((winnerswinner2_best_cost_0_0 / 128) = 1) and (not
+        ((winnerswinner2_best_cost_0_1 / 128) = 1)) when winnerswinner3_best_index_0_0_choice_7 else
+        ((winnerswinner2_best_cost_0_0 / 128) = 1) or (not ((winnerswinner2_best_cost_0_1 / 128) = 1));
+      winnerswinner3_best_below_0_0_is_equal := winnerswinner2_best_index_0_1 = 4;
+      winnerswinner3_best_below_0_0_choice := winnerswinner2_best_last_0_0 when winnerswinner3_best_below_0_0_is_equal
+        else winnerswinner2_best_below_0_1;
+      winnerswinner3_best_above_0_0_is_equal := winnerswinner2_best_index_0_0 = 3;
+      winnerswinner3_best_above_0_0_choice := winnerswinner2_best_first_0_1 when winnerswinner3_best_above_0_0_is_equal
+        else winnerswinner2_best_above_0_0;
+      winnerswinner3_best_at_start_0_0_choice := (not ((winnerswinner2_best_cost_0_0 / 128) = 1)) or
+        ((winnerswinner2_best_cost_0_1 / 128) = 1) when winnerswinner3_best_index_0_0_choice_7 else (not
+        ((winnerswinner2_best_cost_0_0 / 128) = 1)) and ((winnerswinner2_best_cost_0_1 / 128) = 1);
+      winnerswinner3_best_second_0_0_choice := winnerswinner2_best_second_0_1 when winnerswinner3_best_place_0_0 else
+        winnerswinner2_best_late_cost_0_1;
+      winnerswinner3_best_second_0_0_choice_2 := winnerswinner2_best_but_first_0_1 when winnerswinner3_best_at_end_0_0
+        else winnerswinner3_best_second_0_0_choice;
+      winnerswinner3_best_second_0_0_choice_3 := winnerswinner2_best_late_cost_0_0 when winnerswinner3_best_place_0_0
+        else winnerswinner2_best_second_0_0;
+      winnerswinner3_best_second_0_0_choice_4 := winnerswinner2_best_but_last_0_0 when winnerswinner3_best_at_start_0_0
+        else winnerswinner3_best_second_0_0_choice_3;
+      winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when (winnerswinner2_best_cost_0_1 -
+        winnerswinner2_best_cost_0_0) < 0 else winnerswinner2_best_cost_0_0;
+      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_8 else
+        winnerswinner2_best_index_0_0;
+      winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
+      winnerswinner3_best_below_0_0 <= winnerswinner3_best_below_0_0_choice when winnerswinner3_best_index_0_0_choice_8
+        else winnerswinner2_best_below_0_0;
+      winnerswinner3_best_below_0_1 <= winnerswinner2_best_below_0_2;
+      winnerswinner3_best_above_0_0 <= winnerswinner2_best_above_0_1 when winnerswinner3_best_index_0_0_choice_8 else
+        winnerswinner3_best_above_0_0_choice;
+      winnerswinner3_best_above_0_1 <= winnerswinner2_best_above_0_2;
+      winnerswinner3_best_first_0_1 <= winnerswinner2_best_first_0_2;
+      winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0_1;
+      winnerswinner3_best_place_0_0 <= winnerswinner3_best_index_0_0_choice_8;
+      winnerswinner3_best_at_start_0_0 <= (not winnerswinner3_best_at_start_0_0_choice) and
+        winnerswinner3_best_below_0_0_is_equal;
+      winnerswinner3_best_at_end_0_0 <= winnerswinner3_best_at_start_0_0_choice and
+        winnerswinner3_best_above_0_0_is_equal;
+      winnerswinner3_best_late_cost_0_0 <= winnerswinner3_best_cost_0_0;
+      winnerswinner3_best_late_cost_0_1 <= winnerswinner2_best_late_cost_0_2;
+      winnerswinner3_best_second_0_0 <= winnerswinner3_best_second_0_0_choice_2 when
+        (winnerswinner3_best_second_0_0_choice_2 - winnerswinner3_best_second_0_0_choice_4) < 0 else
+        winnerswinner3_best_second_0_0_choice_4;
+      winnerswinner3_best_second_0_1 <= winnerswinner2_best_second_0_2;
+      winnerswinner3_best_but_first_0_1 <= winnerswinner2_best_but_first_0_2;
+      winnerswinner3_best_but_last_0_0 <= winnerswinner2_best_but_last_0_1 when (winnerswinner2_best_but_last_0_1 -
+        winnerswinner2_best_late_cost_0_0) < 0 else winnerswinner2_best_late_cost_0_0;
+      winnerswinner3_tag_valid <= winnerswinner2_tag_valid;
+      winnerswinner3_tag_map_column <= winnerswinner2_tag_map_column;
+      winnerswinner3_tag_output_column <= winnerswinner2_tag_output_column;
+      winnerswinner3_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
+      winnerswinner3_tag_end_of_line <= winnerswinner2_tag_end_of_line;
+      -- winnerswinner4
+      winnerswinner4_best_index_0_0_choice := not (((winnerswinner2_best_late_cost_0_2 / 2) mod 2) = 1) when
+        (winnerswinner3_best_cost_0_0 mod 2) = 1 else (winnerswinner2_best_late_cost_0_2 mod 4) = 0;
+      winnerswinner4_best_index_0_0_choice_2 := ((winnerswinner3_best_cost_0_0 mod 2) = 1) or (not
+        (((winnerswinner2_best_late_cost_0_2 / 2) mod 2) = 1)) or (not ((winnerswinner2_best_late_cost_0_2 mod 2) = 1))
+        when ((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1 else winnerswinner4_best_index_0_0_choice;
+      winnerswinner4_best_index_0_0_value := ((winnerswinner2_best_late_cost_0_2 / 4) mod 2) = 1;
+      winnerswinner4_best_index_0_0_choice_3 := (not (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner4_best_index_0_0_value when winnerswinner4_best_index_0_0_choice_2 else (not
+        (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner4_best_index_0_0_value;
+      winnerswinner4_best_index_0_0_value_2 := ((winnerswinner2_best_late_cost_0_2 / 8) mod 2) = 1;
+      winnerswinner4_best_index_0_0_choice_4 := (not (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner4_best_index_0_0_value_2 when winnerswinner4_best_index_0_0_choice_3 else (not
+        (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_2;
+      winnerswinner4_best_index_0_0_value_3 := ((winnerswinner2_best_late_cost_0_2 / 16) mod 2) = 1;
+      winnerswinner4_best_index_0_0_choice_5 := (not (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner4_best_index_0_0_value_3 when winnerswinner4_best_index_0_0_choice_4 else (not
+        (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_3;
+      winnerswinner4_best_index_0_0_value_4 := ((winnerswinner2_best_late_cost_0_2 / 32) mod 2) = 1;
+      winnerswinner4_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) or
+        winnerswinner4_best_index_0_0_value_4 when winnerswinner4_best_index_0_0_choice_5 else (not
+        (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_4;
+      winnerswinner4_best_index_0_0_value_5 := ((winnerswinner2_best_late_cost_0_2 / 64) mod 2) = 1;
+      winnerswinner4_best_index_0_0_choice_7 := (not (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) or
+        winnerswinner4_best_index_0_0_value_5 when winnerswinner4_best_index_0_0_choice_6 else (not
+        (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_5;
+      winnerswinner4_best_index_0_0_choice_8 := (not ((winnerswinner3_best_cost_0_0 / 128) = 1)) or
+        ((winnerswinner2_best_late_cost_0_2 / 128) = 1) when winnerswinner4_best_index_0_0_choice_7 else (not
+        ((winnerswinner3_best_cost_0_0 / 128) = 1)) and ((winnerswinner2_best_late_cost_0_2 / 128) = 1);
+      winnerswinner4_best_below_0_0_is_equal := (winnerswinner3_best_index_0_1 mod 4) = 0;
+      winnerswinner4_best_below_0_0_choice := winnerswinner3_best_last_0_0 when ((winnerswinner3_best_index_0_1 / 8) =
+        1) and winnerswinner4_best_below_0_0_is_equal else winnerswinner3_best_below_0_1;
+      winnerswinner4_best_above_0_0_is_equal := winnerswinner3_best_index_0_0 = 7;
+      winnerswinner4_best_above_0_0_choice := winnerswinner3_best_first_0_1 when winnerswinner4_best_above_0_0_is_equal
+        else winnerswinner3_best_above_0_0;
+      winnerswinner4_best_second_0_0_choice := winnerswinner3_best_second_0_1 when winnerswinner4_best_place_0_0 else
+        winnerswinner3_best_late_cost_0_1;
+      winnerswinner4_best_second_0_0_choice_2 := winnerswinner3_best_but_first_0_1 when winnerswinner4_best_at_end_0_0
+        else winnerswinner4_best_second_0_0_choice;
+      winnerswinner4_best_second_0_0_choice_3 := winnerswinner3_best_late_cost_0_0 when winnerswinner4_best_place_0_0
+        else winnerswinner3_best_second_0_0;
+      winnerswinner4_best_second_0_0_choice_4 := winnerswinner3_best_but_last_0_0 when winnerswinner4_best_at_start_0_0
+        else winnerswinner4_best_second_0_0_choice_3;
+      winnerswinner4_best_cost_0_0 <= winnerswinner2_best_late_cost_0_2 when (winnerswinner2_best_late_cost_0_2 -
+        winnerswinner3_best_cost_0_0) < 0 else winnerswinner3_best_cost_0_0;
+      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_0 when winnerswinner4_best_index_0_0_choice_8 else
+        winnerswinner3_best_index_0_1;
+      winnerswinner4_best_below_0_0 <= winnerswinner3_best_below_0_0 when winnerswinner4_best_index_0_0_choice_8 else
+        winnerswinner4_best_below_0_0_choice;
+      winnerswinner4_best_above_0_0 <= winnerswinner4_best_above_0_0_choice when winnerswinner4_best_index_0_0_choice_8
+        else winnerswinner3_best_above_0_1;
+      winnerswinner4_best_place_0_0 <= ((winnerswinner3_best_cost_0_0 / 128) = 1) and (not
+        ((winnerswinner2_best_late_cost_0_2 / 128) = 1)) when winnerswinner4_best_index_0_0_choice_7 else
+        ((winnerswinner3_best_cost_0_0 / 128) = 1) or (not ((winnerswinner2_best_late_cost_0_2 / 128) = 1));
+      winnerswinner4_best_at_start_0_0 <= (not winnerswinner4_best_index_0_0_choice_8) and
+        ((winnerswinner3_best_index_0_1 / 8) = 1) and winnerswinner4_best_below_0_0_is_equal;
+      winnerswinner4_best_at_end_0_0 <= winnerswinner4_best_index_0_0_choice_8 and
+        winnerswinner4_best_above_0_0_is_equal;
+      winnerswinner4_best_late_cost_0_0 <= winnerswinner4_best_cost_0_0;
+      winnerswinner4_best_second_0_0 <= winnerswinner4_best_second_0_0_choice_2 when
+        (winnerswinner4_best_second_0_0_choice_2 - winnerswinner4_best_second_0_0_choice_4) < 0 else
+        winnerswinner4_best_second_0_0_choice_4;
+      winnerswinner4_tag_valid <= winnerswinner3_tag_valid;
+      winnerswinner4_tag_map_column <= winnerswinner3_tag_map_column;
+      winnerswinner4_tag_output_column <= winnerswinner3_tag_output_column;
+      winnerswinner4_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
+      winnerswinner4_tag_end_of_line <= winnerswinner3_tag_end_of_line;
+      -- winners
+      winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
+      winners_best_below_0_0 <= winnerswinner4_best_below_0_0;
+      winners_best_above_0_0 <= winnerswinner4_best_above_0_0;
+      winners_best_late_cost_0_0 <= winnerswinner4_best_late_cost_0_0;
+      winners_best_second_0_0 <= winnerswinner4_best_second_0_0;
+      winners_best_tag_valid <= winnerswinner4_tag_valid;
+      winners_best_tag_map_column <= winnerswinner4_tag_map_column;
+      winners_best_tag_output_column <= winnerswinner4_tag_output_column;
+      winners_best_tag_start_of_frame <= winnerswinner4_tag_start_of_frame;
+      winners_best_tag_end_of_line <= winnerswinner4_tag_end_of_line;
+      -- refinement
+      refinement_below_0_differs := winners_best_index_0_0 /= 0;
+      refinement_below_0_differs_2 := winners_best_below_0_0 /= 255;
+      refinement_above_0_all := (winners_best_index_0_0 = 11) and refinement_below_0_differs;
+      refinement_above_0_choice := refinement_below_0_differs when (winners_best_above_0_0 mod 16) = 15 else
+        refinement_above_0_all;
+      refinement_above_0_choice_2 := refinement_above_0_choice when (winners_best_above_0_0 / 16) = 15 else
+        refinement_above_0_all;
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 512) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 512) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 512) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 512) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 512) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 512) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 512) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
+      refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
+      refinement_disparity_0_0 <= winners_best_index_0_0;
+      refinement_disparity_1_0 <= refinement_disparity_0_0;
+      refinement_disparity_2_0 <= refinement_disparity_1_0;
+      refinement_disparity_3_0 <= refinement_disparity_2_0;
+      refinement_disparity_4_0 <= refinement_disparity_3_0;
+      refinement_disparity_5_0 <= refinement_disparity_4_0;
+      refinement_disparity_6_0 <= refinement_disparity_5_0;
+      refinement_disparity_7_0 <= refinement_disparity_6_0;
+      refinement_disparity_8_0 <= refinement_disparity_7_0;
+      refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
+      refinement_passed_0_0 <= ((winnerswinner4_best_late_cost_0_0 / 16) /= 15) or ((winnerswinner4_best_late_cost_0_0
+        mod 16) /= 15);
+      refinement_passed_1_0 <= refinement_passed_0_0;
+      refinement_passed_2_0 <= refinement_passed_1_0;
+      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
+        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      refinement_passed_4_0 <= refinement_passed_3_0;
+      refinement_passed_5_0 <= refinement_passed_4_0;
+      refinement_passed_6_0 <= refinement_passed_5_0;
+      refinement_passed_7_0 <= refinement_passed_6_0;
+      refinement_passed_8_0 <= refinement_passed_7_0;
+      refinement_passed_9_0 <= refinement_passed_8_0;
+      refinement_passed_10_0 <= refinement_passed_9_0;
+      refinement_passed_11_0 <= refinement_passed_10_0;
+      refinement_tag_0_valid <= winners_best_tag_valid;
+      refinement_tag_0_map_column <= winners_best_tag_map_column;
+      refinement_tag_0_output_column <= winners_best_tag_output_column;
+      refinement_tag_0_start_of_frame <= winners_best_tag_start_of_frame;
+      refinement_tag_0_end_of_line <= winners_best_tag_end_of_line;
+      refinement_tag_1_valid <= refinement_tag_0_valid;
+      refinement_tag_1_map_column <= refinement_tag_0_map_column;
+      refinement_tag_1_output_column <= refinement_tag_0_output_column;
+      refinement_tag_1_start_of_frame <= refinement_tag_0_start_of_frame;
+      refinement_tag_1_end_of_line <= refinement_tag_0_end_of_line;
+      refinement_tag_2_valid <= refinement_tag_1_valid;
+      refinement_tag_2_map_column <= refinement_tag_1_map_column;
+      refinement_tag_2_output_column <= refinement_tag_1_output_column;
+      refinement_tag_2_start_of_frame <= refinement_tag_1_start_of_frame;
+      refinement_tag_2_end_of_line <= refinement_tag_1_end_of_line;
+      refinement_tag_3_valid <= refinement_tag_2_valid;
+      refinement_tag_3_map_column <= refinement_tag_2_map_column;
+      refinement_tag_3_output_column <= refinement_tag_2_output_column;
+      refinement_tag_3_start_of_frame <= refinement_tag_2_start_of_frame;
+      refinement_tag_3_end_of_line <= refinement_tag_2_end_of_line;
+      refinement_tag_4_valid <= refinement_tag_3_valid;
+      refinement_tag_4_map_column <= refinement_tag_3_map_column;
+      refinement_tag_4_output_column <= refinement_tag_3_output_column;
+      refinement_tag_4_start_of_frame <= refinement_tag_3_start_of_frame;
+      refinement_tag_4_end_of_line <= refinement_tag_3_end_of_line;
+      refinement_tag_5_valid <= refinement_tag_4_valid;
+      refinement_tag_5_map_column <= refinement_tag_4_map_column;
+      refinement_tag_5_output_column <= refinement_tag_4_output_column;
+      refinement_tag_5_start_of_frame <= refinement_tag_4_start_of_frame;
+      refinement_tag_5_end_of_line <= refinement_tag_4_end_of_line;
+      refinement_tag_6_valid <= refinement_tag_5_valid;
+      refinement_tag_6_map_column <= refinement_tag_5_map_column;
+      refinement_tag_6_output_column <= refinement_tag_5_output_column;
+      refinement_tag_6_start_of_frame <= refinement_tag_5_start_of_frame;
+      refinement_tag_6_end_of_line <= refinement_tag_5_end_of_line;
+      refinement_tag_7_valid <= refinement_tag_6_valid;
+      refinement_tag_7_map_column <= refinement_tag_6_map_column;
+      refinement_tag_7_output_column <= refinement_tag_6_output_column;
+      refinement_tag_7_start_of_frame <= refinement_tag_6_start_of_frame;
+      refinement_tag_7_end_of_line <= refinement_tag_6_end_of_line;
+      refinement_tag_8_valid <= refinement_tag_7_valid;
+      refinement_tag_8_map_column <= refinement_tag_7_map_column;
+      refinement_tag_8_output_column <= refinement_tag_7_output_column;
+      refinement_tag_8_start_of_frame <= refinement_tag_7_start_of_frame;
+      refinement_tag_8_end_of_line <= refinement_tag_7_end_of_line;
+      refinement_tag_9_valid <= refinement_tag_8_valid;
+      refinement_tag_9_map_column <= refinement_tag_8_map_column;
+      refinement_tag_9_output_column <= refinement_tag_8_output_column;
+      refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
+      refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_map_column <= refinement_tag_9_map_column;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_map_column <= refinement_tag_10_map_column;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_alone_0_0 <= winners_best_second_0_0 = 255;
+      refinement_alone_1_0 <= refinement_alone_0_0;
+      refinement_gap_0 <= (winners_best_second_0_0 - winners_best_late_cost_0_0) mod 256;
+      refinement_scaled_gap_0 <= refinement_gap_0 + 1;
+      refinement_scaled_cost_0 <= refinement_distance;
+      refinement_below_0 <= winners_best_below_0_0 when refinement_below_0_differs and refinement_below_0_differs_2
+        else winners_best_above_0_0;
+      refinement_above_0 <= winners_best_below_0_0 when refinement_above_0_choice_2 and refinement_below_0_differs_2
+        else winners_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - winners_best_late_cost_0_0) mod 256;
+      refinement_v_0 <= (refinement_above_0 - winners_best_late_cost_0_0) mod 256;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 256 when (refinement_remainder_1_0_difference
+        / 512) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 256 when (refinement_remainder_2_0_difference
+        / 512) = 1 else (refinement_remainder_1_0 mod 128) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 256 when (refinement_remainder_3_0_difference
+        / 512) = 1 else (refinement_remainder_2_0 mod 128) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 256 when (refinement_remainder_4_0_difference
+        / 512) = 1 else (refinement_remainder_3_0 mod 128) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 256 when (refinement_remainder_5_0_difference
+        / 512) = 1 else (refinement_remainder_4_0 mod 128) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 256 when (refinement_remainder_6_0_difference
+        / 512) = 1 else (refinement_remainder_5_0 mod 128) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 256 when (refinement_remainder_7_0_difference
+        / 512) = 1 else (refinement_remainder_6_0 mod 128) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 8)) or
+        (to_unsigned(as_number(((refinement_v_0 = 0) and (refinement_u_0 = 0))), 8))));
+      refinement_divisor_1_0 <= refinement_divisor_0_0;
+      refinement_divisor_2_0 <= refinement_divisor_1_0;
+      refinement_divisor_3_0 <= refinement_divisor_2_0;
+      refinement_divisor_4_0 <= refinement_divisor_3_0;
+      refinement_divisor_5_0 <= refinement_divisor_4_0;
+      refinement_divisor_6_0 <= refinement_divisor_5_0;
+      refinement_divisor_7_0 <= refinement_divisor_6_0;
+      refinement_quotient_8_0 <= ((((refinement_remainder_7_0 * 2) + 512) - refinement_divisor_7_0) / 512) + ((other_16
+        / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
+      refinement_negative_1_0 <= refinement_negative_0_0;
+      refinement_negative_2_0 <= refinement_negative_1_0;
+      refinement_negative_3_0 <= refinement_negative_2_0;
+      refinement_negative_4_0 <= refinement_negative_3_0;
+      refinement_negative_5_0 <= refinement_negative_4_0;
+      refinement_negative_6_0 <= refinement_negative_5_0;
+      refinement_negative_7_0 <= refinement_negative_6_0;
+      refinement_negative_8_0 <= refinement_negative_7_0;
+      refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if not ((not refinement_tag_0_valid) or (not refinement_tag_0_start_of_frame) or (not refinement_tag_0_output_column)) then
+        refinement_distance <= settings_uniqueness_distance;
+      end if;
+      -- leftright
+      leftright_holds_winners_all := (leftright_ring_read_address /= 0) and (not leftright_holds_winners);
+      leftright_checked_passed_0_difference := leftright_answered_disparity_0 - to_integer(leftright_found_0);
+      leftright_other_1_0 <= winnersother_winner_out_0;
+      leftright_other_2_0 <= leftright_other_1_0;
+      leftright_other_3_0 <= leftright_other_2_0;
+      leftright_other_4_0 <= leftright_other_3_0;
+      leftright_other_5_0 <= leftright_other_4_0;
+      leftright_other_6_0 <= leftright_other_5_0;
+      leftright_other_7_0 <= leftright_other_6_0;
+      leftright_other_8_0 <= leftright_other_7_0;
+      leftright_other_9_0 <= leftright_other_8_0;
+      leftright_other_10_0 <= leftright_other_9_0;
+      leftright_other_11_0 <= leftright_other_10_0;
+      leftright_other_12_0 <= leftright_other_11_0;
+      leftright_other_13_0 <= leftright_other_12_0;
+      leftright_other_14_0 <= leftright_other_13_0;
+      leftright_other_15_0 <= leftright_other_14_0;
+      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
+        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
+      leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
+      leftright_held_position <= leftright_position;
+      leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
+      leftright_address_0 <= (to_integer(leftright_held_0(17 downto 4)) + leftright_held_position + 5) mod 16;
+      leftright_asking_disparity_0 <= to_integer(leftright_held_0(7 downto 4));
+      leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
+      leftright_asking_passed_0 <= to_integer(leftright_held_0(12 downto 12)) = 1;
+      leftright_asking_tag_valid <= leftright_held_valid;
+      leftright_asking_tag_map_column <= to_integer(leftright_held_0(0 downto 0)) = 1;
+      leftright_asking_tag_output_column <= to_integer(leftright_held_0(1 downto 1)) = 1;
+      leftright_asking_tag_start_of_frame <= to_integer(leftright_held_0(2 downto 2)) = 1;
+      leftright_asking_tag_end_of_line <= to_integer(leftright_held_0(3 downto 3)) = 1;
+      leftright_answered_disparity_0 <= leftright_asking_disparity_0;
+      leftright_answered_fraction_0 <= leftright_asking_fraction_0;
+      leftright_answered_passed_0 <= leftright_asking_passed_0;
+      leftright_answered_tag_valid <= leftright_asking_tag_valid;
+      leftright_answered_tag_map_column <= leftright_asking_tag_map_column;
+      leftright_answered_tag_output_column <= leftright_asking_tag_output_column;
+      leftright_answered_tag_start_of_frame <= leftright_asking_tag_start_of_frame;
+      leftright_answered_tag_end_of_line <= leftright_asking_tag_end_of_line;
+      leftright_checked_disparity_0 <= leftright_answered_disparity_0;
+      leftright_checked_fraction_0 <= leftright_answered_fraction_0;
+      leftright_checked_passed_0 <= leftright_answered_passed_0 and ((leftright_checked_passed_0_difference - (0 -
+        leftright_threshold)) >= 0) and ((leftright_threshold - leftright_checked_passed_0_difference) >= 0);
+      leftright_checked_tag_valid <= leftright_answered_tag_valid;
+      leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
+      leftright_checked_tag_output_column <= leftright_answered_tag_output_column;
+      leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
+      leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if refinement_tag_11_valid then
+        leftright_ring_read_address <= 0 when leftright_ring_read_address = 11 else (leftright_ring_read_address + 1)
+          mod 16;
+        leftright_ring_write_address <= leftright_ring_read_address;
+      end if;
+      if not ((not leftright_asking_tag_valid) or (not leftright_asking_tag_start_of_frame) or (not leftright_asking_tag_output_column)) then
+        leftright_threshold <= settings_left_right_threshold;
+      end if;
+      -- turn
+      turn_order_address_any := turn_order_inside or (not leftright_checked_tag_map_column) or (not
+        leftright_checked_tag_valid);
+      turn_order_address_choice := 63 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else entry_order_last_value;
+      turn_order_address_any_2 := (not leftright_checked_tag_map_column) or (not leftright_checked_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 64 when turn_order_address_any else
+          turn_order_address_choice_2;
+      end if;
+      turn_order_falls_all := (not turn_order_inside) and leftright_checked_tag_map_column and
+        leftright_checked_tag_valid;
+      turn_order_complete_all := leftright_checked_tag_map_column and leftright_checked_tag_valid;
+      turn_ready_tag_row_start_choice := (not ((map_counter_group mod 2) = 1)) or (not (((map_counter_group / 2) mod 2)
+        = 1)) when (size_windows_idle mod 2) = 1 else not (((map_counter_group / 2) mod 2) = 1);
+      turn_ready_tag_row_start_is_equal := (map_counter_group mod 4) = 0;
+      turn_ready_tag_row_start_choice_2 := turn_ready_tag_row_start_choice when raster_place_group_value_8 else
+        ((size_windows_idle mod 2) = 1) and turn_ready_tag_row_start_is_equal;
+      turn_ready_tag_row_start_value := ((map_counter_group / 4) mod 2) = 1;
+      turn_ready_tag_row_start_choice_3 := (not transform_counter_group_value_9) and turn_ready_tag_row_start_value
+        when turn_ready_tag_row_start_choice_2 else (not transform_counter_group_value_9) or
+        turn_ready_tag_row_start_value;
+      turn_ready_tag_row_start_value_2 := ((map_counter_group / 8) mod 2) = 1;
+      turn_ready_tag_row_start_choice_4 := (not raster_place_group_value_9) or turn_ready_tag_row_start_value_2 when
+        turn_ready_tag_row_start_choice_3 else (not raster_place_group_value_9) and turn_ready_tag_row_start_value_2;
+      turn_ready_tag_row_start_value_3 := ((size_map_last_column / 16) mod 2) = 1;
+      turn_ready_tag_row_start_choice_5 := (map_counter_column / 16) = 3 when turn_ready_tag_row_start_value_3 else
+        (map_counter_column / 16) = 2;
+      turn_ready_tag_row_start_choice_6 := (map_counter_column / 16) = 1 when turn_ready_tag_row_start_value_3 else
+        (map_counter_column / 16) = 0;
+      turn_ready_tag_row_start_choice_7 := turn_ready_tag_row_start_choice_5 when (size_map_last_column / 32) = 1 else
+        turn_ready_tag_row_start_choice_6;
+      turn_ready_tag_row_start_value_4 := ((size_map_last_column / 2) mod 2) = 1;
+      turn_ready_tag_row_start_value_5 := (map_counter_column / 2) mod 4;
+      turn_ready_tag_row_start_choice_8 := turn_ready_tag_row_start_value_5 = 3 when turn_ready_tag_row_start_value_4
+        else turn_ready_tag_row_start_value_5 = 2;
+      turn_ready_tag_row_start_choice_9 := turn_ready_tag_row_start_value_5 = 1 when turn_ready_tag_row_start_value_4
+        else turn_ready_tag_row_start_value_5 = 0;
+      turn_ready_tag_row_start_choice_10 := turn_ready_tag_row_start_choice_8 when ((size_map_last_column / 4) mod 2) =
+        1 else turn_ready_tag_row_start_choice_9;
+      turn_ready_tag_row_start_differs := ((size_map_last_column mod 2) = 1) /= (not ((map_counter_column mod 2) = 1));
+      turn_ready_tag_row_start_differs_2 := (((size_map_last_column / 8) mod 2) = 1) /= (not (((map_counter_column / 8)
+        mod 2) = 1));
+      turn_ready_tag_row_start_choice_11 := turn_ready_tag_row_start_choice_7 and turn_ready_tag_row_start_choice_10
+        and turn_ready_tag_row_start_differs and turn_ready_tag_row_start_differs_2 and ((size_windows_idle / 16) = 1)
+        and (not ((map_counter_group / 16) = 1)) when turn_ready_tag_row_start_choice_4 else
+        turn_ready_tag_row_start_choice_7 and turn_ready_tag_row_start_choice_10 and turn_ready_tag_row_start_differs
+        and turn_ready_tag_row_start_differs_2 and (((size_windows_idle / 16) = 1) or (not ((map_counter_group / 16) =
+        1)));
+      turn_ready_tag_row_start_value_6 := ((size_windows_groups / 8) mod 2) = 1;
+      turn_ready_tag_row_start_is_equal_2 := (map_counter_group / 8) = 3;
+      turn_ready_tag_row_start_is_equal_3 := (map_counter_group / 8) = 2;
+      turn_ready_tag_row_start_choice_12 := turn_ready_tag_row_start_is_equal_2 when turn_ready_tag_row_start_value_6
+        else turn_ready_tag_row_start_is_equal_3;
+      turn_ready_tag_row_start_is_equal_4 := (map_counter_group / 8) = 1;
+      turn_ready_tag_row_start_is_equal_5 := (map_counter_group / 8) = 0;
+      turn_ready_tag_row_start_choice_13 := turn_ready_tag_row_start_is_equal_4 when turn_ready_tag_row_start_value_6
+        else turn_ready_tag_row_start_is_equal_5;
+      turn_ready_tag_row_start_choice_14 := turn_ready_tag_row_start_choice_12 when (size_windows_groups / 16) = 1 else
+        turn_ready_tag_row_start_choice_13;
+      turn_ready_tag_row_start_is_equal_6 := (map_counter_group mod 4) = 3;
+      turn_ready_tag_row_start_is_equal_7 := (map_counter_group mod 4) = 2;
+      turn_ready_tag_row_start_choice_15 := turn_ready_tag_row_start_is_equal_6 when (size_windows_groups mod 2) = 1
+        else turn_ready_tag_row_start_is_equal_7;
+      turn_ready_tag_row_start_is_equal_8 := (map_counter_group mod 4) = 1;
+      turn_ready_tag_row_start_choice_16 := turn_ready_tag_row_start_is_equal_8 when (size_windows_groups mod 2) = 1
+        else turn_ready_tag_row_start_is_equal;
+      turn_ready_tag_row_start_choice_17 := turn_ready_tag_row_start_choice_15 when ((size_windows_groups / 2) mod 2) =
+        1 else turn_ready_tag_row_start_choice_16;
+      turn_ready_tag_row_start_differs_3 := raster_place_group_value_10 /= (not turn_ready_tag_row_start_value);
+      turn_ready_tag_row_start_all := turn_ready_tag_row_start_choice_14 and turn_ready_tag_row_start_choice_17 and
+        turn_ready_tag_row_start_differs_3;
+      turn_ready_tag_row_start_choice_18 := (not turn_ready_tag_row_start_all) and turn_ready_tag_row_start when
+        turn_ready_tag_row_start_choice_11 else turn_ready_tag_row_start;
+      turn_ready_tag_row_start_value_7 := ((size_windows_last_group / 8) mod 2) = 1;
+      turn_ready_tag_row_start_choice_19 := turn_ready_tag_row_start_is_equal_2 when turn_ready_tag_row_start_value_7
+        else turn_ready_tag_row_start_is_equal_3;
+      turn_ready_tag_row_start_choice_20 := turn_ready_tag_row_start_is_equal_4 when turn_ready_tag_row_start_value_7
+        else turn_ready_tag_row_start_is_equal_5;
+      turn_ready_tag_row_start_choice_21 := turn_ready_tag_row_start_choice_19 when (size_windows_last_group / 16) = 1
+        else turn_ready_tag_row_start_choice_20;
+      turn_ready_tag_row_start_choice_22 := turn_ready_tag_row_start_is_equal_6 when (size_windows_last_group mod 2) =
+        1 else turn_ready_tag_row_start_is_equal_7;
+      turn_ready_tag_row_start_choice_23 := turn_ready_tag_row_start_is_equal_8 when (size_windows_last_group mod 2) =
+        1 else turn_ready_tag_row_start_is_equal;
+      turn_ready_tag_row_start_choice_24 := turn_ready_tag_row_start_choice_22 when ((size_windows_last_group / 2) mod
+        2) = 1 else turn_ready_tag_row_start_choice_23;
+      turn_ready_tag_row_start_differs_4 := transform_counter_group_value_4 /= (not turn_ready_tag_row_start_value);
+      turn_ready_tag_row_start_all_2 := turn_ready_tag_row_start_choice_21 and turn_ready_tag_row_start_choice_24 and
+        turn_ready_tag_row_start_differs_4 and turn_ready_tag_row_start_choice_7 and turn_ready_tag_row_start_choice_10
+        and turn_ready_tag_row_start_differs and turn_ready_tag_row_start_differs_2;
+      turn_ready_tag_row_start_choice_25 := turn_ready_tag_row_start_all_2 or (not turn_ready_tag_start_of_frame) when
+        turn_ready_tag_row_start_choice_18 else turn_ready_tag_row_start_choice_21 and
+        turn_ready_tag_row_start_choice_24 and turn_ready_tag_row_start_differs_4 and turn_ready_tag_row_start_choice_7
+        and turn_ready_tag_row_start_choice_10 and turn_ready_tag_row_start_differs and
+        turn_ready_tag_row_start_differs_2 and turn_ready_tag_start_of_frame;
+      turn_ready_tag_row_start_all_3 := turn_ready_tag_valid and turn_ready_tag_map_column;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when leftright_checked_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
+      turn_order_turned_valid <= leftright_checked_tag_valid;
+      turn_order_turned_map_column <= leftright_checked_tag_map_column;
+      turn_order_turned_start_of_frame <= (not turn_order_inside) and leftright_checked_tag_map_column and
+        leftright_checked_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
+      turn_order_turned_end_of_line <= leftright_checked_tag_end_of_line;
+      turn_newest <= (leftright_checked_fraction_0 * 512) + leftright_checked_disparity_0 +
+        (as_number(leftright_checked_passed_0) * 256);
+      turn_comes <= turn_order_complete_all;
+      turn_read_tag_valid <= turn_order_turned_valid;
+      turn_read_tag_map_column <= turn_order_turned_map_column;
+      turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
+      turn_read_tag_end_of_line <= turn_order_turned_end_of_line;
+      turn_ready <= to_integer(turn_read_words_0);
+      turn_ready_tag_valid <= turn_read_tag_valid;
+      turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_3 when
+        turn_ready_tag_row_start_choice_25 else turn_ready_tag_row_start and ((not turn_ready_tag_valid) or (not
+        turn_ready_tag_map_column));
+      turn_ready_tag_map_column <= turn_read_tag_map_column;
+      turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
+      turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
+      if leftright_checked_tag_valid then
+        turn_order_inside <= leftright_checked_tag_map_column;
+      end if;
+      if turn_order_falls_all then
+        turn_order_output <= leftright_checked_tag_output_column;
+        turn_order_first <= leftright_checked_tag_start_of_frame;
+      end if;
+      if turn_comes then
+        turn_write_words_0 <= turn_newest;
+        turn_write_place <= turn_order_address;
+      end if;
+      -- map
+      if turn_ready_tag_row_start_all_3 then
+        map_counter_column <= 0 when (turn_ready_tag_row_start_choice_7 and turn_ready_tag_row_start_choice_10 and
+          turn_ready_tag_row_start_differs and turn_ready_tag_row_start_differs_2) or turn_ready_tag_start_of_frame
+          else (map_counter_column + 1) mod 64;
+      end if;
+      map_counter_group_choice := size_windows_groups when turn_ready_tag_row_start_all_2 else 0;
+      map_counter_group_choice_2 := 1 when turn_ready_tag_row_start_choice_14 and turn_ready_tag_row_start_choice_17
+        and turn_ready_tag_row_start_differs_3 and turn_ready_tag_row_start else (map_counter_group + 1) mod 32;
+      map_counter_group_choice_3 := map_counter_group_choice_2 when turn_ready_tag_row_start_choice_11 and
+        turn_ready_tag_valid and turn_ready_tag_map_column else map_counter_group;
+      map_line_ended_choice := turn_ready_tag_map_column when turn_ready_tag_valid else map_line_ended;
+      map_at_arrives_value := to_integer(other_11(16 downto 16)) = 1;
+      if map_at_top then
+        map_of_column_0_a_choice := map_column_1 / 2;
+      else
+        map_of_column_0_a_choice := other_12 / 2;
+      end if;
+      if map_at_bottom then
+        map_of_column_0_c_choice := map_column_1 / 2;
+      else
+        map_of_column_0_c_choice := map_column_2 / 2;
+      end if;
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
+      map_window_complete_choice := map_sorted_arrives when ((map_sorted_column / 2) mod 2) = 1 else
+        ((map_sorted_column mod 2) = 1) and map_sorted_arrives;
+      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 4) = 0 else
+        map_sorted_arrives;
+      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
+        map_median_middle_0_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
+      map_counter_group <= map_counter_group_choice when turn_ready_tag_start_of_frame and turn_ready_tag_valid and
+        turn_ready_tag_map_column else map_counter_group_choice_3;
+      map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
+        8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
+      map_arrives <= turn_ready_tag_row_start_all_3;
+      map_behind <= map_line_ended and turn_ready_tag_valid;
+      map_line_ended <= map_line_ended_choice when turn_ready_tag_end_of_line else map_line_ended and (not
+        turn_ready_tag_valid);
+      map_rows_read_newest_0 <= map_newest_0;
+      map_rows_ready_newest_0 <= map_rows_read_newest_0;
+      map_write_column <= to_integer(other_11(5 downto 0));
+      map_column_1 <= other_14 / 8192;
+      map_column_2 <= map_rows_ready_newest_0;
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_11(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_11(32 downto 32)) = 1;
+      map_at_bottom <= to_integer(other_11(40 downto 40)) = 1;
+      map_at_output <= to_integer(other_11(48 downto 48)) = 1;
+      map_of_column_0_a <= map_of_column_0_a_choice;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_of_column_0_c_choice;
+      map_of_column_0_b_below_a <= ((map_column_1 / 2) - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_a <= (map_of_column_0_c_choice - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_b <= (map_of_column_0_c_choice - (map_column_1 / 2)) < 0;
+      map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_comparing_column <= map_write_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
+        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete <= map_sorted_output when map_window_complete_choice_2 else map_sorted_output and
+        map_sorted_behind;
+      map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= (map_low_1_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_a <= (map_low_2_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_b <= (map_low_2_0 - map_low_1_0) < 0;
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= (map_middle_1_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_a <= (map_middle_2_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_b <= (map_middle_2_0 - map_middle_1_0) < 0;
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
+        map_median_middle_0_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= (map_median_middle_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_a <= (map_smallest_high_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_b <= (map_smallest_high_0 - map_median_middle_0) < 0;
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
+        map_rows_write_words_0 <= (other_14 / 8192) + (map_rows_ready_newest_0 * 8192);
+        map_at_column <= to_integer(other_11(5 downto 0));
+      end if;
+      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
+      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
+      if not map_low_0_0_all then
+        map_low_0_0 <= map_low_0_0_choice;
+        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
+        map_low_2_0 <= map_low_1_0;
+        map_middle_0_0 <= map_middle_0_0_choice;
+        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
+        map_middle_2_0 <= map_middle_1_0;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
+        map_high_2_0 <= map_high_1_0;
+      end if;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
+      end if;
+      -- other
+      other_0 <= winnerswinner1_best_index_0_5_choice_7;
+      other_4 <= winnerswinner1_best_index_0_3_choice_7;
+      other_5 <= winnerswinner1_best_index_0_1_choice_7;
+      other_10 <= 1 when 1 < in_image_width else (1 - in_image_width) mod 65536;
+      other_11 <= other_13;
+      other_12 <= ((other_14 mod 8192) / 2) * 2;
+      other_13 <= to_unsigned(as_number(((((map_counter_group + 65535) mod 65536) - size_windows_groups) < 0)), 1) &
+        to_unsigned(as_number(turn_ready_tag_row_start_all), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
+      other_14 <= to_integer(other_15);
+      other_16 <= ((refinement_remainder_7_0_difference / 512) * 2) + ((other_17 / 4) * 4);
+      other_17 <= ((refinement_remainder_6_0_difference / 512) * 4) + ((other_18 / 8) * 8);
+      other_18 <= ((refinement_remainder_5_0_difference / 512) * 8) + ((other_19 / 16) * 16);
+      other_19 <= ((refinement_remainder_4_0_difference / 512) * 16) + ((other_20 / 32) * 32);
+      other_20 <= ((refinement_remainder_3_0_difference / 512) * 32) + ((other_21 / 64) * 64);
+      other_21 <= ((refinement_remainder_2_0_difference / 512) * 64) + ((other_22 / 128) * 128);
+      other_22 <= (refinement_remainder_1_0_difference / 512) * 128;
+      other_1_is_equal := (settings_first_disparity / 8) = 0;
+      other_1_choice := other_1_is_equal and slice1mask_searched_3_value_6 when (not (((settings_last_disparity / 16)
+        mod 2) = 1)) and ((not slice1mask_searched_3_value_2) or (not slice1mask_searched_3_value_3) or (not
+        ((settings_last_disparity mod 2) = 1))) and (not ((settings_last_disparity / 128) = 1)) and (not
+        slice1mask_searched_3_value_4) and (not slice1mask_searched_3_value) else other_1_is_equal;
+      other_2_all := ((not slice1mask_searched_4_value) or (not slice1mask_searched_4_value_2) or (not
+        ((settings_first_disparity mod 2) = 1))) and (not (((not slice1mask_searched_3_value_2) or (not
+        slice1mask_searched_3_value_3)) and ((settings_last_disparity / 8) = 0))) and other_1_is_equal;
+      other_3_any := (not slice1mask_searched_4_value) or (not slice1mask_searched_4_value_2);
+      other_3_choice := other_3_any and other_1_is_equal and slice1mask_searched_3_value_6 when (not
+        (((settings_last_disparity / 16) mod 2) = 1)) and ((not slice1mask_searched_3_value_2) or
+        ((settings_last_disparity mod 4) = 0)) and (not ((settings_last_disparity / 128) = 1)) and (not
+        slice1mask_searched_3_value_4) and (not slice1mask_searched_3_value) else other_3_any and other_1_is_equal;
+      if slice1mask_searched_3_all then
+        other_1 <= other_1_choice;
+        other_2 <= other_2_all;
+        other_3 <= other_3_choice;
+      end if;
+      other_6_all := ((settings_last_disparity / 4) /= 0) and ((not slice1mask_searched_4_value) or
+        ((settings_first_disparity mod 4) = 0)) and other_1_is_equal;
+      other_7_is_equal := (settings_first_disparity / 4) = 0;
+      other_7_choice := other_7_is_equal and slice2mask_searched_0_any_3 when slice2mask_searched_0_any and
+        (((settings_last_disparity / 4) mod 16) = 0) else other_7_is_equal;
+      other_8_all := slice2mask_searched_1_any and ((settings_last_disparity / 2) /= 0) and other_7_is_equal;
+      other_9_is_equal := (settings_first_disparity / 2) = 0;
+      other_9_choice := ((settings_last_disparity mod 16) /= 0) and other_9_is_equal when
+        slice2mask_searched_1_is_equal else other_9_is_equal;
+      if slice0mask_searched_0_all then
+        other_6 <= other_6_all;
+        other_7 <= other_7_choice;
+        other_8 <= other_8_all;
+        other_9 <= other_9_choice;
+      end if;
+      if winnersmask_searched_0_all then
+        other_23 <= other_1_choice;
+        other_24 <= other_2_all;
+        other_25 <= other_3_choice;
+        other_26 <= other_6_all;
+        other_27 <= other_7_choice;
+        other_28 <= other_8_all;
+        other_29 <= other_9_choice;
+      end if;
+      if reset = '1' then
+        size_windows_last_column <= 39;
+        size_windows_last_group <= 19;
+        size_windows_groups <= 20;
+        size_windows_idle <= 21;
+        size_map_last_column <= 37;
+        size_transform_idle <= 22;
+        size_map_columns_to <= 38;
+        transform_valid <= false;
+        transform_counter_column <= 0;
+        transform_counter_group <= 22;
+        transform_counter_next_frame <= false;
+        transform_read_column <= 0;
+        transform_read_start_of_frame <= false;
+        transform_read_valid <= false;
+        transform_ready_column <= 0;
+        transform_ready_start_of_frame <= false;
+        transform_ready_valid <= false;
+        transform_write_column <= 0;
+        transform_columns_start_of_frame <= false;
+        transform_columns_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 21;
+        raster_place_next_frame <= false;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_map_column <= false;
+        delay_tag_output_column <= false;
+        delay_tag_first_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_map_column <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_first_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_map_column <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_first_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_map_column <= false;
+        rows_tag_output_column <= false;
+        rows_tag_first_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_map_column <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_first_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_pixels_first_tag_valid <= false;
+        slice0cost_pixels_first_tag_map_column <= false;
+        slice0cost_pixels_first_tag_output_column <= false;
+        slice0cost_pixels_first_tag_first_column <= false;
+        slice0cost_pixels_first_tag_start_of_frame <= false;
+        slice0cost_pixels_first_tag_end_of_line <= false;
+        slice0cost_pixels_tag_valid <= false;
+        slice0cost_pixels_tag_map_column <= false;
+        slice0cost_pixels_tag_output_column <= false;
+        slice0cost_pixels_tag_first_column <= false;
+        slice0cost_pixels_tag_start_of_frame <= false;
+        slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_first_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_map_column <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_first_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_map_column_0 <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_map_column <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0_tag_0_valid <= false;
+        slice0_tag_0_map_column <= false;
+        slice0_tag_0_output_column <= false;
+        slice0_tag_0_start_of_frame <= false;
+        slice0_tag_0_end_of_line <= false;
+        slice0_tag_1_valid <= false;
+        slice0_tag_1_map_column <= false;
+        slice0_tag_1_output_column <= false;
+        slice0_tag_1_first_column <= false;
+        slice0_tag_1_start_of_frame <= false;
+        slice0_tag_1_end_of_line <= false;
+        slice0_tag_2_valid <= false;
+        slice0_tag_2_map_column <= false;
+        slice0_tag_2_output_column <= false;
+        slice0_tag_2_first_column <= false;
+        slice0_tag_2_start_of_frame <= false;
+        slice0_tag_2_end_of_line <= false;
+        slice1cost_tag_output_column <= false;
+        slice1cost_tag_first_column <= false;
+        slice1cost_tag_start_of_frame <= false;
+        slice1window_centre_output_column_0 <= false;
+        slice1window_centre_first_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
+        slice1window_tag_output_column <= false;
+        slice1window_tag_first_column <= false;
+        slice1window_tag_start_of_frame <= false;
+        slice2cost_tag_output_column <= false;
+        slice2cost_tag_start_of_frame <= false;
+        entry_next_tag_valid <= false;
+        entry_next_tag_map_column <= false;
+        entry_next_tag_start_of_frame <= false;
+        entry_next_tag_end_of_line <= false;
+        entry_next_column <= 0;
+        entry_order_last_value <= 37;
+        entry_order_address <= 0;
+        entry_order_falls <= false;
+        entry_order_inside <= false;
+        entry_order_complete <= false;
+        entry_order_output <= false;
+        entry_order_first <= false;
+        entry_order_held_output <= false;
+        entry_order_turned_output_column <= false;
+        entry_order_turned_start_of_frame <= false;
+        entry_tag_valid <= false;
+        entry_tag_map_column <= false;
+        entry_tag_start_of_frame <= false;
+        entry_tag_end_of_line <= false;
+        entry_column <= 0;
+        entry_place <= 0;
+        entry_turned_output_column <= false;
+        entry_turned_start_of_frame <= false;
+        forward_cost_delay_ring_read_address <= 1;
+        forward_cost_delay_ring_write_address <= 0;
+        forward_above_delay_ring_read_address <= 1;
+        forward_above_delay_ring_write_address <= 0;
+        forward_above_comes_0 <= false;
+        forward_above_comes_1 <= false;
+        forward_above_comes_2 <= false;
+        forward_above_comes_3 <= false;
+        forward_above_comes_4 <= false;
+        forward_above_comes_5 <= false;
+        forward_above_comes_6 <= false;
+        forward_above_comes_7 <= false;
+        forward_above_comes_8 <= false;
+        forward_above_comes_9 <= false;
+        forward_above_column_0 <= 0;
+        forward_above_column_1 <= 0;
+        forward_above_column_2 <= 0;
+        forward_above_column_3 <= 0;
+        forward_above_column_4 <= 0;
+        forward_above_column_5 <= 0;
+        forward_above_column_6 <= 0;
+        forward_above_column_7 <= 0;
+        forward_above_column_8 <= 0;
+        forward_above_column_9 <= 0;
+        forward_above_writes_copy_0 <= false;
+        forward_above_write_column <= 0;
+        forward_starts_moved_0 <= false;
+        forward_starts_moved_1 <= false;
+        forward_starts_moved_2 <= false;
+        forward_starts_moved_3 <= false;
+        forward_starts_moved_4 <= false;
+        forward_starts_moved_5 <= false;
+        forward_starts_moved_6 <= false;
+        forward_starts_moved_7 <= false;
+        sums_turn_place_0 <= 0;
+        sums_turn_place_1 <= 0;
+        sums_turn_place_2 <= 0;
+        sums_turn_place_3 <= 0;
+        sums_turn_place_4 <= 0;
+        sums_turn_place_5 <= 0;
+        sums_turn_place_6 <= 0;
+        sums_turn_place_7 <= 0;
+        sums_turn_place_8 <= 0;
+        sums_turn_writes_copy_0 <= false;
+        sums_turn_write_place <= 0;
+        sums_turn_waiting_read_place <= 0;
+        sums_sum_delay_ring_read_address <= 1;
+        sums_sum_delay_ring_write_address <= 0;
+        sums_tag_valid <= false;
+        sums_tag_map_column <= false;
+        sums_tag_output_column <= false;
+        sums_tag_start_of_frame <= false;
+        sums_tag_end_of_line <= false;
+        sums_tags_held_0_output_column <= false;
+        sums_tags_held_0_start_of_frame <= false;
+        sums_tags_held_0_end_of_line <= false;
+        sums_tags_held_1_output_column <= false;
+        sums_tags_held_1_start_of_frame <= false;
+        sums_tags_held_1_end_of_line <= false;
+        sums_tags_held_2_output_column <= false;
+        sums_tags_held_2_start_of_frame <= false;
+        sums_tags_held_2_end_of_line <= false;
+        sums_tags_held_3_output_column <= false;
+        sums_tags_held_3_start_of_frame <= false;
+        sums_tags_held_3_end_of_line <= false;
+        sums_tags_held_4_output_column <= false;
+        sums_tags_held_4_start_of_frame <= false;
+        sums_tags_held_4_end_of_line <= false;
+        sums_tags_held_5_output_column <= false;
+        sums_tags_held_5_start_of_frame <= false;
+        sums_tags_held_5_end_of_line <= false;
+        sums_tags_held_6_output_column <= false;
+        sums_tags_held_6_start_of_frame <= false;
+        sums_tags_held_6_end_of_line <= false;
+        sums_tags_held_7_output_column <= false;
+        sums_tags_held_7_start_of_frame <= false;
+        sums_tags_held_7_end_of_line <= false;
+        sums_tags_held_8_output_column <= false;
+        sums_tags_held_8_start_of_frame <= false;
+        sums_tags_held_8_end_of_line <= false;
+        sums_tags_held_9_output_column <= false;
+        sums_tags_held_9_start_of_frame <= false;
+        sums_tags_held_9_end_of_line <= false;
+        sums_tags_held_10_map_column <= false;
+        sums_tags_held_10_output_column <= false;
+        sums_tags_held_10_start_of_frame <= false;
+        sums_tags_held_10_end_of_line <= false;
+        sums_tags_held_11_map_column <= false;
+        sums_tags_held_11_output_column <= false;
+        sums_tags_held_11_start_of_frame <= false;
+        sums_tags_held_11_end_of_line <= false;
+        sums_tags_held_12_map_column <= false;
+        sums_tags_held_12_output_column <= false;
+        sums_tags_held_12_start_of_frame <= false;
+        sums_tags_held_12_end_of_line <= false;
+        sums_tags_held_13_map_column <= false;
+        sums_tags_held_13_output_column <= false;
+        sums_tags_held_13_start_of_frame <= false;
+        sums_tags_held_13_end_of_line <= false;
+        sums_tags_moved <= false;
+        winnerswinner1_tag_valid <= false;
+        winnerswinner1_tag_map_column <= false;
+        winnerswinner1_tag_output_column <= false;
+        winnerswinner1_tag_start_of_frame <= false;
+        winnerswinner1_tag_end_of_line <= false;
+        winnerswinner2_tag_valid <= false;
+        winnerswinner2_tag_map_column <= false;
+        winnerswinner2_tag_output_column <= false;
+        winnerswinner2_tag_start_of_frame <= false;
+        winnerswinner2_tag_end_of_line <= false;
+        winnerswinner3_tag_valid <= false;
+        winnerswinner3_tag_map_column <= false;
+        winnerswinner3_tag_output_column <= false;
+        winnerswinner3_tag_start_of_frame <= false;
+        winnerswinner3_tag_end_of_line <= false;
+        winnerswinner4_tag_valid <= false;
+        winnerswinner4_tag_map_column <= false;
+        winnerswinner4_tag_output_column <= false;
+        winnerswinner4_tag_start_of_frame <= false;
+        winnerswinner4_tag_end_of_line <= false;
+        winners_best_tag_valid <= false;
+        winners_best_tag_map_column <= false;
+        winners_best_tag_output_column <= false;
+        winners_best_tag_start_of_frame <= false;
+        winners_best_tag_end_of_line <= false;
+        refinement_tag_0_valid <= false;
+        refinement_tag_0_map_column <= false;
+        refinement_tag_0_output_column <= false;
+        refinement_tag_0_start_of_frame <= false;
+        refinement_tag_0_end_of_line <= false;
+        refinement_tag_1_valid <= false;
+        refinement_tag_1_map_column <= false;
+        refinement_tag_1_output_column <= false;
+        refinement_tag_1_start_of_frame <= false;
+        refinement_tag_1_end_of_line <= false;
+        refinement_tag_2_valid <= false;
+        refinement_tag_2_map_column <= false;
+        refinement_tag_2_output_column <= false;
+        refinement_tag_2_start_of_frame <= false;
+        refinement_tag_2_end_of_line <= false;
+        refinement_tag_3_valid <= false;
+        refinement_tag_3_map_column <= false;
+        refinement_tag_3_output_column <= false;
+        refinement_tag_3_start_of_frame <= false;
+        refinement_tag_3_end_of_line <= false;
+        refinement_tag_4_valid <= false;
+        refinement_tag_4_map_column <= false;
+        refinement_tag_4_output_column <= false;
+        refinement_tag_4_start_of_frame <= false;
+        refinement_tag_4_end_of_line <= false;
+        refinement_tag_5_valid <= false;
+        refinement_tag_5_map_column <= false;
+        refinement_tag_5_output_column <= false;
+        refinement_tag_5_start_of_frame <= false;
+        refinement_tag_5_end_of_line <= false;
+        refinement_tag_6_valid <= false;
+        refinement_tag_6_map_column <= false;
+        refinement_tag_6_output_column <= false;
+        refinement_tag_6_start_of_frame <= false;
+        refinement_tag_6_end_of_line <= false;
+        refinement_tag_7_valid <= false;
+        refinement_tag_7_map_column <= false;
+        refinement_tag_7_output_column <= false;
+        refinement_tag_7_start_of_frame <= false;
+        refinement_tag_7_end_of_line <= false;
+        refinement_tag_8_valid <= false;
+        refinement_tag_8_map_column <= false;
+        refinement_tag_8_output_column <= false;
+        refinement_tag_8_start_of_frame <= false;
+        refinement_tag_8_end_of_line <= false;
+        refinement_tag_9_valid <= false;
+        refinement_tag_9_map_column <= false;
+        refinement_tag_9_output_column <= false;
+        refinement_tag_9_start_of_frame <= false;
+        refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_map_column <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_map_column <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
+        leftright_ring_read_address <= 1;
+        leftright_ring_write_address <= 0;
+        leftright_holds_winners <= false;
+        leftright_position <= 0;
+        leftright_held_valid <= false;
+        leftright_asking_tag_valid <= false;
+        leftright_asking_tag_map_column <= false;
+        leftright_asking_tag_output_column <= false;
+        leftright_asking_tag_start_of_frame <= false;
+        leftright_asking_tag_end_of_line <= false;
+        leftright_answered_tag_valid <= false;
+        leftright_answered_tag_map_column <= false;
+        leftright_answered_tag_output_column <= false;
+        leftright_answered_tag_start_of_frame <= false;
+        leftright_answered_tag_end_of_line <= false;
+        leftright_checked_tag_valid <= false;
+        leftright_checked_tag_map_column <= false;
+        leftright_checked_tag_output_column <= false;
+        leftright_checked_tag_start_of_frame <= false;
+        leftright_checked_tag_end_of_line <= false;
+        turn_order_inside <= false;
+        turn_order_complete <= false;
+        turn_order_output <= false;
+        turn_order_first <= false;
+        turn_order_turned_valid <= false;
+        turn_order_turned_map_column <= false;
+        turn_order_turned_start_of_frame <= false;
+        turn_order_turned_end_of_line <= false;
+        turn_comes <= false;
+        turn_read_tag_valid <= false;
+        turn_read_tag_map_column <= false;
+        turn_read_tag_start_of_frame <= false;
+        turn_read_tag_end_of_line <= false;
+        turn_ready_tag_valid <= false;
+        turn_ready_tag_row_start <= false;
+        turn_ready_tag_map_column <= false;
+        turn_ready_tag_start_of_frame <= false;
+        turn_ready_tag_end_of_line <= false;
+        map_counter_column <= 0;
+        map_counter_group <= 21;
+        map_arrives <= false;
+        map_behind <= false;
+        map_line_ended <= false;
+        map_write_column <= 0;
+        map_at_arrives <= false;
+        map_at_behind <= false;
+        map_at_top <= false;
+        map_at_output <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
+        map_out_valid <= false;
+        map_out_start_of_frame <= false;
+        map_out_end_of_line <= false;
+        other_10 <= 1;
+        other_11 <= to_unsigned(0, 49);
+        other_13 <= to_unsigned(0, 49);
+      end if;
+    end if;
+  end process;
+end architecture;
