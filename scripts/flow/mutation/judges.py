@@ -29,6 +29,7 @@ CORE_RUNS = (
     (4, 85, 5, ("--broken", 40)),
 )
 CONFIG_OF_SHORT_FRAMES = "tiny_all_p4"  # shorter than their way through the core: a third frame has to wait
+CONFIG_OF_SETTINGS = "tiny_size_all"  # has each setting of block matching
 _GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
 
 
@@ -49,6 +50,7 @@ def shell_stages(config: str) -> tuple[list[Selection], list[Selection]]:
         Selection(config, "test_generics", ("wrong_latency",), {"latency_clocks": latency + 1}),
         Selection(config, "test_generics", ("starts_disabled",), {"enabled_at_reset": "false"}),
         Selection(CONFIG_OF_SHORT_FRAMES, "test_stereo_ip", ("stalls_0_10", "mixture")),
+        Selection(CONFIG_OF_SETTINGS, "test_settings"),
     ]
 
 

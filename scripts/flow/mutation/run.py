@@ -62,6 +62,7 @@ class EarlierVerdicts:
             *manifest.core_files(config),
             *design.shell_files(),
             *manifest.core_files(CONFIG_OF_SHORT_FRAMES),
+            *manifest.core_files(judges.CONFIG_OF_SETTINGS),
             *(path for path in benches if path.name != "diagrams.py"),
             *sorted((ROOT / "hls_tb" / "formal").iterdir()),
             *(Path(str(module.__file__)) for module in modules),

@@ -103,6 +103,7 @@ def selections(is_short: bool) -> tuple[Selection, ...]:
             longer_flush,
             short_latency,
             disabled,
+            Selection("tiny_size_all", "test_settings"),
         )
     return (
         Selection("tiny", "test_stereo_ip"),
@@ -117,6 +118,7 @@ def selections(is_short: bool) -> tuple[Selection, ...]:
         short_latency,
         with_latency(latency + 1, "latency too long"),
         disabled,
+        Selection("tiny_size_all", "test_settings"),
     )
 
 

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""stereo_ip in GHDL under cocotb: the way of a setting from its register to the core. What the core makes of it is
+compared in Verilator."""
+
+import cocotb
+
+from bench import Bench
+from flow.base import rtl
+from flow.shell import script
+from flow.shell.broken import beats_of
+
+
+@cocotb.test()
+async def each_reaches_its_port(dut):
+    """A setting that is written shows at the core's port of its name from the next frame on, not before, and no other
+    port changes. With the first frame behind a reset all show
+    what they start with."""
+    bench = await Bench(dut, "settings").start()
+    settings = [setting for setting in rtl.settings_of(bench.parameters) if setting.least < setting.largest]
+    assert settings
+
+    def ports():
+        return {setting.name: int(getattr(dut.core, setting.name).value) for setting in settings}
+
+    expected = {setting.name: setting.start for setting in settings}
+    for setting in settings:
+        wanted = setting.least if setting.start != setting.least else setting.largest
+        await bench.write(setting.name, wanted)
+        assert ports() == expected
+        # Frames of the configuration's size: after one of the size's settings they are broken, which does not matter.
+        await bench.play(script.send(beats_of(bench.pool[0], bench.geometry)))
+        expected[setting.name] = wanted
+        assert ports() == expected
+    await bench.reset(1)
+    await bench.play(script.send(beats_of(bench.pool[0], bench.geometry)))
+    assert ports() == {setting.name: setting.start for setting in settings}
