@@ -7,7 +7,7 @@ import pytest
 
 from conftest import need
 from flow.mutation import equivalence
-from flow.mutation.equivalence import Design, Prover
+from flow.mutation.equivalence import Design, NotSynthesizedError, Prover
 from flow.shell import design
 from flow.synthesis import manifest
 
@@ -67,6 +67,13 @@ def objection(provers, change, folder):
     changed.write_text(text.replace(old, new, 1))
     core, shell = ([changed if path.stem == name else path for path in files] for files in FILES)
     return provers[what.is_core].objection(core, shell, folder)
+
+
+def test_what_synthesis_refuses(provers, tmp_path):
+    """A clock that is no edge: GHDL compiles it, and makes no hardware of it."""
+    change = (SHELL, "frame_timer", "if rising_edge(clock) then", "if not (rising_edge(clock)) then")
+    with pytest.raises(NotSynthesizedError, match="latch"):
+        objection(provers, change, tmp_path)
 
 
 @pytest.mark.parametrize("change", INVISIBLE)

@@ -7,6 +7,7 @@ from itertools import islice
 import pytest
 
 from flow.mutation import mutants, run
+from flow.mutation.equivalence import NotSynthesizedError
 from flow_commands import call, refused
 
 TEXT = """-- SPDX-License-Identifier: Apache-2.0
@@ -155,6 +156,16 @@ def test_what_a_test_notices_is_not_proved(blind, monkeypatch):
     monkeypatch.setattr(Blind, "noticed", lambda self, *files_and_folder: "a test")
     monkeypatch.setattr(Believer, "objection", lambda self, *files_and_folder: pytest.fail("asked for a proof"))
     assert run.Run(1, 5, 5, jobs=1, say=lambda line: None).run().report(blind) == 100
+
+
+def test_what_synthesis_refuses_is_killed(blind, monkeypatch):
+    def refuses(self, *files_and_folder):
+        raise NotSynthesizedError("latch inferred")
+
+    monkeypatch.setattr(Blind, "noticed", lambda self, *files_and_folder: "")
+    monkeypatch.setattr(Believer, "objection", refuses)
+    assert run.Run(1, 5, 5, jobs=1, say=lambda line: None).run().report(blind) == 100
+    assert "latch inferred" in json.loads((blind / "report.json").read_text())["verdicts"][0]["by"]
 
 
 @pytest.mark.parametrize("options", [["--core", "-1"], ["--core", "0", "--shell", "0"], ["--jobs", "0"]])

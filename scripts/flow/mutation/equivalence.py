@@ -138,6 +138,10 @@ class Differences:
         return PROVED in self._ask(differences.with_predictions(graph), f"pdr -T {LONG_SECONDS}")
 
 
+class NotSynthesizedError(FlowError):
+    """A version that GHDL's synthesis refuses, as `scripts/lint.py` and the tests of the area do."""
+
+
 class Prover:
     """Compares versions of some designs with their originals."""
 
@@ -147,7 +151,8 @@ class Prover:
         self.lock = threading.Lock()
 
     def objection(self, core: list[Path], shell: list[Path], folder: Path) -> str:
-        """Why the version made of these files may show something else; "" when none of the designs does."""
+        """Why the version made of these files may show something else; "" when none of the designs does. Raises
+        NotSynthesizedError where GHDL's synthesis does not take it."""
         for number, design in enumerate(self.designs):
             with self.lock:
                 if number not in self.originals:
@@ -156,7 +161,7 @@ class Prover:
             try:
                 changed = graph(design, core, shell, folder / f"design_{number}")
             except FlowError as error:
-                return str(error)
+                raise NotSynthesizedError(str(error)) from None
             said = compare(self.originals[number], changed, folder)
             if said:
                 return said

@@ -20,7 +20,7 @@ from ..cosim import checker, simulators, vectors
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script
 from ..synthesis import manifest
 from . import differences, equivalence, judges, mutants
-from .equivalence import Design, Prover
+from .equivalence import Design, NotSynthesizedError, Prover
 from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, core_stages, refuted, shell_stages
 
 
@@ -113,7 +113,10 @@ class Run:
         if not compiles([*core, *shell], folder / "compile"):
             return Verdict(mutant, "invalid")
         by = refuted(mutant, folder) or self.short[is_core].noticed(core, shell, folder)
-        objection = by or self.provers[is_core].objection(core, shell, folder)
+        try:
+            objection = by or self.provers[is_core].objection(core, shell, folder)
+        except NotSynthesizedError as error:
+            by = objection = f"synthesis: {error}"
         by = by or (self.thorough[is_core].noticed(core, shell, folder) if objection else "")
         outcome = "killed" if by else "survived" if objection else "equivalent"
         shutil.rmtree(folder, ignore_errors=True)
