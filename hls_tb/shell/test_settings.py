@@ -34,3 +34,17 @@ async def each_reaches_its_port(dut):
     await bench.reset(1)
     await bench.play(script.send(beats_of(bench.pool[0], bench.geometry)))
     assert ports() == {setting.name: setting.start for setting in settings}
+
+
+@cocotb.test()
+async def what_does_not_fit_is_refused(dut):
+    """One below the least and one above the largest value: an error bit, and the register keeps what it had."""
+    bench = await Bench(dut, "limits").start()
+    for setting in rtl.settings_of(bench.parameters):
+        for beyond in (setting.least - 1, setting.largest + 1):
+            if beyond >= 0:
+                await bench.write(setting.name, beyond)
+                assert await bench.field("status", "setting_refused") == 1
+                assert await bench.read(setting.name) % 2**16 == setting.start  # above it: the limit
+                await bench.write("status", 1 << bench.map["status"]["fields"]["setting_refused"]["low"])
+                assert await bench.field("status", "setting_refused") == 0
