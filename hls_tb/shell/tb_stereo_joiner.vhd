@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Drives a stereo_joiner with a stimulus file and writes down what it shows. It judges nothing:
 -- scripts/tests/test_joiner.py does.
---   stimulus  a line a clock: FLAGS LEFT RIGHT, hexadecimal; LEFT and RIGHT are lanes. FLAGS: bits 2 ... 0 of the left camera: end of line, start of
---             frame, valid; bits 5 ... 3 of the right one; bit 6: the sink is ready; bit 7: reset
+--   stimulus  a line a clock: FLAGS LEFT RIGHT, hexadecimal; LEFT and RIGHT are lanes. FLAGS: bits 2 ... 0 of the left
+--             camera: end of line, start of frame, valid; bits 5 ... 3 of the right one; bit 6: the sink is ready; bit 7:
+--             reset
 --   observed  a line for each pair that leaves and each fault: CLOCK pair PAIR FLAGS SKEW, flags: end of line, start of
 --             frame; CLOCK fault BITS
 library ieee;

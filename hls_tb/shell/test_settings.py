@@ -3,6 +3,7 @@
 compared in Verilator."""
 
 import cocotb
+from cocotb.triggers import FallingEdge
 
 from bench import Bench
 from flow.base import rtl
@@ -13,33 +14,46 @@ from flow.shell.broken import beats_of
 @cocotb.test()
 async def each_reaches_its_port(dut):
     """A setting that is written shows at the core's port of its name from the next frame on, not before, and no other
-    port changes. With the first frame behind a reset all show
-    what they start with."""
+    port changes. The core is reset for a setting of its size and for no other. With the first frame behind a reset all
+    show what they start with."""
     bench = await Bench(dut, "settings").start()
     settings = [setting for setting in rtl.settings_of(bench.parameters) if setting.least < setting.largest]
     assert settings
+    resets = 0
+
+    async def count_resets():
+        nonlocal resets
+        while True:
+            await FallingEdge(dut.aclk)
+            resets += int(dut.core.reset.value)
 
     def ports():
         return {setting.name: int(getattr(dut.core, setting.name).value) for setting in settings}
 
+    async def send_frame():
+        # Of the configuration's size: behind one of the size's settings it is broken, which does not matter.
+        await bench.play(script.send(beats_of(bench.pool[0], bench.geometry)))
+
+    cocotb.start_soon(count_resets())
     expected = {setting.name: setting.start for setting in settings}
     for setting in settings:
         wanted = setting.least if setting.start != setting.least else setting.largest
         await bench.write(setting.name, wanted)
+        before = resets
         assert ports() == expected
-        # Frames of the configuration's size: after one of the size's settings they are broken, which does not matter.
-        await bench.play(script.send(beats_of(bench.pool[0], bench.geometry)))
+        await send_frame()
         expected[setting.name] = wanted
         assert ports() == expected
+        assert (resets > before) == setting.held, f"{setting.name}: {resets - before} clocks of reset"
     await bench.reset(1)
-    await bench.play(script.send(beats_of(bench.pool[0], bench.geometry)))
+    await send_frame()
     assert ports() == {setting.name: setting.start for setting in settings}
 
 
 @cocotb.test()
 async def what_does_not_fit_is_refused(dut):
-    """One below the least and one above the largest value: an error bit, and the register keeps what it had
-    and says the largest."""
+    """One below the least and one above the largest value: an error bit, and the register keeps what it had. Its upper
+    half says the largest."""
     bench = await Bench(dut, "limits").start()
     for setting in rtl.settings_of(bench.parameters):
         for beyond in (setting.least - 1, setting.largest + 1):

@@ -68,21 +68,30 @@ def observed(verilog: str, module: str) -> str:
     return verilog + "\n".join([*lines, "endmodule", ""])
 
 
+class NotSynthesizedError(FlowError):
+    """A version that GHDL's synthesis refuses, as `scripts/lint.py` and the tests of the area do."""
+
+
 def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Path:
-    """The and-inverter graph of a design made of these files: of a core from `core`, of a shell from `shell`."""
+    """The and-inverter graph of a design made of these files: of a core from `core`, of a shell from `shell`. Raises
+    NotSynthesizedError where GHDL's synthesis does not take them."""
     work.mkdir(parents=True, exist_ok=True)
     name = design.config
+    options: dict[str, int | str] = {}
     if design.is_core:
-        verilog = ghdl.to_verilog(core, work, rtl.core_entity(name))
-        return aiger.write(observed(verilog, rtl.core_entity(name)), "observed", work, starts_at_zero=True)
-    generics = dict(design.generics)
-    enabled = generics.pop("enabled_at_reset", None)  # the only one that a user of the stereo_ip chooses
-    wrapper = work / f"{rtl.ip_entity(name)}.vhd"
-    wrapper.write_text(template.entity(name, manifest.read(rtl.folder(name)), generics))
-    options = {} if enabled is None else {"enabled_at_reset": enabled}
-    files = [*manifest.core_files(name), *shell, wrapper]
-    verilog = ghdl.to_verilog(files, work, rtl.ip_entity(name), options)
-    return aiger.write(observed(verilog, "stereo_shell"), "observed", work, starts_at_zero=True)
+        files, top, compared = core, rtl.core_entity(name), rtl.core_entity(name)
+    else:
+        generics = dict(design.generics)
+        enabled = generics.pop("enabled_at_reset", None)  # the only one that a user of the stereo_ip chooses
+        wrapper = work / f"{rtl.ip_entity(name)}.vhd"
+        wrapper.write_text(template.entity(name, manifest.read(rtl.folder(name)), generics))
+        options = {} if enabled is None else {"enabled_at_reset": enabled}
+        files, top, compared = [*manifest.core_files(name), *shell, wrapper], rtl.ip_entity(name), "stereo_shell"
+    try:
+        verilog = ghdl.to_verilog(files, work, top, options)
+    except FlowError as error:
+        raise NotSynthesizedError(str(error)) from None
+    return aiger.write(observed(verilog, compared), "observed", work, starts_at_zero=True)
 
 
 def compare(original: Path, changed: Path, work: Path) -> str:
@@ -138,10 +147,6 @@ class Differences:
         return PROVED in self._ask(differences.with_predictions(graph), f"pdr -T {LONG_SECONDS}")
 
 
-class NotSynthesizedError(FlowError):
-    """A version that GHDL's synthesis refuses, as `scripts/lint.py` and the tests of the area do."""
-
-
 class Prover:
     """Compares versions of some designs with their originals."""
 
@@ -156,13 +161,20 @@ class Prover:
         for number, design in enumerate(self.designs):
             with self.lock:
                 if number not in self.originals:
-                    work = self.work / f"original_{number}"
-                    self.originals[number] = graph(design, self.core, self.shell, work)
+                    self.originals[number] = self._original(design, self.work / f"original_{number}")
             try:
                 changed = graph(design, core, shell, folder / f"design_{number}")
+            except NotSynthesizedError:
+                raise
             except FlowError as error:
-                raise NotSynthesizedError(str(error)) from None
+                return str(error)
             said = compare(self.originals[number], changed, folder)
             if said:
                 return said
         return ""
+
+    def _original(self, design: Design, work: Path) -> Path:
+        try:
+            return graph(design, self.core, self.shell, work)
+        except NotSynthesizedError as error:  # says nothing of a fault
+            raise FlowError(str(error), EXIT_TOOL_FAILED) from None

@@ -14,6 +14,7 @@ from ..cosim import checker, vectors
 from ..cosim.simulators import Ghdl
 from ..shell import cocotb_runs, formal, pool
 from ..shell.cocotb_runs import Selection
+from ..shell.selections import SETTINGS, other_generics
 from ..synthesis import manifest
 from .mutants import Mutant
 
@@ -29,36 +30,23 @@ CORE_RUNS = (
     (4, 85, 5, ("--broken", 40)),
 )
 CONFIG_OF_SHORT_FRAMES = "tiny_all_p4"  # shorter than their way through the core: a third frame has to wait
-CONFIG_OF_SETTINGS = "tiny_size_all"  # has each setting of block matching
-_GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
 
 
 def shell_stages(config: str) -> tuple[list[Selection], list[Selection]]:
     """(those that notice most faults, those that take long)"""
-    row = configuration(config)
-    latency, least = row["latency_clocks"], max(row["flush_groups"], row["gap_groups"])
-    longer = {"gap_groups": least + 8, "flush_groups": least + 28}
     short = [
         Selection(config, "test_stereo_ip", ("full_speed", "stalls_30_30")),
         Selection(config, "test_registers"),
         Selection(config, "test_stereo_ip"),
     ]
-    return short, [
-        Selection(config, "test_stereo_ip", _GAPS, {"gap_groups": least + 1}),
-        Selection(config, "test_stereo_ip", _GAPS, longer),
-        Selection(config, "test_generics", ("wrong_latency",), {"latency_clocks": latency - 1}),
-        Selection(config, "test_generics", ("wrong_latency",), {"latency_clocks": latency + 1}),
-        Selection(config, "test_generics", ("starts_disabled",), {"enabled_at_reset": "false"}),
-        Selection(CONFIG_OF_SHORT_FRAMES, "test_stereo_ip", ("stalls_0_10", "mixture")),
-        Selection(CONFIG_OF_SETTINGS, "test_settings"),
-    ]
+    short_frames = Selection(CONFIG_OF_SHORT_FRAMES, "test_stereo_ip", ("stalls_0_10", "mixture"))
+    return short, [*other_generics(config), short_frames, SETTINGS]
 
 
 def core_stages(config: str) -> list[Selection]:
     """What the co-simulation of the core alone does not do: what the shell makes of breaks and resets."""
-    longer = next(stage for stage in shell_stages(config)[1] if "flush_groups" in stage.generics)
     return [
-        longer._replace(tests=("full_speed",)),
+        other_generics(config).longer_flush._replace(tests=("full_speed",)),
         Selection(config, "test_stereo_ip", ("reset_at_any_clock", "gaps_of_all_lengths", "mixture")),
     ]
 

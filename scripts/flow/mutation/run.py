@@ -17,7 +17,7 @@ from ..base import aiger, files, ghdl, json_lines
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say
 from ..cosim import checker, simulators, vectors
-from ..shell import broken, cocotb_runs, contract, design, formal, pool, script
+from ..shell import broken, cocotb_runs, contract, design, formal, pool, script, selections
 from ..synthesis import manifest
 from . import differences, equivalence, judges, mutants
 from .equivalence import Design, NotSynthesizedError, Prover
@@ -55,14 +55,14 @@ class EarlierVerdicts:
     @staticmethod
     def _sources(config: str) -> list[Path]:
         """Everything that decides a verdict."""
-        of_base, of_shell = (aiger, ghdl), (broken, cocotb_runs, contract, design, formal, pool, script)
+        of_base, of_shell = (aiger, ghdl), (broken, cocotb_runs, contract, design, formal, pool, script, selections)
         modules = (*of_base, *of_shell, checker, simulators, vectors, differences, equivalence, judges, mutants)
         benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [
             *manifest.core_files(config),
             *design.shell_files(),
             *manifest.core_files(CONFIG_OF_SHORT_FRAMES),
-            *manifest.core_files(judges.CONFIG_OF_SETTINGS),
+            *manifest.core_files(selections.SETTINGS.config),
             *(path for path in benches if path.name != "diagrams.py"),
             *sorted((ROOT / "hls_tb" / "formal").iterdir()),
             *(Path(str(module.__file__)) for module in modules),

@@ -22,6 +22,7 @@ from .contract import RESULT_START
 from .judge import judge
 from .pool import Frame, Geometry, make_pool, pairs_for
 from .script import Step
+from .selections import GAPS, SETTINGS, other_generics
 from .verilated import Observation, Verilated
 
 WORK = ROOT / "build" / "axi"
@@ -64,7 +65,6 @@ SHORT_FRAMES = {
     "tiny_size_all": 256,
 }
 _LANES = ("full_speed", "sink_waits_then_takes_all", "mixture", "reset_at_any_clock")
-_GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
 _SHORT_STREAMS = (
     "full_speed",
     "sink_waits_then_takes_all",
@@ -83,27 +83,16 @@ _SHORT_STREAMS = (
 
 def selections(is_short: bool) -> tuple[Selection, ...]:
     """The runs under cocotb."""
-    row = configuration("tiny")
-    latency, flush = row["latency_clocks"], row["flush_groups"]
-
-    def with_latency(clocks: int, what: str) -> Selection:
-        return Selection("tiny", "test_generics", ("wrong_latency",), {"latency_clocks": clocks}, what)
-
-    longer = {"gap_groups": flush + 8, "flush_groups": flush + 28}
-    longer_flush = Selection("tiny", "test_stereo_ip", _GAPS, longer, "gap within a longer flush")
-    short_latency = with_latency(latency - 1, "latency too short")
-    disabled = Selection(
-        "tiny", "test_generics", ("starts_disabled",), {"enabled_at_reset": "false"}, "disabled at reset"
-    )
+    other = other_generics("tiny")
     if is_short:
         return (
             Selection("tiny", "test_stereo_ip", _SHORT_STREAMS),
             Selection("tiny", "test_registers"),
             Selection("tiny_p4", "test_stereo_ip", _LANES),
-            longer_flush,
-            short_latency,
-            disabled,
-            Selection("tiny_size_all", "test_settings"),
+            other.longer_flush,
+            other.short_latency,
+            other.disabled,
+            SETTINGS,
         )
     return (
         Selection("tiny", "test_stereo_ip"),
@@ -112,13 +101,9 @@ def selections(is_short: bool) -> tuple[Selection, ...]:
         Selection("tiny_p2", "test_registers"),
         Selection("tiny_p4", "test_stereo_ip", _LANES),
         Selection("tiny_p4", "test_registers"),
-        Selection("tiny_all_recursive", "test_stereo_ip", (*_GAPS, "reset_at_any_clock")),
-        Selection("tiny", "test_stereo_ip", _GAPS, {"gap_groups": flush + 1}, "gap of the whole flush"),
-        longer_flush,
-        short_latency,
-        with_latency(latency + 1, "latency too long"),
-        disabled,
-        Selection("tiny_size_all", "test_settings"),
+        Selection("tiny_all_recursive", "test_stereo_ip", (*GAPS, "reset_at_any_clock")),
+        *other,
+        SETTINGS,
     )
 
 

@@ -70,10 +70,10 @@ def rectified(image: Image, table: Table, row: Configuration) -> list[list[int]]
     return [[pixel(x, y) for x in range(width)] for y in range(height)]
 
 
-def write_pgm(path: Path, image: Image) -> Path:
+def write_pgm(path: Path, image: Image, pixel_bits: int = rtl.PIXEL_BITS) -> Path:
     """Of 16 bits where grey values have more than 8."""
     width, height, pixels = len(image[0]), len(image), [value for row in image for value in row]
-    deep = max(pixels) >= 1 << rtl.PIXEL_BITS
+    deep = pixel_bits > rtl.PIXEL_BITS
     path.write_bytes(files.deep_pgm(width, height, pixels) if deep else files.pgm(width, height, bytes(pixels)))
     return path
 

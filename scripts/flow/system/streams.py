@@ -69,8 +69,9 @@ def shifted_pair(row: Configuration, generator: random.Random) -> Pair:
 def expected(system: System, pair: Pair, tables: Sequence[Table], depths: Sequence[int], folder: Path) -> list[int]:
     folder.mkdir(parents=True, exist_ok=True)
     stage = pipeline.rows_of(system)[0]
+    bits = rtl.pixel_bits_of(stage)
     left, right = (
-        pipeline.write_pgm(folder / f"{side}.pgm", pipeline.rectified(image, table, stage))
+        pipeline.write_pgm(folder / f"{side}.pgm", pipeline.rectified(image, table, stage), bits)
         for side, image, table in zip(("left", "right"), pair, tables)
     )
     return pipeline.depth_frame(system, left, right, depths, folder)
