@@ -54,6 +54,7 @@ BROKEN_STREAM_FAULTS = {
         "raster_place_group_all := ",
     ),
     "outputs without a start behind a reset": (r"raster_place_group <= 13;", "raster_place_group <= 0;"),
+    "rows that come round behind a reset": (r"raster_place_group <= 13;", "raster_place_group <= 14;"),
     "the next frame is never forgotten": (r"mod 2\) = 1\) when$", "mod 2) /= 1) when"),
 }
 
@@ -78,6 +79,7 @@ FIRST_REGISTERS = {
     "a start in mid-frame leaves the row": "raster_place_group",
     "a start anywhere in the last row joins": "raster_place_group",
     "outputs without a start behind a reset": "raster_place_group",
+    "rows that come round behind a reset": "raster_place_group",
     "the next frame is never forgotten": "raster_place_group",  # that of the flag is a guess
 }
 

@@ -34,9 +34,8 @@ class Mismatch:
 
     @property
     def clock(self) -> int:
-        output = self.expected or self.got
-        assert output is not None
-        return output.clock
+        """Where the ports begin to show something else: an output too many comes before the one that it displaces."""
+        return min(output.clock for output in (self.expected, self.got) if output is not None)
 
     def wrong_row(self) -> int:
         """The uppermost row of the group that differs; the upper one when the difference is elsewhere."""

@@ -100,7 +100,7 @@ def _notes(folder: Path, report: Report, first: checker.Mismatch) -> list[str]:
     if report["simulator"] != "verilator":
         return notes
     notes += ["The waveform is GHDL's, of the same VHDL and stimulus."]
-    if first.expected and waveform.output(folder / DUMP, first.clock) == (1, first.expected.disparity):
+    if first.expected and waveform.output(folder / DUMP, first.expected.clock) == (1, first.expected.disparity):
         notes.append("In GHDL the disparity in that clock is as expected: the two simulators differ.")
     return notes
 
