@@ -30,7 +30,7 @@ struct DisparitySlice {
    using Shift = DisparityShift<C, kCount>;
    using Column = ColumnBlock<C, kCount>;
    using Window = WindowBlock<C, kCount>;
-   static constexpr int kLevels = winner_clocks<WindowCandidate<C>>(C.largest_slice(), C.winner_group);
+   static constexpr int kLevels = winner_clocks<WindowCandidate<C>>(C.largest_slice(), C.winner_group, kPixels);
    using Winner = WinnerBlock<WindowCandidate<C>, PixelTag, kPixels, C.winner_group, kCount, kLevels>;
    using Mask = std::conditional_t<kFullWidth<C>, CandidateMask<C, kCount, kFirst>, NoMask>;
    static constexpr int kMemories = Column::kMemories + Window::kMemories + Next::kMemories;

@@ -13,7 +13,7 @@ namespace stereo::semi_global {
 /// matching.
 template <const Config& C>
 struct PathWinners {
-   static constexpr int kLevels = winner_clocks<WindowCandidate<kSumConfig<C>>>(C.disparities, C.winner_group);
+   static constexpr int kLevels = winner_clocks<WindowCandidate<kSumConfig<C>>>(C.disparities, C.winner_group, 1);
    static constexpr int kClocks = kLevels + 1;
    using Other = DiagonalMinimum<kSumConfig<C>, (C.has_left_right_check() ? C.disparities : 1)>;
    using Tree = WinnerBlock<WindowCandidate<kSumConfig<C>>, PixelTag, 1, C.winner_group, C.disparities, kLevels>;

@@ -140,17 +140,24 @@ struct GatedTree {
    }
 };
 
+/// Whether candidates of `pixels` windows a clock are compared in a GatedTree. Each of its comparisons resets registers
+/// of its own, and a place-and-route tool puts only registers of one reset into a tile: with four windows they end up
+/// far apart.
+template <class Candidate>
+constexpr bool is_gated(int candidates, int group, int pixels) {
+   return candidates > 2 && group == 2 && pixels <= 2 && !Candidate::kHasNeighbours && !Candidate::kHasSecond;
+}
+
 /// Clocks of the tree that WinnerBlock chooses, for up to `candidates` candidates.
 template <class Candidate>
-constexpr int winner_clocks(int candidates, int group) {
-   const bool gated = group == 2 && !Candidate::kHasNeighbours && !Candidate::kHasSecond;
-   return gated ? gated_clocks(candidates) : winner_levels(candidates, group);
+constexpr int winner_clocks(int candidates, int group, int pixels) {
+   return is_gated<Candidate>(candidates, group, pixels) ? gated_clocks(candidates) : winner_levels(candidates, group);
 }
 
 /// The tree for N candidates that takes `Clocks` clocks, as many as winner_clocks says or more.
 template <class Candidate, class Tag, int kPixels, int kGroup, int N, int Clocks>
 using WinnerBlock =
-    typename std::conditional_t<(N > 2 && kGroup == 2 && !Candidate::kHasNeighbours && !Candidate::kHasSecond),
+    typename std::conditional_t<is_gated<Candidate>(N, kGroup, kPixels),
                                 std::type_identity<GatedTree<Candidate, Tag, kPixels, N, Clocks>>,
                                 std::type_identity<WinnerTree<Candidate, Tag, kPixels, kGroup, N, Clocks>>>::type;
 

@@ -17,7 +17,7 @@ entity stereo_core_ambrosch2007_p4 is
     pixels_per_clock : positive := 4;
     disparity_bits : positive := 8;
     output_width_px : positive := 220;
-    latency_clocks : positive := 21;
+    latency_clocks : positive := 19;
     flush_groups : positive := 320;
     gap_groups : natural := 0
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 4 report "stereo_core_ambrosch2007_p4: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 4" severity failure;
   assert disparity_bits = 8 report "stereo_core_ambrosch2007_p4: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 220 report "stereo_core_ambrosch2007_p4: output_width_px is " & integer'image(output_width_px) & " but this core has 220" severity failure;
-  assert latency_clocks = 21 report "stereo_core_ambrosch2007_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
+  assert latency_clocks = 19 report "stereo_core_ambrosch2007_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
   assert flush_groups = 320 report "stereo_core_ambrosch2007_p4: flush_groups is " & integer'image(flush_groups) & " but this core has 320" severity failure;
   assert gap_groups = 0 report "stereo_core_ambrosch2007_p4: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -485,195 +485,130 @@ architecture rtl of stereo_core_ambrosch2007_p4 is
   signal slice0window_sum_3_19, slice0window_sum_3_20, slice0window_sum_3_21 : natural range 0 to 2301;
   signal slice0window_sum_3_22, slice0window_sum_3_23, slice0window_sum_3_24 : natural range 0 to 2301;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_15, slice0winner1_of_pair_0_16, slice0winner1_of_pair_0_17 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_18, slice0winner1_of_pair_0_19, slice0winner1_of_pair_0_20 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_21, slice0winner1_of_pair_0_22, slice0winner1_of_pair_0_23 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_24, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9, slice0winner1_of_four_0_10 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_11, slice0winner1_of_four_0_12, slice0winner1_of_four_0_13 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_14, slice0winner1_of_four_0_15, slice0winner1_of_four_0_16 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_17, slice0winner1_of_four_0_18, slice0winner1_of_four_0_19 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_20, slice0winner1_of_four_0_21, slice0winner1_of_four_0_22 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_23, slice0winner1_of_four_0_24, slice0winner1_best_cost_0_6 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_3, slice0winner1_of_pair_1_4, slice0winner1_of_pair_1_5 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_6, slice0winner1_of_pair_1_7, slice0winner1_of_pair_1_8 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_9, slice0winner1_of_pair_1_10, slice0winner1_of_pair_1_11 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_12, slice0winner1_of_pair_1_13, slice0winner1_of_pair_1_14 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_15, slice0winner1_of_pair_1_16, slice0winner1_of_pair_1_17 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_18, slice0winner1_of_pair_1_19, slice0winner1_of_pair_1_20 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_21, slice0winner1_of_pair_1_22, slice0winner1_of_pair_1_23 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_24, slice0winner1_of_pair_2_0, slice0winner1_of_pair_2_1 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_2_2, slice0winner1_of_pair_2_3, slice0winner1_of_pair_2_4 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_2_5, slice0winner1_of_pair_2_6, slice0winner1_of_pair_2_7 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_2_8, slice0winner1_of_pair_2_9, slice0winner1_of_pair_2_10 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_2_11, slice0winner1_of_pair_2_12, slice0winner1_of_pair_2_13 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_2_14, slice0winner1_of_pair_2_15, slice0winner1_of_pair_2_16 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_2_17, slice0winner1_of_pair_2_18, slice0winner1_of_pair_2_19 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_2_20, slice0winner1_of_pair_2_21, slice0winner1_of_pair_2_22 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_2_23, slice0winner1_of_pair_2_24, slice0winner1_of_pair_3_0 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_3_1, slice0winner1_of_pair_3_2, slice0winner1_of_pair_3_3 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_3_4, slice0winner1_of_pair_3_5, slice0winner1_of_pair_3_6 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_3_7, slice0winner1_of_pair_3_8, slice0winner1_of_pair_3_9 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_3_10, slice0winner1_of_pair_3_11, slice0winner1_of_pair_3_12 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_3_13, slice0winner1_of_pair_3_14, slice0winner1_of_pair_3_15 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_3_16, slice0winner1_of_pair_3_17, slice0winner1_of_pair_3_18 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_3_19, slice0winner1_of_pair_3_20, slice0winner1_of_pair_3_21 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_3_22, slice0winner1_of_pair_3_23, slice0winner1_of_pair_3_24 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_3, slice0winner1_of_four_1_4, slice0winner1_of_four_1_5 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_6, slice0winner1_of_four_1_7, slice0winner1_of_four_1_8 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_9, slice0winner1_of_four_1_10, slice0winner1_of_four_1_11 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_12, slice0winner1_of_four_1_13, slice0winner1_of_four_1_14 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_15, slice0winner1_of_four_1_16, slice0winner1_of_four_1_17 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_18, slice0winner1_of_four_1_19, slice0winner1_of_four_1_20 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_21, slice0winner1_of_four_1_22, slice0winner1_of_four_1_23 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_24, slice0winner1_of_four_2_0, slice0winner1_of_four_2_1 : natural range 0 to 2301;
-  signal slice0winner1_of_four_2_2, slice0winner1_of_four_2_3, slice0winner1_of_four_2_4 : natural range 0 to 2301;
-  signal slice0winner1_of_four_2_5, slice0winner1_of_four_2_6, slice0winner1_of_four_2_7 : natural range 0 to 2301;
-  signal slice0winner1_of_four_2_8, slice0winner1_of_four_2_9, slice0winner1_of_four_2_10 : natural range 0 to 2301;
-  signal slice0winner1_of_four_2_11, slice0winner1_of_four_2_12, slice0winner1_of_four_2_13 : natural range 0 to 2301;
-  signal slice0winner1_of_four_2_14, slice0winner1_of_four_2_15, slice0winner1_of_four_2_16 : natural range 0 to 2301;
-  signal slice0winner1_of_four_2_17, slice0winner1_of_four_2_18, slice0winner1_of_four_2_19 : natural range 0 to 2301;
-  signal slice0winner1_of_four_2_20, slice0winner1_of_four_2_21, slice0winner1_of_four_2_22 : natural range 0 to 2301;
-  signal slice0winner1_of_four_2_23, slice0winner1_of_four_2_24, slice0winner1_of_four_3_0 : natural range 0 to 2301;
-  signal slice0winner1_of_four_3_1, slice0winner1_of_four_3_2, slice0winner1_of_four_3_3 : natural range 0 to 2301;
-  signal slice0winner1_of_four_3_4, slice0winner1_of_four_3_5, slice0winner1_of_four_3_6 : natural range 0 to 2301;
-  signal slice0winner1_of_four_3_7, slice0winner1_of_four_3_8, slice0winner1_of_four_3_9 : natural range 0 to 2301;
-  signal slice0winner1_of_four_3_10, slice0winner1_of_four_3_11, slice0winner1_of_four_3_12 : natural range 0 to 2301;
-  signal slice0winner1_of_four_3_13, slice0winner1_of_four_3_14, slice0winner1_of_four_3_15 : natural range 0 to 2301;
-  signal slice0winner1_of_four_3_16, slice0winner1_of_four_3_17, slice0winner1_of_four_3_18 : natural range 0 to 2301;
-  signal slice0winner1_of_four_3_19, slice0winner1_of_four_3_20, slice0winner1_of_four_3_21 : natural range 0 to 2301;
-  signal slice0winner1_of_four_3_22, slice0winner1_of_four_3_23, slice0winner1_of_four_3_24 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_6, slice0winner1_best_cost_2_6 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_3_6 : natural range 0 to 2301;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_index_2_0 : boolean;
-  signal slice0winner1_pair_index_3_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
-  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
-  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice0winner1_pair_index_2_1, slice0winner1_pair_index_3_1 : natural range 0 to 3;
-  signal slice0winner1_four_index_0_0, slice0winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice0winner1_four_index_2_0, slice0winner1_four_index_3_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_2_0, slice0winner1_best_index_3_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2, slice0winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_2_2, slice0winner1_pair_index_3_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice0winner1_pair_index_2_3, slice0winner1_pair_index_3_3 : natural range 0 to 7;
-  signal slice0winner1_four_index_0_1, slice0winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice0winner1_four_index_2_1, slice0winner1_four_index_3_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_2_1, slice0winner1_best_index_3_1 : natural range 0 to 7;
-  signal slice0winner1_pair_index_0_4, slice0winner1_pair_index_1_4 : natural range 0 to 9;
-  signal slice0winner1_pair_index_2_4, slice0winner1_pair_index_3_4 : natural range 0 to 9;
-  signal slice0winner1_pair_index_0_5, slice0winner1_pair_index_1_5 : natural range 0 to 11;
-  signal slice0winner1_pair_index_2_5, slice0winner1_pair_index_3_5 : natural range 0 to 11;
-  signal slice0winner1_four_index_0_2, slice0winner1_four_index_1_2 : natural range 0 to 11;
-  signal slice0winner1_four_index_2_2, slice0winner1_four_index_3_2 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 11;
-  signal slice0winner1_best_index_2_2, slice0winner1_best_index_3_2 : natural range 0 to 11;
-  signal slice0winner1_pair_index_0_6, slice0winner1_pair_index_1_6 : natural range 0 to 13;
-  signal slice0winner1_pair_index_2_6, slice0winner1_pair_index_3_6 : natural range 0 to 13;
-  signal slice0winner1_pair_index_0_7, slice0winner1_pair_index_1_7 : natural range 0 to 15;
-  signal slice0winner1_pair_index_2_7, slice0winner1_pair_index_3_7 : natural range 0 to 15;
-  signal slice0winner1_four_index_0_3, slice0winner1_four_index_1_3 : natural range 0 to 15;
-  signal slice0winner1_four_index_2_3, slice0winner1_four_index_3_3 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 15;
-  signal slice0winner1_best_index_2_3, slice0winner1_best_index_3_3 : natural range 0 to 15;
-  signal slice0winner1_pair_index_0_8, slice0winner1_pair_index_1_8 : natural range 0 to 17;
-  signal slice0winner1_pair_index_2_8, slice0winner1_pair_index_3_8 : natural range 0 to 17;
-  signal slice0winner1_pair_index_0_9, slice0winner1_pair_index_1_9 : natural range 0 to 19;
-  signal slice0winner1_pair_index_2_9, slice0winner1_pair_index_3_9 : natural range 0 to 19;
-  signal slice0winner1_four_index_0_4, slice0winner1_four_index_1_4 : natural range 0 to 19;
-  signal slice0winner1_four_index_2_4, slice0winner1_four_index_3_4 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 19;
-  signal slice0winner1_best_index_2_4, slice0winner1_best_index_3_4 : natural range 0 to 19;
-  signal slice0winner1_pair_index_0_10, slice0winner1_pair_index_1_10 : natural range 0 to 21;
-  signal slice0winner1_pair_index_2_10, slice0winner1_pair_index_3_10 : natural range 0 to 21;
-  signal slice0winner1_pair_index_0_11, slice0winner1_pair_index_1_11 : natural range 0 to 23;
-  signal slice0winner1_pair_index_2_11, slice0winner1_pair_index_3_11 : natural range 0 to 23;
-  signal slice0winner1_four_index_0_5, slice0winner1_four_index_1_5 : natural range 0 to 23;
-  signal slice0winner1_four_index_2_5, slice0winner1_four_index_3_5 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 23;
-  signal slice0winner1_best_index_2_5, slice0winner1_best_index_3_5 : natural range 0 to 23;
-  signal slice0winner1_pair_index_0_12, slice0winner1_four_index_0_6 : natural range 0 to 24;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 24;
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_1_4, slice0winner1_best_cost_1_5 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_2_2, slice0winner1_best_cost_2_3 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_2_4, slice0winner1_best_cost_2_5 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_3_2, slice0winner1_best_cost_3_3 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_3_4, slice0winner1_best_cost_3_5 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_4, slice0winner1_best_cost_1_5 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_6, slice0winner1_best_cost_1_7 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_8, slice0winner1_best_cost_1_9 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_10, slice0winner1_best_cost_1_11 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_12, slice0winner1_best_cost_2_0 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_2_1, slice0winner1_best_cost_2_2 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_2_3, slice0winner1_best_cost_2_4 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_2_5, slice0winner1_best_cost_2_6 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_2_7, slice0winner1_best_cost_2_8 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_2_9, slice0winner1_best_cost_2_10 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_2_11, slice0winner1_best_cost_2_12 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_3_2, slice0winner1_best_cost_3_3 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_3_4, slice0winner1_best_cost_3_5 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_3_6, slice0winner1_best_cost_3_7 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_3_8, slice0winner1_best_cost_3_9 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_3_10, slice0winner1_best_cost_3_11 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_3_12 : natural range 0 to 2301;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : boolean;
+  signal slice0winner1_best_index_3_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_2_1, slice0winner1_best_index_3_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_2_2, slice0winner1_best_index_3_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_2_3, slice0winner1_best_index_3_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_2_4, slice0winner1_best_index_3_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_2_5, slice0winner1_best_index_3_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_6, slice0winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice0winner1_best_index_2_6, slice0winner1_best_index_3_6 : natural range 0 to 13;
+  signal slice0winner1_best_index_0_7, slice0winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice0winner1_best_index_2_7, slice0winner1_best_index_3_7 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_8, slice0winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice0winner1_best_index_2_8, slice0winner1_best_index_3_8 : natural range 0 to 17;
+  signal slice0winner1_best_index_0_9, slice0winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice0winner1_best_index_2_9, slice0winner1_best_index_3_9 : natural range 0 to 19;
+  signal slice0winner1_best_index_0_10, slice0winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice0winner1_best_index_2_10, slice0winner1_best_index_3_10 : natural range 0 to 21;
+  signal slice0winner1_best_index_0_11, slice0winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice0winner1_best_index_2_11, slice0winner1_best_index_3_11 : natural range 0 to 23;
+  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
   -- slice0winner2
-  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_0_3, slice0winner2_of_pair_0_4, slice0winner2_of_pair_0_5 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_1_0, slice0winner2_of_pair_1_1, slice0winner2_of_pair_1_2 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_1_3, slice0winner2_of_pair_1_4, slice0winner2_of_pair_1_5 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_2_0, slice0winner2_of_pair_2_1, slice0winner2_of_pair_2_2 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_2_3, slice0winner2_of_pair_2_4, slice0winner2_of_pair_2_5 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_3_0, slice0winner2_of_pair_3_1, slice0winner2_of_pair_3_2 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_3_3, slice0winner2_of_pair_3_4, slice0winner2_of_pair_3_5 : natural range 0 to 4095;
-  signal slice0winner2_of_four_0_0, slice0winner2_of_four_0_1, slice0winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice0winner2_of_four_0_3, slice0winner2_of_four_0_4, slice0winner2_of_four_0_5 : natural range 0 to 4095;
-  signal slice0winner2_of_four_1_0, slice0winner2_of_four_1_1, slice0winner2_of_four_1_2 : natural range 0 to 4095;
-  signal slice0winner2_of_four_1_3, slice0winner2_of_four_1_4, slice0winner2_of_four_1_5 : natural range 0 to 4095;
-  signal slice0winner2_of_four_2_0, slice0winner2_of_four_2_1, slice0winner2_of_four_2_2 : natural range 0 to 4095;
-  signal slice0winner2_of_four_2_3, slice0winner2_of_four_2_4, slice0winner2_of_four_2_5 : natural range 0 to 4095;
-  signal slice0winner2_of_four_3_0, slice0winner2_of_four_3_1, slice0winner2_of_four_3_2 : natural range 0 to 4095;
-  signal slice0winner2_of_four_3_3, slice0winner2_of_four_3_4, slice0winner2_of_four_3_5 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_2_0, slice0winner2_best_cost_2_1 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_3_0, slice0winner2_best_cost_3_1 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_0_6, slice0winner2_of_four_0_6 : natural range 0 to 2298;
-  signal slice0winner2_of_pair_1_6, slice0winner2_of_pair_2_6, slice0winner2_of_pair_3_6 : natural range 0 to 2301;
-  signal slice0winner2_of_four_1_6, slice0winner2_of_four_2_6, slice0winner2_of_four_3_6 : natural range 0 to 2301;
-  signal slice0winner2_pair_index_0_0, slice0winner2_pair_index_1_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_2_0, slice0winner2_pair_index_3_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_0_1, slice0winner2_pair_index_1_1 : natural range 0 to 15;
-  signal slice0winner2_pair_index_2_1, slice0winner2_pair_index_3_1 : natural range 0 to 15;
-  signal slice0winner2_four_index_0_0, slice0winner2_four_index_1_0 : natural range 0 to 15;
-  signal slice0winner2_four_index_2_0, slice0winner2_four_index_3_0 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 15;
-  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 15;
-  signal slice0winner2_pair_index_0_2, slice0winner2_pair_index_1_2 : natural range 0 to 23;
-  signal slice0winner2_pair_index_2_2, slice0winner2_pair_index_3_2 : natural range 0 to 23;
-  signal slice0winner2_pair_index_0_3, slice0winner2_four_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_four_index_1_1, slice0winner2_four_index_2_1 : natural range 0 to 24;
-  signal slice0winner2_four_index_3_1, slice0winner2_best_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_best_index_1_1, slice0winner2_best_index_2_1 : natural range 0 to 24;
-  signal slice0winner2_best_index_3_1 : natural range 0 to 24;
-  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
-  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
-  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
-  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
-  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_2, slice0winner2_best_cost_1_3 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_4, slice0winner2_best_cost_1_5 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_6, slice0winner2_best_cost_2_0 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_2_1, slice0winner2_best_cost_2_2 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_2_3, slice0winner2_best_cost_2_4 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_2_5, slice0winner2_best_cost_2_6 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_3_0, slice0winner2_best_cost_3_1 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_3_2, slice0winner2_best_cost_3_3 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_3_4, slice0winner2_best_cost_3_5 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_3_6 : natural range 0 to 2301;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1, slice0winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_2_1, slice0winner2_best_index_3_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2, slice0winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_2_2, slice0winner2_best_index_3_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_0_3, slice0winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice0winner2_best_index_2_3, slice0winner2_best_index_3_3 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_4, slice0winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice0winner2_best_index_2_4, slice0winner2_best_index_3_4 : natural range 0 to 19;
+  signal slice0winner2_best_index_0_5, slice0winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice0winner2_best_index_2_5, slice0winner2_best_index_3_5 : natural range 0 to 23;
+  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_1_0 : natural range 0 to 4095;
-  signal slice0winner3_best_cost_2_0, slice0winner3_best_cost_3_0 : natural range 0 to 4095;
-  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 24;
-  signal slice0winner3_best_index_2_0, slice0winner3_best_index_3_0 : natural range 0 to 24;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice0winner3_best_cost_1_0, slice0winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_1_2, slice0winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_2_0, slice0winner3_best_cost_2_1 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_2_2, slice0winner3_best_cost_2_3 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_3_0, slice0winner3_best_cost_3_1 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_3_2, slice0winner3_best_cost_3_3 : natural range 0 to 2301;
+  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_2_0, slice0winner3_best_index_3_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1, slice0winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice0winner3_best_index_2_1, slice0winner3_best_index_3_1 : natural range 0 to 15;
+  signal slice0winner3_best_index_0_2, slice0winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice0winner3_best_index_2_2, slice0winner3_best_index_3_2 : natural range 0 to 23;
+  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner4_best_cost_1_0, slice0winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner4_best_cost_2_0, slice0winner4_best_cost_2_1 : natural range 0 to 2301;
+  signal slice0winner4_best_cost_3_0, slice0winner4_best_cost_3_1 : natural range 0 to 2301;
+  signal slice0winner4_best_index_0_0, slice0winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice0winner4_best_index_2_0, slice0winner4_best_index_3_0 : natural range 0 to 15;
+  signal slice0winner4_best_index_0_1, slice0winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice0winner4_best_index_2_1, slice0winner4_best_index_3_1 : natural range 0 to 24;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
+  -- slice0winner5
+  signal slice0winner5_best_cost_0_0 : natural range 0 to 2298;
+  signal slice0winner5_best_cost_1_0, slice0winner5_best_cost_2_0 : natural range 0 to 2301;
+  signal slice0winner5_best_cost_3_0 : natural range 0 to 2301;
+  signal slice0winner5_best_index_0_0, slice0winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice0winner5_best_index_2_0, slice0winner5_best_index_3_0 : natural range 0 to 24;
+  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
+  signal slice0winner5_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 4095;
-  signal slice0_best_cost_3_0 : natural range 0 to 4095;
+  signal slice0_best_cost_0_0 : natural range 0 to 2298;
+  signal slice0_best_cost_1_0, slice0_best_cost_2_0, slice0_best_cost_3_0 : natural range 0 to 2301;
   signal slice0_best_index_0_0, slice0_best_index_1_0, slice0_best_index_2_0 : natural range 0 to 99;
   signal slice0_best_index_3_0 : natural range 0 to 99;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
@@ -1017,181 +952,118 @@ architecture rtl of stereo_core_ambrosch2007_p4 is
   signal slice1window_sum_3_19, slice1window_sum_3_20, slice1window_sum_3_21 : natural range 0 to 2301;
   signal slice1window_sum_3_22, slice1window_sum_3_23, slice1window_sum_3_24 : natural range 0 to 2301;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_12, slice1winner1_of_pair_0_13, slice1winner1_of_pair_0_14 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_15, slice1winner1_of_pair_0_16, slice1winner1_of_pair_0_17 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_18, slice1winner1_of_pair_0_19, slice1winner1_of_pair_0_20 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_21, slice1winner1_of_pair_0_22, slice1winner1_of_pair_0_23 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_24, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_8, slice1winner1_of_four_0_9, slice1winner1_of_four_0_10 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_11, slice1winner1_of_four_0_12, slice1winner1_of_four_0_13 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_14, slice1winner1_of_four_0_15, slice1winner1_of_four_0_16 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_17, slice1winner1_of_four_0_18, slice1winner1_of_four_0_19 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_20, slice1winner1_of_four_0_21, slice1winner1_of_four_0_22 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_23, slice1winner1_of_four_0_24, slice1winner1_best_cost_0_6 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_3, slice1winner1_of_pair_1_4, slice1winner1_of_pair_1_5 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_6, slice1winner1_of_pair_1_7, slice1winner1_of_pair_1_8 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_9, slice1winner1_of_pair_1_10, slice1winner1_of_pair_1_11 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_12, slice1winner1_of_pair_1_13, slice1winner1_of_pair_1_14 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_15, slice1winner1_of_pair_1_16, slice1winner1_of_pair_1_17 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_18, slice1winner1_of_pair_1_19, slice1winner1_of_pair_1_20 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_21, slice1winner1_of_pair_1_22, slice1winner1_of_pair_1_23 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_24, slice1winner1_of_pair_2_0, slice1winner1_of_pair_2_1 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_2_2, slice1winner1_of_pair_2_3, slice1winner1_of_pair_2_4 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_2_5, slice1winner1_of_pair_2_6, slice1winner1_of_pair_2_7 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_2_8, slice1winner1_of_pair_2_9, slice1winner1_of_pair_2_10 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_2_11, slice1winner1_of_pair_2_12, slice1winner1_of_pair_2_13 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_2_14, slice1winner1_of_pair_2_15, slice1winner1_of_pair_2_16 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_2_17, slice1winner1_of_pair_2_18, slice1winner1_of_pair_2_19 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_2_20, slice1winner1_of_pair_2_21, slice1winner1_of_pair_2_22 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_2_23, slice1winner1_of_pair_2_24, slice1winner1_of_pair_3_0 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_3_1, slice1winner1_of_pair_3_2, slice1winner1_of_pair_3_3 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_3_4, slice1winner1_of_pair_3_5, slice1winner1_of_pair_3_6 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_3_7, slice1winner1_of_pair_3_8, slice1winner1_of_pair_3_9 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_3_10, slice1winner1_of_pair_3_11, slice1winner1_of_pair_3_12 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_3_13, slice1winner1_of_pair_3_14, slice1winner1_of_pair_3_15 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_3_16, slice1winner1_of_pair_3_17, slice1winner1_of_pair_3_18 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_3_19, slice1winner1_of_pair_3_20, slice1winner1_of_pair_3_21 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_3_22, slice1winner1_of_pair_3_23, slice1winner1_of_pair_3_24 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_3, slice1winner1_of_four_1_4, slice1winner1_of_four_1_5 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_6, slice1winner1_of_four_1_7, slice1winner1_of_four_1_8 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_9, slice1winner1_of_four_1_10, slice1winner1_of_four_1_11 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_12, slice1winner1_of_four_1_13, slice1winner1_of_four_1_14 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_15, slice1winner1_of_four_1_16, slice1winner1_of_four_1_17 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_18, slice1winner1_of_four_1_19, slice1winner1_of_four_1_20 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_21, slice1winner1_of_four_1_22, slice1winner1_of_four_1_23 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_24, slice1winner1_of_four_2_0, slice1winner1_of_four_2_1 : natural range 0 to 2301;
-  signal slice1winner1_of_four_2_2, slice1winner1_of_four_2_3, slice1winner1_of_four_2_4 : natural range 0 to 2301;
-  signal slice1winner1_of_four_2_5, slice1winner1_of_four_2_6, slice1winner1_of_four_2_7 : natural range 0 to 2301;
-  signal slice1winner1_of_four_2_8, slice1winner1_of_four_2_9, slice1winner1_of_four_2_10 : natural range 0 to 2301;
-  signal slice1winner1_of_four_2_11, slice1winner1_of_four_2_12, slice1winner1_of_four_2_13 : natural range 0 to 2301;
-  signal slice1winner1_of_four_2_14, slice1winner1_of_four_2_15, slice1winner1_of_four_2_16 : natural range 0 to 2301;
-  signal slice1winner1_of_four_2_17, slice1winner1_of_four_2_18, slice1winner1_of_four_2_19 : natural range 0 to 2301;
-  signal slice1winner1_of_four_2_20, slice1winner1_of_four_2_21, slice1winner1_of_four_2_22 : natural range 0 to 2301;
-  signal slice1winner1_of_four_2_23, slice1winner1_of_four_2_24, slice1winner1_of_four_3_0 : natural range 0 to 2301;
-  signal slice1winner1_of_four_3_1, slice1winner1_of_four_3_2, slice1winner1_of_four_3_3 : natural range 0 to 2301;
-  signal slice1winner1_of_four_3_4, slice1winner1_of_four_3_5, slice1winner1_of_four_3_6 : natural range 0 to 2301;
-  signal slice1winner1_of_four_3_7, slice1winner1_of_four_3_8, slice1winner1_of_four_3_9 : natural range 0 to 2301;
-  signal slice1winner1_of_four_3_10, slice1winner1_of_four_3_11, slice1winner1_of_four_3_12 : natural range 0 to 2301;
-  signal slice1winner1_of_four_3_13, slice1winner1_of_four_3_14, slice1winner1_of_four_3_15 : natural range 0 to 2301;
-  signal slice1winner1_of_four_3_16, slice1winner1_of_four_3_17, slice1winner1_of_four_3_18 : natural range 0 to 2301;
-  signal slice1winner1_of_four_3_19, slice1winner1_of_four_3_20, slice1winner1_of_four_3_21 : natural range 0 to 2301;
-  signal slice1winner1_of_four_3_22, slice1winner1_of_four_3_23, slice1winner1_of_four_3_24 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_6, slice1winner1_best_cost_2_6 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_3_6 : natural range 0 to 2301;
-  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0, slice1winner1_pair_index_2_0 : boolean;
-  signal slice1winner1_pair_index_3_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice1winner1_pair_index_2_1, slice1winner1_pair_index_3_1 : natural range 0 to 3;
-  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice1winner1_four_index_2_0, slice1winner1_four_index_3_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_2_0, slice1winner1_best_index_3_0 : natural range 0 to 3;
-  signal slice1winner1_pair_index_0_2, slice1winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_2_2, slice1winner1_pair_index_3_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_0_3, slice1winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice1winner1_pair_index_2_3, slice1winner1_pair_index_3_3 : natural range 0 to 7;
-  signal slice1winner1_four_index_0_1, slice1winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice1winner1_four_index_2_1, slice1winner1_four_index_3_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_2_1, slice1winner1_best_index_3_1 : natural range 0 to 7;
-  signal slice1winner1_pair_index_0_4, slice1winner1_pair_index_1_4 : natural range 0 to 9;
-  signal slice1winner1_pair_index_2_4, slice1winner1_pair_index_3_4 : natural range 0 to 9;
-  signal slice1winner1_pair_index_0_5, slice1winner1_pair_index_1_5 : natural range 0 to 11;
-  signal slice1winner1_pair_index_2_5, slice1winner1_pair_index_3_5 : natural range 0 to 11;
-  signal slice1winner1_four_index_0_2, slice1winner1_four_index_1_2 : natural range 0 to 11;
-  signal slice1winner1_four_index_2_2, slice1winner1_four_index_3_2 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 11;
-  signal slice1winner1_best_index_2_2, slice1winner1_best_index_3_2 : natural range 0 to 11;
-  signal slice1winner1_pair_index_0_6, slice1winner1_pair_index_1_6 : natural range 0 to 13;
-  signal slice1winner1_pair_index_2_6, slice1winner1_pair_index_3_6 : natural range 0 to 13;
-  signal slice1winner1_pair_index_0_7, slice1winner1_pair_index_1_7 : natural range 0 to 15;
-  signal slice1winner1_pair_index_2_7, slice1winner1_pair_index_3_7 : natural range 0 to 15;
-  signal slice1winner1_four_index_0_3, slice1winner1_four_index_1_3 : natural range 0 to 15;
-  signal slice1winner1_four_index_2_3, slice1winner1_four_index_3_3 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 15;
-  signal slice1winner1_best_index_2_3, slice1winner1_best_index_3_3 : natural range 0 to 15;
-  signal slice1winner1_pair_index_0_8, slice1winner1_pair_index_1_8 : natural range 0 to 17;
-  signal slice1winner1_pair_index_2_8, slice1winner1_pair_index_3_8 : natural range 0 to 17;
-  signal slice1winner1_pair_index_0_9, slice1winner1_pair_index_1_9 : natural range 0 to 19;
-  signal slice1winner1_pair_index_2_9, slice1winner1_pair_index_3_9 : natural range 0 to 19;
-  signal slice1winner1_four_index_0_4, slice1winner1_four_index_1_4 : natural range 0 to 19;
-  signal slice1winner1_four_index_2_4, slice1winner1_four_index_3_4 : natural range 0 to 19;
-  signal slice1winner1_best_index_0_4, slice1winner1_best_index_1_4 : natural range 0 to 19;
-  signal slice1winner1_best_index_2_4, slice1winner1_best_index_3_4 : natural range 0 to 19;
-  signal slice1winner1_pair_index_0_10, slice1winner1_pair_index_1_10 : natural range 0 to 21;
-  signal slice1winner1_pair_index_2_10, slice1winner1_pair_index_3_10 : natural range 0 to 21;
-  signal slice1winner1_pair_index_0_11, slice1winner1_pair_index_1_11 : natural range 0 to 23;
-  signal slice1winner1_pair_index_2_11, slice1winner1_pair_index_3_11 : natural range 0 to 23;
-  signal slice1winner1_four_index_0_5, slice1winner1_four_index_1_5 : natural range 0 to 23;
-  signal slice1winner1_four_index_2_5, slice1winner1_four_index_3_5 : natural range 0 to 23;
-  signal slice1winner1_best_index_0_5, slice1winner1_best_index_1_5 : natural range 0 to 23;
-  signal slice1winner1_best_index_2_5, slice1winner1_best_index_3_5 : natural range 0 to 23;
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_1_2, slice1winner1_best_cost_1_3 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_1_4, slice1winner1_best_cost_1_5 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_2_2, slice1winner1_best_cost_2_3 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_2_4, slice1winner1_best_cost_2_5 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_3_2, slice1winner1_best_cost_3_3 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_3_4, slice1winner1_best_cost_3_5 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_8, slice1winner1_best_cost_0_9 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_10, slice1winner1_best_cost_0_11 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_2, slice1winner1_best_cost_1_3 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_4, slice1winner1_best_cost_1_5 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_6, slice1winner1_best_cost_1_7 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_8, slice1winner1_best_cost_1_9 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_10, slice1winner1_best_cost_1_11 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_12, slice1winner1_best_cost_2_0 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_2_1, slice1winner1_best_cost_2_2 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_2_3, slice1winner1_best_cost_2_4 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_2_5, slice1winner1_best_cost_2_6 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_2_7, slice1winner1_best_cost_2_8 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_2_9, slice1winner1_best_cost_2_10 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_2_11, slice1winner1_best_cost_2_12 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_3_2, slice1winner1_best_cost_3_3 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_3_4, slice1winner1_best_cost_3_5 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_3_6, slice1winner1_best_cost_3_7 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_3_8, slice1winner1_best_cost_3_9 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_3_10, slice1winner1_best_cost_3_11 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_3_12 : natural range 0 to 2301;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0, slice1winner1_best_index_2_0 : boolean;
+  signal slice1winner1_best_index_3_0 : boolean;
+  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_2_1, slice1winner1_best_index_3_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_2_2, slice1winner1_best_index_3_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_2_3, slice1winner1_best_index_3_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_4, slice1winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice1winner1_best_index_2_4, slice1winner1_best_index_3_4 : natural range 0 to 9;
+  signal slice1winner1_best_index_0_5, slice1winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_2_5, slice1winner1_best_index_3_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_6, slice1winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice1winner1_best_index_2_6, slice1winner1_best_index_3_6 : natural range 0 to 13;
+  signal slice1winner1_best_index_0_7, slice1winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice1winner1_best_index_2_7, slice1winner1_best_index_3_7 : natural range 0 to 15;
+  signal slice1winner1_best_index_0_8, slice1winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice1winner1_best_index_2_8, slice1winner1_best_index_3_8 : natural range 0 to 17;
+  signal slice1winner1_best_index_0_9, slice1winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice1winner1_best_index_2_9, slice1winner1_best_index_3_9 : natural range 0 to 19;
+  signal slice1winner1_best_index_0_10, slice1winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice1winner1_best_index_2_10, slice1winner1_best_index_3_10 : natural range 0 to 21;
+  signal slice1winner1_best_index_0_11, slice1winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice1winner1_best_index_2_11, slice1winner1_best_index_3_11 : natural range 0 to 23;
   -- slice1winner2
-  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_0_3, slice1winner2_of_pair_0_4, slice1winner2_of_pair_0_5 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_1_0, slice1winner2_of_pair_1_1, slice1winner2_of_pair_1_2 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_1_3, slice1winner2_of_pair_1_4, slice1winner2_of_pair_1_5 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_2_0, slice1winner2_of_pair_2_1, slice1winner2_of_pair_2_2 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_2_3, slice1winner2_of_pair_2_4, slice1winner2_of_pair_2_5 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_3_0, slice1winner2_of_pair_3_1, slice1winner2_of_pair_3_2 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_3_3, slice1winner2_of_pair_3_4, slice1winner2_of_pair_3_5 : natural range 0 to 4095;
-  signal slice1winner2_of_four_0_0, slice1winner2_of_four_0_1, slice1winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice1winner2_of_four_0_3, slice1winner2_of_four_0_4, slice1winner2_of_four_0_5 : natural range 0 to 4095;
-  signal slice1winner2_of_four_1_0, slice1winner2_of_four_1_1, slice1winner2_of_four_1_2 : natural range 0 to 4095;
-  signal slice1winner2_of_four_1_3, slice1winner2_of_four_1_4, slice1winner2_of_four_1_5 : natural range 0 to 4095;
-  signal slice1winner2_of_four_2_0, slice1winner2_of_four_2_1, slice1winner2_of_four_2_2 : natural range 0 to 4095;
-  signal slice1winner2_of_four_2_3, slice1winner2_of_four_2_4, slice1winner2_of_four_2_5 : natural range 0 to 4095;
-  signal slice1winner2_of_four_3_0, slice1winner2_of_four_3_1, slice1winner2_of_four_3_2 : natural range 0 to 4095;
-  signal slice1winner2_of_four_3_3, slice1winner2_of_four_3_4, slice1winner2_of_four_3_5 : natural range 0 to 4095;
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice1winner2_best_cost_1_0, slice1winner2_best_cost_1_1 : natural range 0 to 4095;
-  signal slice1winner2_best_cost_2_0, slice1winner2_best_cost_2_1 : natural range 0 to 4095;
-  signal slice1winner2_best_cost_3_0, slice1winner2_best_cost_3_1 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_0_6, slice1winner2_of_four_0_6 : natural range 0 to 2298;
-  signal slice1winner2_of_pair_1_6, slice1winner2_of_pair_2_6, slice1winner2_of_pair_3_6 : natural range 0 to 2301;
-  signal slice1winner2_of_four_1_6, slice1winner2_of_four_2_6, slice1winner2_of_four_3_6 : natural range 0 to 2301;
-  signal slice1winner2_pair_index_0_0, slice1winner2_pair_index_1_0 : natural range 0 to 7;
-  signal slice1winner2_pair_index_2_0, slice1winner2_pair_index_3_0 : natural range 0 to 7;
-  signal slice1winner2_pair_index_0_1, slice1winner2_pair_index_1_1 : natural range 0 to 15;
-  signal slice1winner2_pair_index_2_1, slice1winner2_pair_index_3_1 : natural range 0 to 15;
-  signal slice1winner2_four_index_0_0, slice1winner2_four_index_1_0 : natural range 0 to 15;
-  signal slice1winner2_four_index_2_0, slice1winner2_four_index_3_0 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 15;
-  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 15;
-  signal slice1winner2_pair_index_0_2, slice1winner2_pair_index_1_2 : natural range 0 to 23;
-  signal slice1winner2_pair_index_2_2, slice1winner2_pair_index_3_2 : natural range 0 to 23;
-  signal slice1winner2_four_index_0_1, slice1winner2_four_index_1_1 : natural range 0 to 24;
-  signal slice1winner2_four_index_2_1, slice1winner2_four_index_3_1 : natural range 0 to 24;
-  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 24;
-  signal slice1winner2_best_index_2_1, slice1winner2_best_index_3_1 : natural range 0 to 24;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_0_4, slice1winner2_best_cost_0_5 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_1_0, slice1winner2_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_1_2, slice1winner2_best_cost_1_3 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_1_4, slice1winner2_best_cost_1_5 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_1_6, slice1winner2_best_cost_2_0 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_2_1, slice1winner2_best_cost_2_2 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_2_3, slice1winner2_best_cost_2_4 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_2_5, slice1winner2_best_cost_2_6 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_3_0, slice1winner2_best_cost_3_1 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_3_2, slice1winner2_best_cost_3_3 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_3_4, slice1winner2_best_cost_3_5 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_3_6 : natural range 0 to 2301;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_2_1, slice1winner2_best_index_3_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_0_2, slice1winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_2_2, slice1winner2_best_index_3_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_0_3, slice1winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice1winner2_best_index_2_3, slice1winner2_best_index_3_3 : natural range 0 to 15;
+  signal slice1winner2_best_index_0_4, slice1winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice1winner2_best_index_2_4, slice1winner2_best_index_3_4 : natural range 0 to 19;
+  signal slice1winner2_best_index_0_5, slice1winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice1winner2_best_index_2_5, slice1winner2_best_index_3_5 : natural range 0 to 23;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_1_0 : natural range 0 to 4095;
-  signal slice1winner3_best_cost_2_0, slice1winner3_best_cost_3_0 : natural range 0 to 4095;
-  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 24;
-  signal slice1winner3_best_index_2_0, slice1winner3_best_index_3_0 : natural range 0 to 24;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner3_best_cost_0_2, slice1winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice1winner3_best_cost_1_0, slice1winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_1_2, slice1winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_2_0, slice1winner3_best_cost_2_1 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_2_2, slice1winner3_best_cost_2_3 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_3_0, slice1winner3_best_cost_3_1 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_3_2, slice1winner3_best_cost_3_3 : natural range 0 to 2301;
+  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_2_0, slice1winner3_best_index_3_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_0_1, slice1winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice1winner3_best_index_2_1, slice1winner3_best_index_3_1 : natural range 0 to 15;
+  signal slice1winner3_best_index_0_2, slice1winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice1winner3_best_index_2_2, slice1winner3_best_index_3_2 : natural range 0 to 23;
+  -- slice1winner4
+  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner4_best_cost_1_0, slice1winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner4_best_cost_2_0, slice1winner4_best_cost_2_1 : natural range 0 to 2301;
+  signal slice1winner4_best_cost_3_0, slice1winner4_best_cost_3_1 : natural range 0 to 2301;
+  signal slice1winner4_best_index_0_0, slice1winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice1winner4_best_index_2_0, slice1winner4_best_index_3_0 : natural range 0 to 15;
+  signal slice1winner4_best_index_0_1, slice1winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice1winner4_best_index_2_1, slice1winner4_best_index_3_1 : natural range 0 to 24;
+  -- slice1winner5
+  signal slice1winner5_best_cost_0_0 : natural range 0 to 2298;
+  signal slice1winner5_best_cost_1_0, slice1winner5_best_cost_2_0 : natural range 0 to 2301;
+  signal slice1winner5_best_cost_3_0 : natural range 0 to 2301;
+  signal slice1winner5_best_index_0_0, slice1winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice1winner5_best_index_2_0, slice1winner5_best_index_3_0 : natural range 0 to 24;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 4095;
-  signal slice1_best_cost_3_0 : natural range 0 to 4095;
+  signal slice1_best_cost_0_0 : natural range 0 to 2298;
+  signal slice1_best_cost_1_0, slice1_best_cost_2_0, slice1_best_cost_3_0 : natural range 0 to 2301;
   signal slice1_best_index_0_0, slice1_best_index_1_0, slice1_best_index_2_0 : natural range 0 to 99;
   signal slice1_best_index_3_0 : natural range 0 to 99;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -1535,181 +1407,118 @@ architecture rtl of stereo_core_ambrosch2007_p4 is
   signal slice2window_sum_3_19, slice2window_sum_3_20, slice2window_sum_3_21 : natural range 0 to 2301;
   signal slice2window_sum_3_22, slice2window_sum_3_23, slice2window_sum_3_24 : natural range 0 to 2301;
   -- slice2winner1
-  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_3, slice2winner1_of_pair_0_4, slice2winner1_of_pair_0_5 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_6, slice2winner1_of_pair_0_7, slice2winner1_of_pair_0_8 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_9, slice2winner1_of_pair_0_10, slice2winner1_of_pair_0_11 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_12, slice2winner1_of_pair_0_13, slice2winner1_of_pair_0_14 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_15, slice2winner1_of_pair_0_16, slice2winner1_of_pair_0_17 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_18, slice2winner1_of_pair_0_19, slice2winner1_of_pair_0_20 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_21, slice2winner1_of_pair_0_22, slice2winner1_of_pair_0_23 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_24, slice2winner1_of_four_0_0, slice2winner1_of_four_0_1 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_2, slice2winner1_of_four_0_3, slice2winner1_of_four_0_4 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_5, slice2winner1_of_four_0_6, slice2winner1_of_four_0_7 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_8, slice2winner1_of_four_0_9, slice2winner1_of_four_0_10 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_11, slice2winner1_of_four_0_12, slice2winner1_of_four_0_13 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_14, slice2winner1_of_four_0_15, slice2winner1_of_four_0_16 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_17, slice2winner1_of_four_0_18, slice2winner1_of_four_0_19 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_20, slice2winner1_of_four_0_21, slice2winner1_of_four_0_22 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_23, slice2winner1_of_four_0_24, slice2winner1_best_cost_0_6 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_1_0, slice2winner1_of_pair_1_1, slice2winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_3, slice2winner1_of_pair_1_4, slice2winner1_of_pair_1_5 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_6, slice2winner1_of_pair_1_7, slice2winner1_of_pair_1_8 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_9, slice2winner1_of_pair_1_10, slice2winner1_of_pair_1_11 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_12, slice2winner1_of_pair_1_13, slice2winner1_of_pair_1_14 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_15, slice2winner1_of_pair_1_16, slice2winner1_of_pair_1_17 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_18, slice2winner1_of_pair_1_19, slice2winner1_of_pair_1_20 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_21, slice2winner1_of_pair_1_22, slice2winner1_of_pair_1_23 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_24, slice2winner1_of_pair_2_0, slice2winner1_of_pair_2_1 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_2_2, slice2winner1_of_pair_2_3, slice2winner1_of_pair_2_4 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_2_5, slice2winner1_of_pair_2_6, slice2winner1_of_pair_2_7 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_2_8, slice2winner1_of_pair_2_9, slice2winner1_of_pair_2_10 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_2_11, slice2winner1_of_pair_2_12, slice2winner1_of_pair_2_13 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_2_14, slice2winner1_of_pair_2_15, slice2winner1_of_pair_2_16 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_2_17, slice2winner1_of_pair_2_18, slice2winner1_of_pair_2_19 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_2_20, slice2winner1_of_pair_2_21, slice2winner1_of_pair_2_22 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_2_23, slice2winner1_of_pair_2_24, slice2winner1_of_pair_3_0 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_3_1, slice2winner1_of_pair_3_2, slice2winner1_of_pair_3_3 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_3_4, slice2winner1_of_pair_3_5, slice2winner1_of_pair_3_6 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_3_7, slice2winner1_of_pair_3_8, slice2winner1_of_pair_3_9 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_3_10, slice2winner1_of_pair_3_11, slice2winner1_of_pair_3_12 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_3_13, slice2winner1_of_pair_3_14, slice2winner1_of_pair_3_15 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_3_16, slice2winner1_of_pair_3_17, slice2winner1_of_pair_3_18 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_3_19, slice2winner1_of_pair_3_20, slice2winner1_of_pair_3_21 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_3_22, slice2winner1_of_pair_3_23, slice2winner1_of_pair_3_24 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_0, slice2winner1_of_four_1_1, slice2winner1_of_four_1_2 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_3, slice2winner1_of_four_1_4, slice2winner1_of_four_1_5 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_6, slice2winner1_of_four_1_7, slice2winner1_of_four_1_8 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_9, slice2winner1_of_four_1_10, slice2winner1_of_four_1_11 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_12, slice2winner1_of_four_1_13, slice2winner1_of_four_1_14 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_15, slice2winner1_of_four_1_16, slice2winner1_of_four_1_17 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_18, slice2winner1_of_four_1_19, slice2winner1_of_four_1_20 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_21, slice2winner1_of_four_1_22, slice2winner1_of_four_1_23 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_24, slice2winner1_of_four_2_0, slice2winner1_of_four_2_1 : natural range 0 to 2301;
-  signal slice2winner1_of_four_2_2, slice2winner1_of_four_2_3, slice2winner1_of_four_2_4 : natural range 0 to 2301;
-  signal slice2winner1_of_four_2_5, slice2winner1_of_four_2_6, slice2winner1_of_four_2_7 : natural range 0 to 2301;
-  signal slice2winner1_of_four_2_8, slice2winner1_of_four_2_9, slice2winner1_of_four_2_10 : natural range 0 to 2301;
-  signal slice2winner1_of_four_2_11, slice2winner1_of_four_2_12, slice2winner1_of_four_2_13 : natural range 0 to 2301;
-  signal slice2winner1_of_four_2_14, slice2winner1_of_four_2_15, slice2winner1_of_four_2_16 : natural range 0 to 2301;
-  signal slice2winner1_of_four_2_17, slice2winner1_of_four_2_18, slice2winner1_of_four_2_19 : natural range 0 to 2301;
-  signal slice2winner1_of_four_2_20, slice2winner1_of_four_2_21, slice2winner1_of_four_2_22 : natural range 0 to 2301;
-  signal slice2winner1_of_four_2_23, slice2winner1_of_four_2_24, slice2winner1_of_four_3_0 : natural range 0 to 2301;
-  signal slice2winner1_of_four_3_1, slice2winner1_of_four_3_2, slice2winner1_of_four_3_3 : natural range 0 to 2301;
-  signal slice2winner1_of_four_3_4, slice2winner1_of_four_3_5, slice2winner1_of_four_3_6 : natural range 0 to 2301;
-  signal slice2winner1_of_four_3_7, slice2winner1_of_four_3_8, slice2winner1_of_four_3_9 : natural range 0 to 2301;
-  signal slice2winner1_of_four_3_10, slice2winner1_of_four_3_11, slice2winner1_of_four_3_12 : natural range 0 to 2301;
-  signal slice2winner1_of_four_3_13, slice2winner1_of_four_3_14, slice2winner1_of_four_3_15 : natural range 0 to 2301;
-  signal slice2winner1_of_four_3_16, slice2winner1_of_four_3_17, slice2winner1_of_four_3_18 : natural range 0 to 2301;
-  signal slice2winner1_of_four_3_19, slice2winner1_of_four_3_20, slice2winner1_of_four_3_21 : natural range 0 to 2301;
-  signal slice2winner1_of_four_3_22, slice2winner1_of_four_3_23, slice2winner1_of_four_3_24 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_6, slice2winner1_best_cost_2_6 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_3_6 : natural range 0 to 2301;
-  signal slice2winner1_pair_index_0_0, slice2winner1_pair_index_1_0, slice2winner1_pair_index_2_0 : boolean;
-  signal slice2winner1_pair_index_3_0 : boolean;
-  signal slice2winner1_pair_index_0_1, slice2winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice2winner1_pair_index_2_1, slice2winner1_pair_index_3_1 : natural range 0 to 3;
-  signal slice2winner1_four_index_0_0, slice2winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice2winner1_four_index_2_0, slice2winner1_four_index_3_0 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice2winner1_best_index_2_0, slice2winner1_best_index_3_0 : natural range 0 to 3;
-  signal slice2winner1_pair_index_0_2, slice2winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice2winner1_pair_index_2_2, slice2winner1_pair_index_3_2 : natural range 0 to 5;
-  signal slice2winner1_pair_index_0_3, slice2winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice2winner1_pair_index_2_3, slice2winner1_pair_index_3_3 : natural range 0 to 7;
-  signal slice2winner1_four_index_0_1, slice2winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice2winner1_four_index_2_1, slice2winner1_four_index_3_1 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_1, slice2winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice2winner1_best_index_2_1, slice2winner1_best_index_3_1 : natural range 0 to 7;
-  signal slice2winner1_pair_index_0_4, slice2winner1_pair_index_1_4 : natural range 0 to 9;
-  signal slice2winner1_pair_index_2_4, slice2winner1_pair_index_3_4 : natural range 0 to 9;
-  signal slice2winner1_pair_index_0_5, slice2winner1_pair_index_1_5 : natural range 0 to 11;
-  signal slice2winner1_pair_index_2_5, slice2winner1_pair_index_3_5 : natural range 0 to 11;
-  signal slice2winner1_four_index_0_2, slice2winner1_four_index_1_2 : natural range 0 to 11;
-  signal slice2winner1_four_index_2_2, slice2winner1_four_index_3_2 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_2, slice2winner1_best_index_1_2 : natural range 0 to 11;
-  signal slice2winner1_best_index_2_2, slice2winner1_best_index_3_2 : natural range 0 to 11;
-  signal slice2winner1_pair_index_0_6, slice2winner1_pair_index_1_6 : natural range 0 to 13;
-  signal slice2winner1_pair_index_2_6, slice2winner1_pair_index_3_6 : natural range 0 to 13;
-  signal slice2winner1_pair_index_0_7, slice2winner1_pair_index_1_7 : natural range 0 to 15;
-  signal slice2winner1_pair_index_2_7, slice2winner1_pair_index_3_7 : natural range 0 to 15;
-  signal slice2winner1_four_index_0_3, slice2winner1_four_index_1_3 : natural range 0 to 15;
-  signal slice2winner1_four_index_2_3, slice2winner1_four_index_3_3 : natural range 0 to 15;
-  signal slice2winner1_best_index_0_3, slice2winner1_best_index_1_3 : natural range 0 to 15;
-  signal slice2winner1_best_index_2_3, slice2winner1_best_index_3_3 : natural range 0 to 15;
-  signal slice2winner1_pair_index_0_8, slice2winner1_pair_index_1_8 : natural range 0 to 17;
-  signal slice2winner1_pair_index_2_8, slice2winner1_pair_index_3_8 : natural range 0 to 17;
-  signal slice2winner1_pair_index_0_9, slice2winner1_pair_index_1_9 : natural range 0 to 19;
-  signal slice2winner1_pair_index_2_9, slice2winner1_pair_index_3_9 : natural range 0 to 19;
-  signal slice2winner1_four_index_0_4, slice2winner1_four_index_1_4 : natural range 0 to 19;
-  signal slice2winner1_four_index_2_4, slice2winner1_four_index_3_4 : natural range 0 to 19;
-  signal slice2winner1_best_index_0_4, slice2winner1_best_index_1_4 : natural range 0 to 19;
-  signal slice2winner1_best_index_2_4, slice2winner1_best_index_3_4 : natural range 0 to 19;
-  signal slice2winner1_pair_index_0_10, slice2winner1_pair_index_1_10 : natural range 0 to 21;
-  signal slice2winner1_pair_index_2_10, slice2winner1_pair_index_3_10 : natural range 0 to 21;
-  signal slice2winner1_pair_index_0_11, slice2winner1_pair_index_1_11 : natural range 0 to 23;
-  signal slice2winner1_pair_index_2_11, slice2winner1_pair_index_3_11 : natural range 0 to 23;
-  signal slice2winner1_four_index_0_5, slice2winner1_four_index_1_5 : natural range 0 to 23;
-  signal slice2winner1_four_index_2_5, slice2winner1_four_index_3_5 : natural range 0 to 23;
-  signal slice2winner1_best_index_0_5, slice2winner1_best_index_1_5 : natural range 0 to 23;
-  signal slice2winner1_best_index_2_5, slice2winner1_best_index_3_5 : natural range 0 to 23;
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_1_0, slice2winner1_best_cost_1_1 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_1_2, slice2winner1_best_cost_1_3 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_1_4, slice2winner1_best_cost_1_5 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_2_0, slice2winner1_best_cost_2_1 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_2_2, slice2winner1_best_cost_2_3 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_2_4, slice2winner1_best_cost_2_5 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_3_0, slice2winner1_best_cost_3_1 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_3_2, slice2winner1_best_cost_3_3 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_3_4, slice2winner1_best_cost_3_5 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_8, slice2winner1_best_cost_0_9 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_10, slice2winner1_best_cost_0_11 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_1_0, slice2winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_2, slice2winner1_best_cost_1_3 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_4, slice2winner1_best_cost_1_5 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_6, slice2winner1_best_cost_1_7 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_8, slice2winner1_best_cost_1_9 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_10, slice2winner1_best_cost_1_11 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_12, slice2winner1_best_cost_2_0 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_2_1, slice2winner1_best_cost_2_2 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_2_3, slice2winner1_best_cost_2_4 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_2_5, slice2winner1_best_cost_2_6 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_2_7, slice2winner1_best_cost_2_8 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_2_9, slice2winner1_best_cost_2_10 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_2_11, slice2winner1_best_cost_2_12 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_3_0, slice2winner1_best_cost_3_1 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_3_2, slice2winner1_best_cost_3_3 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_3_4, slice2winner1_best_cost_3_5 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_3_6, slice2winner1_best_cost_3_7 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_3_8, slice2winner1_best_cost_3_9 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_3_10, slice2winner1_best_cost_3_11 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_3_12 : natural range 0 to 2301;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0, slice2winner1_best_index_2_0 : boolean;
+  signal slice2winner1_best_index_3_0 : boolean;
+  signal slice2winner1_best_index_0_1, slice2winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice2winner1_best_index_2_1, slice2winner1_best_index_3_1 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_2, slice2winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice2winner1_best_index_2_2, slice2winner1_best_index_3_2 : natural range 0 to 5;
+  signal slice2winner1_best_index_0_3, slice2winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice2winner1_best_index_2_3, slice2winner1_best_index_3_3 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_4, slice2winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice2winner1_best_index_2_4, slice2winner1_best_index_3_4 : natural range 0 to 9;
+  signal slice2winner1_best_index_0_5, slice2winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice2winner1_best_index_2_5, slice2winner1_best_index_3_5 : natural range 0 to 11;
+  signal slice2winner1_best_index_0_6, slice2winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice2winner1_best_index_2_6, slice2winner1_best_index_3_6 : natural range 0 to 13;
+  signal slice2winner1_best_index_0_7, slice2winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice2winner1_best_index_2_7, slice2winner1_best_index_3_7 : natural range 0 to 15;
+  signal slice2winner1_best_index_0_8, slice2winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice2winner1_best_index_2_8, slice2winner1_best_index_3_8 : natural range 0 to 17;
+  signal slice2winner1_best_index_0_9, slice2winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice2winner1_best_index_2_9, slice2winner1_best_index_3_9 : natural range 0 to 19;
+  signal slice2winner1_best_index_0_10, slice2winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice2winner1_best_index_2_10, slice2winner1_best_index_3_10 : natural range 0 to 21;
+  signal slice2winner1_best_index_0_11, slice2winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice2winner1_best_index_2_11, slice2winner1_best_index_3_11 : natural range 0 to 23;
   -- slice2winner2
-  signal slice2winner2_of_pair_0_0, slice2winner2_of_pair_0_1, slice2winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_0_3, slice2winner2_of_pair_0_4, slice2winner2_of_pair_0_5 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_1_0, slice2winner2_of_pair_1_1, slice2winner2_of_pair_1_2 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_1_3, slice2winner2_of_pair_1_4, slice2winner2_of_pair_1_5 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_2_0, slice2winner2_of_pair_2_1, slice2winner2_of_pair_2_2 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_2_3, slice2winner2_of_pair_2_4, slice2winner2_of_pair_2_5 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_3_0, slice2winner2_of_pair_3_1, slice2winner2_of_pair_3_2 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_3_3, slice2winner2_of_pair_3_4, slice2winner2_of_pair_3_5 : natural range 0 to 4095;
-  signal slice2winner2_of_four_0_0, slice2winner2_of_four_0_1, slice2winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice2winner2_of_four_0_3, slice2winner2_of_four_0_4, slice2winner2_of_four_0_5 : natural range 0 to 4095;
-  signal slice2winner2_of_four_1_0, slice2winner2_of_four_1_1, slice2winner2_of_four_1_2 : natural range 0 to 4095;
-  signal slice2winner2_of_four_1_3, slice2winner2_of_four_1_4, slice2winner2_of_four_1_5 : natural range 0 to 4095;
-  signal slice2winner2_of_four_2_0, slice2winner2_of_four_2_1, slice2winner2_of_four_2_2 : natural range 0 to 4095;
-  signal slice2winner2_of_four_2_3, slice2winner2_of_four_2_4, slice2winner2_of_four_2_5 : natural range 0 to 4095;
-  signal slice2winner2_of_four_3_0, slice2winner2_of_four_3_1, slice2winner2_of_four_3_2 : natural range 0 to 4095;
-  signal slice2winner2_of_four_3_3, slice2winner2_of_four_3_4, slice2winner2_of_four_3_5 : natural range 0 to 4095;
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice2winner2_best_cost_1_0, slice2winner2_best_cost_1_1 : natural range 0 to 4095;
-  signal slice2winner2_best_cost_2_0, slice2winner2_best_cost_2_1 : natural range 0 to 4095;
-  signal slice2winner2_best_cost_3_0, slice2winner2_best_cost_3_1 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_0_6, slice2winner2_of_four_0_6 : natural range 0 to 2298;
-  signal slice2winner2_of_pair_1_6, slice2winner2_of_pair_2_6, slice2winner2_of_pair_3_6 : natural range 0 to 2301;
-  signal slice2winner2_of_four_1_6, slice2winner2_of_four_2_6, slice2winner2_of_four_3_6 : natural range 0 to 2301;
-  signal slice2winner2_pair_index_0_0, slice2winner2_pair_index_1_0 : natural range 0 to 7;
-  signal slice2winner2_pair_index_2_0, slice2winner2_pair_index_3_0 : natural range 0 to 7;
-  signal slice2winner2_pair_index_0_1, slice2winner2_pair_index_1_1 : natural range 0 to 15;
-  signal slice2winner2_pair_index_2_1, slice2winner2_pair_index_3_1 : natural range 0 to 15;
-  signal slice2winner2_four_index_0_0, slice2winner2_four_index_1_0 : natural range 0 to 15;
-  signal slice2winner2_four_index_2_0, slice2winner2_four_index_3_0 : natural range 0 to 15;
-  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 15;
-  signal slice2winner2_best_index_2_0, slice2winner2_best_index_3_0 : natural range 0 to 15;
-  signal slice2winner2_pair_index_0_2, slice2winner2_pair_index_1_2 : natural range 0 to 23;
-  signal slice2winner2_pair_index_2_2, slice2winner2_pair_index_3_2 : natural range 0 to 23;
-  signal slice2winner2_four_index_0_1, slice2winner2_four_index_1_1 : natural range 0 to 24;
-  signal slice2winner2_four_index_2_1, slice2winner2_four_index_3_1 : natural range 0 to 24;
-  signal slice2winner2_best_index_0_1, slice2winner2_best_index_1_1 : natural range 0 to 24;
-  signal slice2winner2_best_index_2_1, slice2winner2_best_index_3_1 : natural range 0 to 24;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 2298;
+  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 2298;
+  signal slice2winner2_best_cost_0_4, slice2winner2_best_cost_0_5 : natural range 0 to 2298;
+  signal slice2winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice2winner2_best_cost_1_0, slice2winner2_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_1_2, slice2winner2_best_cost_1_3 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_1_4, slice2winner2_best_cost_1_5 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_1_6, slice2winner2_best_cost_2_0 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_2_1, slice2winner2_best_cost_2_2 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_2_3, slice2winner2_best_cost_2_4 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_2_5, slice2winner2_best_cost_2_6 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_3_0, slice2winner2_best_cost_3_1 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_3_2, slice2winner2_best_cost_3_3 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_3_4, slice2winner2_best_cost_3_5 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_3_6 : natural range 0 to 2301;
+  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice2winner2_best_index_2_0, slice2winner2_best_index_3_0 : natural range 0 to 3;
+  signal slice2winner2_best_index_0_1, slice2winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice2winner2_best_index_2_1, slice2winner2_best_index_3_1 : natural range 0 to 7;
+  signal slice2winner2_best_index_0_2, slice2winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice2winner2_best_index_2_2, slice2winner2_best_index_3_2 : natural range 0 to 11;
+  signal slice2winner2_best_index_0_3, slice2winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice2winner2_best_index_2_3, slice2winner2_best_index_3_3 : natural range 0 to 15;
+  signal slice2winner2_best_index_0_4, slice2winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice2winner2_best_index_2_4, slice2winner2_best_index_3_4 : natural range 0 to 19;
+  signal slice2winner2_best_index_0_5, slice2winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice2winner2_best_index_2_5, slice2winner2_best_index_3_5 : natural range 0 to 23;
   -- slice2winner3
-  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0 : natural range 0 to 4095;
-  signal slice2winner3_best_cost_2_0, slice2winner3_best_cost_3_0 : natural range 0 to 4095;
-  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : natural range 0 to 24;
-  signal slice2winner3_best_index_2_0, slice2winner3_best_index_3_0 : natural range 0 to 24;
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 2298;
+  signal slice2winner3_best_cost_0_2, slice2winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice2winner3_best_cost_1_0, slice2winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner3_best_cost_1_2, slice2winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice2winner3_best_cost_2_0, slice2winner3_best_cost_2_1 : natural range 0 to 2301;
+  signal slice2winner3_best_cost_2_2, slice2winner3_best_cost_2_3 : natural range 0 to 2301;
+  signal slice2winner3_best_cost_3_0, slice2winner3_best_cost_3_1 : natural range 0 to 2301;
+  signal slice2winner3_best_cost_3_2, slice2winner3_best_cost_3_3 : natural range 0 to 2301;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice2winner3_best_index_2_0, slice2winner3_best_index_3_0 : natural range 0 to 7;
+  signal slice2winner3_best_index_0_1, slice2winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice2winner3_best_index_2_1, slice2winner3_best_index_3_1 : natural range 0 to 15;
+  signal slice2winner3_best_index_0_2, slice2winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice2winner3_best_index_2_2, slice2winner3_best_index_3_2 : natural range 0 to 23;
+  -- slice2winner4
+  signal slice2winner4_best_cost_0_0, slice2winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice2winner4_best_cost_1_0, slice2winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner4_best_cost_2_0, slice2winner4_best_cost_2_1 : natural range 0 to 2301;
+  signal slice2winner4_best_cost_3_0, slice2winner4_best_cost_3_1 : natural range 0 to 2301;
+  signal slice2winner4_best_index_0_0, slice2winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice2winner4_best_index_2_0, slice2winner4_best_index_3_0 : natural range 0 to 15;
+  signal slice2winner4_best_index_0_1, slice2winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice2winner4_best_index_2_1, slice2winner4_best_index_3_1 : natural range 0 to 24;
+  -- slice2winner5
+  signal slice2winner5_best_cost_0_0 : natural range 0 to 2298;
+  signal slice2winner5_best_cost_1_0, slice2winner5_best_cost_2_0 : natural range 0 to 2301;
+  signal slice2winner5_best_cost_3_0 : natural range 0 to 2301;
+  signal slice2winner5_best_index_0_0, slice2winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice2winner5_best_index_2_0, slice2winner5_best_index_3_0 : natural range 0 to 24;
   -- slice2
-  signal slice2_best_cost_0_0, slice2_best_cost_1_0, slice2_best_cost_2_0 : natural range 0 to 4095;
-  signal slice2_best_cost_3_0 : natural range 0 to 4095;
+  signal slice2_best_cost_0_0 : natural range 0 to 2298;
+  signal slice2_best_cost_1_0, slice2_best_cost_2_0, slice2_best_cost_3_0 : natural range 0 to 2301;
   signal slice2_best_index_0_0, slice2_best_index_1_0, slice2_best_index_2_0 : natural range 0 to 99;
   signal slice2_best_index_3_0 : natural range 0 to 99;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
@@ -2051,178 +1860,115 @@ architecture rtl of stereo_core_ambrosch2007_p4 is
   signal slice3window_sum_3_19, slice3window_sum_3_20, slice3window_sum_3_21 : natural range 0 to 2301;
   signal slice3window_sum_3_22, slice3window_sum_3_23, slice3window_sum_3_24 : natural range 0 to 2301;
   -- slice3winner1
-  signal slice3winner1_of_pair_0_0, slice3winner1_of_pair_0_1, slice3winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_3, slice3winner1_of_pair_0_4, slice3winner1_of_pair_0_5 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_6, slice3winner1_of_pair_0_7, slice3winner1_of_pair_0_8 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_9, slice3winner1_of_pair_0_10, slice3winner1_of_pair_0_11 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_12, slice3winner1_of_pair_0_13, slice3winner1_of_pair_0_14 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_15, slice3winner1_of_pair_0_16, slice3winner1_of_pair_0_17 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_18, slice3winner1_of_pair_0_19, slice3winner1_of_pair_0_20 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_21, slice3winner1_of_pair_0_22, slice3winner1_of_pair_0_23 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_24, slice3winner1_of_four_0_0, slice3winner1_of_four_0_1 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_2, slice3winner1_of_four_0_3, slice3winner1_of_four_0_4 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_5, slice3winner1_of_four_0_6, slice3winner1_of_four_0_7 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_8, slice3winner1_of_four_0_9, slice3winner1_of_four_0_10 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_11, slice3winner1_of_four_0_12, slice3winner1_of_four_0_13 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_14, slice3winner1_of_four_0_15, slice3winner1_of_four_0_16 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_17, slice3winner1_of_four_0_18, slice3winner1_of_four_0_19 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_20, slice3winner1_of_four_0_21, slice3winner1_of_four_0_22 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_23, slice3winner1_of_four_0_24, slice3winner1_best_cost_0_6 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_1_0, slice3winner1_of_pair_1_1, slice3winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_3, slice3winner1_of_pair_1_4, slice3winner1_of_pair_1_5 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_6, slice3winner1_of_pair_1_7, slice3winner1_of_pair_1_8 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_9, slice3winner1_of_pair_1_10, slice3winner1_of_pair_1_11 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_12, slice3winner1_of_pair_1_13, slice3winner1_of_pair_1_14 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_15, slice3winner1_of_pair_1_16, slice3winner1_of_pair_1_17 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_18, slice3winner1_of_pair_1_19, slice3winner1_of_pair_1_20 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_21, slice3winner1_of_pair_1_22, slice3winner1_of_pair_1_23 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_24, slice3winner1_of_pair_2_0, slice3winner1_of_pair_2_1 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_2_2, slice3winner1_of_pair_2_3, slice3winner1_of_pair_2_4 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_2_5, slice3winner1_of_pair_2_6, slice3winner1_of_pair_2_7 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_2_8, slice3winner1_of_pair_2_9, slice3winner1_of_pair_2_10 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_2_11, slice3winner1_of_pair_2_12, slice3winner1_of_pair_2_13 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_2_14, slice3winner1_of_pair_2_15, slice3winner1_of_pair_2_16 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_2_17, slice3winner1_of_pair_2_18, slice3winner1_of_pair_2_19 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_2_20, slice3winner1_of_pair_2_21, slice3winner1_of_pair_2_22 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_2_23, slice3winner1_of_pair_2_24, slice3winner1_of_pair_3_0 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_3_1, slice3winner1_of_pair_3_2, slice3winner1_of_pair_3_3 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_3_4, slice3winner1_of_pair_3_5, slice3winner1_of_pair_3_6 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_3_7, slice3winner1_of_pair_3_8, slice3winner1_of_pair_3_9 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_3_10, slice3winner1_of_pair_3_11, slice3winner1_of_pair_3_12 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_3_13, slice3winner1_of_pair_3_14, slice3winner1_of_pair_3_15 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_3_16, slice3winner1_of_pair_3_17, slice3winner1_of_pair_3_18 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_3_19, slice3winner1_of_pair_3_20, slice3winner1_of_pair_3_21 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_3_22, slice3winner1_of_pair_3_23, slice3winner1_of_pair_3_24 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_0, slice3winner1_of_four_1_1, slice3winner1_of_four_1_2 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_3, slice3winner1_of_four_1_4, slice3winner1_of_four_1_5 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_6, slice3winner1_of_four_1_7, slice3winner1_of_four_1_8 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_9, slice3winner1_of_four_1_10, slice3winner1_of_four_1_11 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_12, slice3winner1_of_four_1_13, slice3winner1_of_four_1_14 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_15, slice3winner1_of_four_1_16, slice3winner1_of_four_1_17 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_18, slice3winner1_of_four_1_19, slice3winner1_of_four_1_20 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_21, slice3winner1_of_four_1_22, slice3winner1_of_four_1_23 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_24, slice3winner1_of_four_2_0, slice3winner1_of_four_2_1 : natural range 0 to 2301;
-  signal slice3winner1_of_four_2_2, slice3winner1_of_four_2_3, slice3winner1_of_four_2_4 : natural range 0 to 2301;
-  signal slice3winner1_of_four_2_5, slice3winner1_of_four_2_6, slice3winner1_of_four_2_7 : natural range 0 to 2301;
-  signal slice3winner1_of_four_2_8, slice3winner1_of_four_2_9, slice3winner1_of_four_2_10 : natural range 0 to 2301;
-  signal slice3winner1_of_four_2_11, slice3winner1_of_four_2_12, slice3winner1_of_four_2_13 : natural range 0 to 2301;
-  signal slice3winner1_of_four_2_14, slice3winner1_of_four_2_15, slice3winner1_of_four_2_16 : natural range 0 to 2301;
-  signal slice3winner1_of_four_2_17, slice3winner1_of_four_2_18, slice3winner1_of_four_2_19 : natural range 0 to 2301;
-  signal slice3winner1_of_four_2_20, slice3winner1_of_four_2_21, slice3winner1_of_four_2_22 : natural range 0 to 2301;
-  signal slice3winner1_of_four_2_23, slice3winner1_of_four_2_24, slice3winner1_of_four_3_0 : natural range 0 to 2301;
-  signal slice3winner1_of_four_3_1, slice3winner1_of_four_3_2, slice3winner1_of_four_3_3 : natural range 0 to 2301;
-  signal slice3winner1_of_four_3_4, slice3winner1_of_four_3_5, slice3winner1_of_four_3_6 : natural range 0 to 2301;
-  signal slice3winner1_of_four_3_7, slice3winner1_of_four_3_8, slice3winner1_of_four_3_9 : natural range 0 to 2301;
-  signal slice3winner1_of_four_3_10, slice3winner1_of_four_3_11, slice3winner1_of_four_3_12 : natural range 0 to 2301;
-  signal slice3winner1_of_four_3_13, slice3winner1_of_four_3_14, slice3winner1_of_four_3_15 : natural range 0 to 2301;
-  signal slice3winner1_of_four_3_16, slice3winner1_of_four_3_17, slice3winner1_of_four_3_18 : natural range 0 to 2301;
-  signal slice3winner1_of_four_3_19, slice3winner1_of_four_3_20, slice3winner1_of_four_3_21 : natural range 0 to 2301;
-  signal slice3winner1_of_four_3_22, slice3winner1_of_four_3_23, slice3winner1_of_four_3_24 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_6, slice3winner1_best_cost_2_6 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_3_6 : natural range 0 to 2301;
-  signal slice3winner1_pair_index_0_0, slice3winner1_pair_index_1_0, slice3winner1_pair_index_2_0 : boolean;
-  signal slice3winner1_pair_index_3_0 : boolean;
-  signal slice3winner1_pair_index_0_1, slice3winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice3winner1_pair_index_2_1, slice3winner1_pair_index_3_1 : natural range 0 to 3;
-  signal slice3winner1_four_index_0_0, slice3winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice3winner1_four_index_2_0, slice3winner1_four_index_3_0 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_0, slice3winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice3winner1_best_index_2_0, slice3winner1_best_index_3_0 : natural range 0 to 3;
-  signal slice3winner1_pair_index_0_2, slice3winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice3winner1_pair_index_2_2, slice3winner1_pair_index_3_2 : natural range 0 to 5;
-  signal slice3winner1_pair_index_0_3, slice3winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice3winner1_pair_index_2_3, slice3winner1_pair_index_3_3 : natural range 0 to 7;
-  signal slice3winner1_four_index_0_1, slice3winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice3winner1_four_index_2_1, slice3winner1_four_index_3_1 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_1, slice3winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice3winner1_best_index_2_1, slice3winner1_best_index_3_1 : natural range 0 to 7;
-  signal slice3winner1_pair_index_0_4, slice3winner1_pair_index_1_4 : natural range 0 to 9;
-  signal slice3winner1_pair_index_2_4, slice3winner1_pair_index_3_4 : natural range 0 to 9;
-  signal slice3winner1_pair_index_0_5, slice3winner1_pair_index_1_5 : natural range 0 to 11;
-  signal slice3winner1_pair_index_2_5, slice3winner1_pair_index_3_5 : natural range 0 to 11;
-  signal slice3winner1_four_index_0_2, slice3winner1_four_index_1_2 : natural range 0 to 11;
-  signal slice3winner1_four_index_2_2, slice3winner1_four_index_3_2 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_2, slice3winner1_best_index_1_2 : natural range 0 to 11;
-  signal slice3winner1_best_index_2_2, slice3winner1_best_index_3_2 : natural range 0 to 11;
-  signal slice3winner1_pair_index_0_6, slice3winner1_pair_index_1_6 : natural range 0 to 13;
-  signal slice3winner1_pair_index_2_6, slice3winner1_pair_index_3_6 : natural range 0 to 13;
-  signal slice3winner1_pair_index_0_7, slice3winner1_pair_index_1_7 : natural range 0 to 15;
-  signal slice3winner1_pair_index_2_7, slice3winner1_pair_index_3_7 : natural range 0 to 15;
-  signal slice3winner1_four_index_0_3, slice3winner1_four_index_1_3 : natural range 0 to 15;
-  signal slice3winner1_four_index_2_3, slice3winner1_four_index_3_3 : natural range 0 to 15;
-  signal slice3winner1_best_index_0_3, slice3winner1_best_index_1_3 : natural range 0 to 15;
-  signal slice3winner1_best_index_2_3, slice3winner1_best_index_3_3 : natural range 0 to 15;
-  signal slice3winner1_pair_index_0_8, slice3winner1_pair_index_1_8 : natural range 0 to 17;
-  signal slice3winner1_pair_index_2_8, slice3winner1_pair_index_3_8 : natural range 0 to 17;
-  signal slice3winner1_pair_index_0_9, slice3winner1_pair_index_1_9 : natural range 0 to 19;
-  signal slice3winner1_pair_index_2_9, slice3winner1_pair_index_3_9 : natural range 0 to 19;
-  signal slice3winner1_four_index_0_4, slice3winner1_four_index_1_4 : natural range 0 to 19;
-  signal slice3winner1_four_index_2_4, slice3winner1_four_index_3_4 : natural range 0 to 19;
-  signal slice3winner1_best_index_0_4, slice3winner1_best_index_1_4 : natural range 0 to 19;
-  signal slice3winner1_best_index_2_4, slice3winner1_best_index_3_4 : natural range 0 to 19;
-  signal slice3winner1_pair_index_0_10, slice3winner1_pair_index_1_10 : natural range 0 to 21;
-  signal slice3winner1_pair_index_2_10, slice3winner1_pair_index_3_10 : natural range 0 to 21;
-  signal slice3winner1_pair_index_0_11, slice3winner1_pair_index_1_11 : natural range 0 to 23;
-  signal slice3winner1_pair_index_2_11, slice3winner1_pair_index_3_11 : natural range 0 to 23;
-  signal slice3winner1_four_index_0_5, slice3winner1_four_index_1_5 : natural range 0 to 23;
-  signal slice3winner1_four_index_2_5, slice3winner1_four_index_3_5 : natural range 0 to 23;
-  signal slice3winner1_best_index_0_5, slice3winner1_best_index_1_5 : natural range 0 to 23;
-  signal slice3winner1_best_index_2_5, slice3winner1_best_index_3_5 : natural range 0 to 23;
-  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_1_0, slice3winner1_best_cost_1_1 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_1_2, slice3winner1_best_cost_1_3 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_1_4, slice3winner1_best_cost_1_5 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_2_0, slice3winner1_best_cost_2_1 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_2_2, slice3winner1_best_cost_2_3 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_2_4, slice3winner1_best_cost_2_5 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_3_0, slice3winner1_best_cost_3_1 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_3_2, slice3winner1_best_cost_3_3 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_3_4, slice3winner1_best_cost_3_5 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_8, slice3winner1_best_cost_0_9 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_10, slice3winner1_best_cost_0_11 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_1_0, slice3winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_2, slice3winner1_best_cost_1_3 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_4, slice3winner1_best_cost_1_5 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_6, slice3winner1_best_cost_1_7 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_8, slice3winner1_best_cost_1_9 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_10, slice3winner1_best_cost_1_11 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_12, slice3winner1_best_cost_2_0 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_2_1, slice3winner1_best_cost_2_2 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_2_3, slice3winner1_best_cost_2_4 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_2_5, slice3winner1_best_cost_2_6 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_2_7, slice3winner1_best_cost_2_8 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_2_9, slice3winner1_best_cost_2_10 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_2_11, slice3winner1_best_cost_2_12 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_3_0, slice3winner1_best_cost_3_1 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_3_2, slice3winner1_best_cost_3_3 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_3_4, slice3winner1_best_cost_3_5 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_3_6, slice3winner1_best_cost_3_7 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_3_8, slice3winner1_best_cost_3_9 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_3_10, slice3winner1_best_cost_3_11 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_3_12 : natural range 0 to 2301;
+  signal slice3winner1_best_index_0_0, slice3winner1_best_index_1_0, slice3winner1_best_index_2_0 : boolean;
+  signal slice3winner1_best_index_3_0 : boolean;
+  signal slice3winner1_best_index_0_1, slice3winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice3winner1_best_index_2_1, slice3winner1_best_index_3_1 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_2, slice3winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice3winner1_best_index_2_2, slice3winner1_best_index_3_2 : natural range 0 to 5;
+  signal slice3winner1_best_index_0_3, slice3winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice3winner1_best_index_2_3, slice3winner1_best_index_3_3 : natural range 0 to 7;
+  signal slice3winner1_best_index_0_4, slice3winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice3winner1_best_index_2_4, slice3winner1_best_index_3_4 : natural range 0 to 9;
+  signal slice3winner1_best_index_0_5, slice3winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice3winner1_best_index_2_5, slice3winner1_best_index_3_5 : natural range 0 to 11;
+  signal slice3winner1_best_index_0_6, slice3winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice3winner1_best_index_2_6, slice3winner1_best_index_3_6 : natural range 0 to 13;
+  signal slice3winner1_best_index_0_7, slice3winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice3winner1_best_index_2_7, slice3winner1_best_index_3_7 : natural range 0 to 15;
+  signal slice3winner1_best_index_0_8, slice3winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice3winner1_best_index_2_8, slice3winner1_best_index_3_8 : natural range 0 to 17;
+  signal slice3winner1_best_index_0_9, slice3winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice3winner1_best_index_2_9, slice3winner1_best_index_3_9 : natural range 0 to 19;
+  signal slice3winner1_best_index_0_10, slice3winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice3winner1_best_index_2_10, slice3winner1_best_index_3_10 : natural range 0 to 21;
+  signal slice3winner1_best_index_0_11, slice3winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice3winner1_best_index_2_11, slice3winner1_best_index_3_11 : natural range 0 to 23;
   -- slice3winner2
-  signal slice3winner2_of_pair_0_0, slice3winner2_of_pair_0_1, slice3winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_0_3, slice3winner2_of_pair_0_4, slice3winner2_of_pair_0_5 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_1_0, slice3winner2_of_pair_1_1, slice3winner2_of_pair_1_2 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_1_3, slice3winner2_of_pair_1_4, slice3winner2_of_pair_1_5 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_2_0, slice3winner2_of_pair_2_1, slice3winner2_of_pair_2_2 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_2_3, slice3winner2_of_pair_2_4, slice3winner2_of_pair_2_5 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_3_0, slice3winner2_of_pair_3_1, slice3winner2_of_pair_3_2 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_3_3, slice3winner2_of_pair_3_4, slice3winner2_of_pair_3_5 : natural range 0 to 4095;
-  signal slice3winner2_of_four_0_0, slice3winner2_of_four_0_1, slice3winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice3winner2_of_four_0_3, slice3winner2_of_four_0_4, slice3winner2_of_four_0_5 : natural range 0 to 4095;
-  signal slice3winner2_of_four_1_0, slice3winner2_of_four_1_1, slice3winner2_of_four_1_2 : natural range 0 to 4095;
-  signal slice3winner2_of_four_1_3, slice3winner2_of_four_1_4, slice3winner2_of_four_1_5 : natural range 0 to 4095;
-  signal slice3winner2_of_four_2_0, slice3winner2_of_four_2_1, slice3winner2_of_four_2_2 : natural range 0 to 4095;
-  signal slice3winner2_of_four_2_3, slice3winner2_of_four_2_4, slice3winner2_of_four_2_5 : natural range 0 to 4095;
-  signal slice3winner2_of_four_3_0, slice3winner2_of_four_3_1, slice3winner2_of_four_3_2 : natural range 0 to 4095;
-  signal slice3winner2_of_four_3_3, slice3winner2_of_four_3_4, slice3winner2_of_four_3_5 : natural range 0 to 4095;
-  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice3winner2_best_cost_1_0, slice3winner2_best_cost_1_1 : natural range 0 to 4095;
-  signal slice3winner2_best_cost_2_0, slice3winner2_best_cost_2_1 : natural range 0 to 4095;
-  signal slice3winner2_best_cost_3_0, slice3winner2_best_cost_3_1 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_0_6, slice3winner2_of_four_0_6 : natural range 0 to 2298;
-  signal slice3winner2_of_pair_1_6, slice3winner2_of_pair_2_6, slice3winner2_of_pair_3_6 : natural range 0 to 2301;
-  signal slice3winner2_of_four_1_6, slice3winner2_of_four_2_6, slice3winner2_of_four_3_6 : natural range 0 to 2301;
-  signal slice3winner2_pair_index_0_0, slice3winner2_pair_index_1_0 : natural range 0 to 7;
-  signal slice3winner2_pair_index_2_0, slice3winner2_pair_index_3_0 : natural range 0 to 7;
-  signal slice3winner2_pair_index_0_1, slice3winner2_pair_index_1_1 : natural range 0 to 15;
-  signal slice3winner2_pair_index_2_1, slice3winner2_pair_index_3_1 : natural range 0 to 15;
-  signal slice3winner2_four_index_0_0, slice3winner2_four_index_1_0 : natural range 0 to 15;
-  signal slice3winner2_four_index_2_0, slice3winner2_four_index_3_0 : natural range 0 to 15;
-  signal slice3winner2_best_index_0_0, slice3winner2_best_index_1_0 : natural range 0 to 15;
-  signal slice3winner2_best_index_2_0, slice3winner2_best_index_3_0 : natural range 0 to 15;
-  signal slice3winner2_pair_index_0_2, slice3winner2_pair_index_1_2 : natural range 0 to 23;
-  signal slice3winner2_pair_index_2_2, slice3winner2_pair_index_3_2 : natural range 0 to 23;
-  signal slice3winner2_four_index_0_1, slice3winner2_four_index_1_1 : natural range 0 to 24;
-  signal slice3winner2_four_index_2_1, slice3winner2_four_index_3_1 : natural range 0 to 24;
-  signal slice3winner2_best_index_0_1, slice3winner2_best_index_1_1 : natural range 0 to 24;
-  signal slice3winner2_best_index_2_1, slice3winner2_best_index_3_1 : natural range 0 to 24;
+  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 2298;
+  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 2298;
+  signal slice3winner2_best_cost_0_4, slice3winner2_best_cost_0_5 : natural range 0 to 2298;
+  signal slice3winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice3winner2_best_cost_1_0, slice3winner2_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_1_2, slice3winner2_best_cost_1_3 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_1_4, slice3winner2_best_cost_1_5 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_1_6, slice3winner2_best_cost_2_0 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_2_1, slice3winner2_best_cost_2_2 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_2_3, slice3winner2_best_cost_2_4 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_2_5, slice3winner2_best_cost_2_6 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_3_0, slice3winner2_best_cost_3_1 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_3_2, slice3winner2_best_cost_3_3 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_3_4, slice3winner2_best_cost_3_5 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_3_6 : natural range 0 to 2301;
+  signal slice3winner2_best_index_0_0, slice3winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice3winner2_best_index_2_0, slice3winner2_best_index_3_0 : natural range 0 to 3;
+  signal slice3winner2_best_index_0_1, slice3winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice3winner2_best_index_2_1, slice3winner2_best_index_3_1 : natural range 0 to 7;
+  signal slice3winner2_best_index_0_2, slice3winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice3winner2_best_index_2_2, slice3winner2_best_index_3_2 : natural range 0 to 11;
+  signal slice3winner2_best_index_0_3, slice3winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice3winner2_best_index_2_3, slice3winner2_best_index_3_3 : natural range 0 to 15;
+  signal slice3winner2_best_index_0_4, slice3winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice3winner2_best_index_2_4, slice3winner2_best_index_3_4 : natural range 0 to 19;
+  signal slice3winner2_best_index_0_5, slice3winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice3winner2_best_index_2_5, slice3winner2_best_index_3_5 : natural range 0 to 23;
   -- slice3winner3
-  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_1_0 : natural range 0 to 4095;
-  signal slice3winner3_best_cost_2_0, slice3winner3_best_cost_3_0 : natural range 0 to 4095;
-  signal slice3winner3_best_index_0_0, slice3winner3_best_index_1_0 : natural range 0 to 24;
-  signal slice3winner3_best_index_2_0, slice3winner3_best_index_3_0 : natural range 0 to 24;
+  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 2298;
+  signal slice3winner3_best_cost_0_2, slice3winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice3winner3_best_cost_1_0, slice3winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner3_best_cost_1_2, slice3winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice3winner3_best_cost_2_0, slice3winner3_best_cost_2_1 : natural range 0 to 2301;
+  signal slice3winner3_best_cost_2_2, slice3winner3_best_cost_2_3 : natural range 0 to 2301;
+  signal slice3winner3_best_cost_3_0, slice3winner3_best_cost_3_1 : natural range 0 to 2301;
+  signal slice3winner3_best_cost_3_2, slice3winner3_best_cost_3_3 : natural range 0 to 2301;
+  signal slice3winner3_best_index_0_0, slice3winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice3winner3_best_index_2_0, slice3winner3_best_index_3_0 : natural range 0 to 7;
+  signal slice3winner3_best_index_0_1, slice3winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice3winner3_best_index_2_1, slice3winner3_best_index_3_1 : natural range 0 to 15;
+  signal slice3winner3_best_index_0_2, slice3winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice3winner3_best_index_2_2, slice3winner3_best_index_3_2 : natural range 0 to 23;
+  -- slice3winner4
+  signal slice3winner4_best_cost_0_0, slice3winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice3winner4_best_cost_1_0, slice3winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner4_best_cost_2_0, slice3winner4_best_cost_2_1 : natural range 0 to 2301;
+  signal slice3winner4_best_cost_3_0, slice3winner4_best_cost_3_1 : natural range 0 to 2301;
+  signal slice3winner4_best_index_0_0, slice3winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice3winner4_best_index_2_0, slice3winner4_best_index_3_0 : natural range 0 to 15;
+  signal slice3winner4_best_index_0_1, slice3winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice3winner4_best_index_2_1, slice3winner4_best_index_3_1 : natural range 0 to 24;
+  -- slice3winner5
+  signal slice3winner5_best_cost_0_0 : natural range 0 to 2298;
+  signal slice3winner5_best_cost_1_0, slice3winner5_best_cost_2_0 : natural range 0 to 2301;
+  signal slice3winner5_best_cost_3_0 : natural range 0 to 2301;
+  signal slice3winner5_best_index_0_0, slice3winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice3winner5_best_index_2_0, slice3winner5_best_index_3_0 : natural range 0 to 24;
   -- slice3
   signal slice3_best_index_0_0, slice3_best_index_1_0, slice3_best_index_2_0 : natural range 0 to 99;
   signal slice3_best_index_3_0 : natural range 0 to 99;
@@ -2275,7 +2021,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_1,
-      write_address => slice2cost_signs_write_column, write_data => slice2cost_signs_read_words_1_memory_write_data);
+      write_address => slice3cost_signs_difference_column, write_data => slice2cost_signs_read_words_1_memory_write_data);
 
   slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words_0, 25);
   slice2cost_signs_read_words_0_memory : entity work.line_memory
@@ -2283,7 +2029,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_0,
-      write_address => slice2cost_signs_write_column, write_data => slice2cost_signs_read_words_0_memory_write_data);
+      write_address => slice3cost_signs_difference_column, write_data => slice2cost_signs_read_words_0_memory_write_data);
 
   slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words_1, 25);
   slice1cost_signs_read_words_1_memory : entity work.line_memory
@@ -2291,7 +2037,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_write_column, read_data => slice1cost_signs_read_words_1,
-      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_1_memory_write_data);
+      write_address => slice2cost_signs_difference_column, write_data => slice1cost_signs_read_words_1_memory_write_data);
 
   slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words_0, 25);
   slice1cost_signs_read_words_0_memory : entity work.line_memory
@@ -2299,7 +2045,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_write_column, read_data => slice1cost_signs_read_words_0,
-      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_0_memory_write_data);
+      write_address => slice2cost_signs_difference_column, write_data => slice1cost_signs_read_words_0_memory_write_data);
 
   slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words_1, 25);
   slice0cost_signs_read_words_1_memory : entity work.line_memory
@@ -2307,7 +2053,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_ready_column, read_data => slice0cost_signs_read_words_1,
-      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
+      write_address => slice1cost_signs_difference_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
 
   slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words_0, 25);
   slice0cost_signs_read_words_0_memory : entity work.line_memory
@@ -2315,7 +2061,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_ready_column, read_data => slice0cost_signs_read_words_0,
-      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
+      write_address => slice1cost_signs_difference_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 8);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -2361,7 +2107,9 @@ begin
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
     variable raster_place_group_choice_2, raster_place_group_all_2, raster_place_next_frame_choice : boolean;
     variable delay_row_inside_0_differs, delay_row_inside_1_is_equal, delay_row_inside_1_choice : boolean;
-    variable delay_tag_newest_inside_any, delay_tag_newest_inside_any_2, slice0cost_difference_0_1_value : boolean;
+    variable delay_row_inside_1_is_equal_2, delay_tag_newest_inside_any, delay_tag_newest_inside_is_equal : boolean;
+    variable delay_tag_newest_inside_any_2, delay_tag_output_column_is_not_less : boolean;
+    variable delay_tag_output_column_is_less, slice0cost_difference_0_1_value : boolean;
     variable slice0cost_difference_0_2_value, slice0cost_difference_0_3_value : boolean;
     variable slice0cost_difference_0_4_value, slice0cost_difference_0_5_value : boolean;
     variable slice0cost_difference_0_6_value, slice0cost_difference_0_7_value : boolean;
@@ -2402,54 +2150,54 @@ begin
     variable slice0cost_pair_1_16_is_less, slice0cost_pair_1_17_is_less, slice0cost_pair_1_18_is_less : boolean;
     variable slice0cost_pair_1_19_is_less, slice0cost_pair_1_20_is_less, slice0cost_pair_1_21_is_less : boolean;
     variable slice0cost_pair_1_22_is_less, slice0cost_pair_1_23_is_less, slice0cost_pair_1_24_is_less : boolean;
-    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
-    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
-    variable slice0winner1_of_pair_0_8_is_less, slice0winner1_of_pair_0_10_is_less : boolean;
-    variable slice0winner1_of_pair_0_12_is_less, slice0winner1_of_pair_0_14_is_less : boolean;
-    variable slice0winner1_of_pair_0_16_is_less, slice0winner1_of_pair_0_18_is_less : boolean;
-    variable slice0winner1_of_pair_0_20_is_less, slice0winner1_of_pair_0_22_is_less : boolean;
-    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_pair_1_2_is_less : boolean;
-    variable slice0winner1_of_pair_1_4_is_less, slice0winner1_of_pair_1_6_is_less : boolean;
-    variable slice0winner1_of_pair_1_8_is_less, slice0winner1_of_pair_1_10_is_less : boolean;
-    variable slice0winner1_of_pair_1_12_is_less, slice0winner1_of_pair_1_14_is_less : boolean;
-    variable slice0winner1_of_pair_1_16_is_less, slice0winner1_of_pair_1_18_is_less : boolean;
-    variable slice0winner1_of_pair_1_20_is_less, slice0winner1_of_pair_1_22_is_less : boolean;
-    variable slice0winner1_of_pair_2_0_is_less, slice0winner1_of_pair_2_2_is_less : boolean;
-    variable slice0winner1_of_pair_2_4_is_less, slice0winner1_of_pair_2_6_is_less : boolean;
-    variable slice0winner1_of_pair_2_8_is_less, slice0winner1_of_pair_2_10_is_less : boolean;
-    variable slice0winner1_of_pair_2_12_is_less, slice0winner1_of_pair_2_14_is_less : boolean;
-    variable slice0winner1_of_pair_2_16_is_less, slice0winner1_of_pair_2_18_is_less : boolean;
-    variable slice0winner1_of_pair_2_20_is_less, slice0winner1_of_pair_2_22_is_less : boolean;
-    variable slice0winner1_of_pair_3_0_is_less, slice0winner1_of_pair_3_2_is_less : boolean;
-    variable slice0winner1_of_pair_3_4_is_less, slice0winner1_of_pair_3_6_is_less : boolean;
-    variable slice0winner1_of_pair_3_8_is_less, slice0winner1_of_pair_3_10_is_less : boolean;
-    variable slice0winner1_of_pair_3_12_is_less, slice0winner1_of_pair_3_14_is_less : boolean;
-    variable slice0winner1_of_pair_3_16_is_less, slice0winner1_of_pair_3_18_is_less : boolean;
-    variable slice0winner1_of_pair_3_20_is_less, slice0winner1_of_pair_3_22_is_less : boolean;
-    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
-    variable slice0winner1_of_four_0_8_is_less, slice0winner1_of_four_0_12_is_less : boolean;
-    variable slice0winner1_of_four_0_16_is_less, slice0winner1_of_four_0_20_is_less : boolean;
-    variable slice0winner1_of_four_1_0_is_less, slice0winner1_of_four_1_4_is_less : boolean;
-    variable slice0winner1_of_four_1_8_is_less, slice0winner1_of_four_1_12_is_less : boolean;
-    variable slice0winner1_of_four_1_16_is_less, slice0winner1_of_four_1_20_is_less : boolean;
-    variable slice0winner1_of_four_2_0_is_less, slice0winner1_of_four_2_4_is_less : boolean;
-    variable slice0winner1_of_four_2_8_is_less, slice0winner1_of_four_2_12_is_less : boolean;
-    variable slice0winner1_of_four_2_16_is_less, slice0winner1_of_four_2_20_is_less : boolean;
-    variable slice0winner1_of_four_3_0_is_less, slice0winner1_of_four_3_4_is_less : boolean;
-    variable slice0winner1_of_four_3_8_is_less, slice0winner1_of_four_3_12_is_less : boolean;
-    variable slice0winner1_of_four_3_16_is_less, slice0winner1_of_four_3_20_is_less : boolean;
-    variable slice0winner2_of_pair_0_0_is_less, slice0winner2_of_pair_0_2_is_less : boolean;
-    variable slice0winner2_of_pair_0_4_is_less, slice0winner2_of_pair_1_0_is_less : boolean;
-    variable slice0winner2_of_pair_1_2_is_less, slice0winner2_of_pair_1_4_is_less : boolean;
-    variable slice0winner2_of_pair_2_0_is_less, slice0winner2_of_pair_2_2_is_less : boolean;
-    variable slice0winner2_of_pair_2_4_is_less, slice0winner2_of_pair_3_0_is_less : boolean;
-    variable slice0winner2_of_pair_3_2_is_less, slice0winner2_of_pair_3_4_is_less : boolean;
-    variable slice0winner2_of_four_0_0_is_less, slice0winner2_of_four_0_4_is_less : boolean;
-    variable slice0winner2_of_four_1_0_is_less, slice0winner2_of_four_1_4_is_less : boolean;
-    variable slice0winner2_of_four_2_0_is_less, slice0winner2_of_four_2_4_is_less : boolean;
-    variable slice0winner2_of_four_3_0_is_less, slice0winner2_of_four_3_4_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_cost_1_0_is_less : boolean;
-    variable slice0winner3_best_cost_2_0_is_less, slice0winner3_best_cost_3_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
+    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
+    variable slice0winner1_best_cost_0_4_is_less, slice0winner1_best_cost_0_5_is_less : boolean;
+    variable slice0winner1_best_cost_0_6_is_less, slice0winner1_best_cost_0_7_is_less : boolean;
+    variable slice0winner1_best_cost_0_8_is_less, slice0winner1_best_cost_0_9_is_less : boolean;
+    variable slice0winner1_best_cost_0_10_is_less, slice0winner1_best_cost_0_11_is_less : boolean;
+    variable slice0winner1_best_cost_1_0_is_less, slice0winner1_best_cost_1_1_is_less : boolean;
+    variable slice0winner1_best_cost_1_2_is_less, slice0winner1_best_cost_1_3_is_less : boolean;
+    variable slice0winner1_best_cost_1_4_is_less, slice0winner1_best_cost_1_5_is_less : boolean;
+    variable slice0winner1_best_cost_1_6_is_less, slice0winner1_best_cost_1_7_is_less : boolean;
+    variable slice0winner1_best_cost_1_8_is_less, slice0winner1_best_cost_1_9_is_less : boolean;
+    variable slice0winner1_best_cost_1_10_is_less, slice0winner1_best_cost_1_11_is_less : boolean;
+    variable slice0winner1_best_cost_2_0_is_less, slice0winner1_best_cost_2_1_is_less : boolean;
+    variable slice0winner1_best_cost_2_2_is_less, slice0winner1_best_cost_2_3_is_less : boolean;
+    variable slice0winner1_best_cost_2_4_is_less, slice0winner1_best_cost_2_5_is_less : boolean;
+    variable slice0winner1_best_cost_2_6_is_less, slice0winner1_best_cost_2_7_is_less : boolean;
+    variable slice0winner1_best_cost_2_8_is_less, slice0winner1_best_cost_2_9_is_less : boolean;
+    variable slice0winner1_best_cost_2_10_is_less, slice0winner1_best_cost_2_11_is_less : boolean;
+    variable slice0winner1_best_cost_3_0_is_less, slice0winner1_best_cost_3_1_is_less : boolean;
+    variable slice0winner1_best_cost_3_2_is_less, slice0winner1_best_cost_3_3_is_less : boolean;
+    variable slice0winner1_best_cost_3_4_is_less, slice0winner1_best_cost_3_5_is_less : boolean;
+    variable slice0winner1_best_cost_3_6_is_less, slice0winner1_best_cost_3_7_is_less : boolean;
+    variable slice0winner1_best_cost_3_8_is_less, slice0winner1_best_cost_3_9_is_less : boolean;
+    variable slice0winner1_best_cost_3_10_is_less, slice0winner1_best_cost_3_11_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
+    variable slice0winner2_best_cost_0_2_is_less, slice0winner2_best_cost_0_3_is_less : boolean;
+    variable slice0winner2_best_cost_0_4_is_less, slice0winner2_best_cost_0_5_is_less : boolean;
+    variable slice0winner2_best_cost_1_0_is_less, slice0winner2_best_cost_1_1_is_less : boolean;
+    variable slice0winner2_best_cost_1_2_is_less, slice0winner2_best_cost_1_3_is_less : boolean;
+    variable slice0winner2_best_cost_1_4_is_less, slice0winner2_best_cost_1_5_is_less : boolean;
+    variable slice0winner2_best_cost_2_0_is_less, slice0winner2_best_cost_2_1_is_less : boolean;
+    variable slice0winner2_best_cost_2_2_is_less, slice0winner2_best_cost_2_3_is_less : boolean;
+    variable slice0winner2_best_cost_2_4_is_less, slice0winner2_best_cost_2_5_is_less : boolean;
+    variable slice0winner2_best_cost_3_0_is_less, slice0winner2_best_cost_3_1_is_less : boolean;
+    variable slice0winner2_best_cost_3_2_is_less, slice0winner2_best_cost_3_3_is_less : boolean;
+    variable slice0winner2_best_cost_3_4_is_less, slice0winner2_best_cost_3_5_is_less : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_cost_0_1_is_less : boolean;
+    variable slice0winner3_best_cost_0_2_is_less, slice0winner3_best_cost_1_0_is_less : boolean;
+    variable slice0winner3_best_cost_1_1_is_less, slice0winner3_best_cost_1_2_is_less : boolean;
+    variable slice0winner3_best_cost_2_0_is_less, slice0winner3_best_cost_2_1_is_less : boolean;
+    variable slice0winner3_best_cost_2_2_is_less, slice0winner3_best_cost_3_0_is_less : boolean;
+    variable slice0winner3_best_cost_3_1_is_less, slice0winner3_best_cost_3_2_is_less : boolean;
+    variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_cost_0_1_is_less : boolean;
+    variable slice0winner4_best_cost_1_0_is_less, slice0winner4_best_cost_1_1_is_less : boolean;
+    variable slice0winner4_best_cost_2_0_is_less, slice0winner4_best_cost_2_1_is_less : boolean;
+    variable slice0winner4_best_cost_3_0_is_less, slice0winner4_best_cost_3_1_is_less : boolean;
+    variable slice0winner5_best_cost_0_0_is_less, slice0winner5_best_cost_1_0_is_less : boolean;
+    variable slice0winner5_best_cost_2_0_is_less, slice0winner5_best_cost_3_0_is_less : boolean;
     variable slice1cost_difference_0_1_value, slice1cost_difference_0_2_value : boolean;
     variable slice1cost_difference_0_3_value, slice1cost_difference_0_4_value : boolean;
     variable slice1cost_difference_0_5_value, slice1cost_difference_0_6_value : boolean;
@@ -2490,55 +2238,55 @@ begin
     variable slice1cost_pair_1_15_is_less, slice1cost_pair_1_16_is_less, slice1cost_pair_1_17_is_less : boolean;
     variable slice1cost_pair_1_18_is_less, slice1cost_pair_1_19_is_less, slice1cost_pair_1_20_is_less : boolean;
     variable slice1cost_pair_1_21_is_less, slice1cost_pair_1_22_is_less, slice1cost_pair_1_23_is_less : boolean;
-    variable slice1cost_pair_1_24_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
-    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
-    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
-    variable slice1winner1_of_pair_0_14_is_less, slice1winner1_of_pair_0_16_is_less : boolean;
-    variable slice1winner1_of_pair_0_18_is_less, slice1winner1_of_pair_0_20_is_less : boolean;
-    variable slice1winner1_of_pair_0_22_is_less, slice1winner1_of_pair_1_0_is_less : boolean;
-    variable slice1winner1_of_pair_1_2_is_less, slice1winner1_of_pair_1_4_is_less : boolean;
-    variable slice1winner1_of_pair_1_6_is_less, slice1winner1_of_pair_1_8_is_less : boolean;
-    variable slice1winner1_of_pair_1_10_is_less, slice1winner1_of_pair_1_12_is_less : boolean;
-    variable slice1winner1_of_pair_1_14_is_less, slice1winner1_of_pair_1_16_is_less : boolean;
-    variable slice1winner1_of_pair_1_18_is_less, slice1winner1_of_pair_1_20_is_less : boolean;
-    variable slice1winner1_of_pair_1_22_is_less, slice1winner1_of_pair_2_0_is_less : boolean;
-    variable slice1winner1_of_pair_2_2_is_less, slice1winner1_of_pair_2_4_is_less : boolean;
-    variable slice1winner1_of_pair_2_6_is_less, slice1winner1_of_pair_2_8_is_less : boolean;
-    variable slice1winner1_of_pair_2_10_is_less, slice1winner1_of_pair_2_12_is_less : boolean;
-    variable slice1winner1_of_pair_2_14_is_less, slice1winner1_of_pair_2_16_is_less : boolean;
-    variable slice1winner1_of_pair_2_18_is_less, slice1winner1_of_pair_2_20_is_less : boolean;
-    variable slice1winner1_of_pair_2_22_is_less, slice1winner1_of_pair_3_0_is_less : boolean;
-    variable slice1winner1_of_pair_3_2_is_less, slice1winner1_of_pair_3_4_is_less : boolean;
-    variable slice1winner1_of_pair_3_6_is_less, slice1winner1_of_pair_3_8_is_less : boolean;
-    variable slice1winner1_of_pair_3_10_is_less, slice1winner1_of_pair_3_12_is_less : boolean;
-    variable slice1winner1_of_pair_3_14_is_less, slice1winner1_of_pair_3_16_is_less : boolean;
-    variable slice1winner1_of_pair_3_18_is_less, slice1winner1_of_pair_3_20_is_less : boolean;
-    variable slice1winner1_of_pair_3_22_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
-    variable slice1winner1_of_four_0_12_is_less, slice1winner1_of_four_0_16_is_less : boolean;
-    variable slice1winner1_of_four_0_20_is_less, slice1winner1_of_four_1_0_is_less : boolean;
-    variable slice1winner1_of_four_1_4_is_less, slice1winner1_of_four_1_8_is_less : boolean;
-    variable slice1winner1_of_four_1_12_is_less, slice1winner1_of_four_1_16_is_less : boolean;
-    variable slice1winner1_of_four_1_20_is_less, slice1winner1_of_four_2_0_is_less : boolean;
-    variable slice1winner1_of_four_2_4_is_less, slice1winner1_of_four_2_8_is_less : boolean;
-    variable slice1winner1_of_four_2_12_is_less, slice1winner1_of_four_2_16_is_less : boolean;
-    variable slice1winner1_of_four_2_20_is_less, slice1winner1_of_four_3_0_is_less : boolean;
-    variable slice1winner1_of_four_3_4_is_less, slice1winner1_of_four_3_8_is_less : boolean;
-    variable slice1winner1_of_four_3_12_is_less, slice1winner1_of_four_3_16_is_less : boolean;
-    variable slice1winner1_of_four_3_20_is_less, slice1winner2_of_pair_0_0_is_less : boolean;
-    variable slice1winner2_of_pair_0_2_is_less, slice1winner2_of_pair_0_4_is_less : boolean;
-    variable slice1winner2_of_pair_1_0_is_less, slice1winner2_of_pair_1_2_is_less : boolean;
-    variable slice1winner2_of_pair_1_4_is_less, slice1winner2_of_pair_2_0_is_less : boolean;
-    variable slice1winner2_of_pair_2_2_is_less, slice1winner2_of_pair_2_4_is_less : boolean;
-    variable slice1winner2_of_pair_3_0_is_less, slice1winner2_of_pair_3_2_is_less : boolean;
-    variable slice1winner2_of_pair_3_4_is_less, slice1winner2_of_four_0_0_is_less : boolean;
-    variable slice1winner2_of_four_0_4_is_less, slice1winner2_of_four_1_0_is_less : boolean;
-    variable slice1winner2_of_four_1_4_is_less, slice1winner2_of_four_2_0_is_less : boolean;
-    variable slice1winner2_of_four_2_4_is_less, slice1winner2_of_four_3_0_is_less : boolean;
-    variable slice1winner2_of_four_3_4_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_1_0_is_less, slice1winner3_best_cost_2_0_is_less : boolean;
-    variable slice1winner3_best_cost_3_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice1cost_pair_1_24_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
+    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
+    variable slice1winner1_best_cost_0_7_is_less, slice1winner1_best_cost_0_8_is_less : boolean;
+    variable slice1winner1_best_cost_0_9_is_less, slice1winner1_best_cost_0_10_is_less : boolean;
+    variable slice1winner1_best_cost_0_11_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
+    variable slice1winner1_best_cost_1_1_is_less, slice1winner1_best_cost_1_2_is_less : boolean;
+    variable slice1winner1_best_cost_1_3_is_less, slice1winner1_best_cost_1_4_is_less : boolean;
+    variable slice1winner1_best_cost_1_5_is_less, slice1winner1_best_cost_1_6_is_less : boolean;
+    variable slice1winner1_best_cost_1_7_is_less, slice1winner1_best_cost_1_8_is_less : boolean;
+    variable slice1winner1_best_cost_1_9_is_less, slice1winner1_best_cost_1_10_is_less : boolean;
+    variable slice1winner1_best_cost_1_11_is_less, slice1winner1_best_cost_2_0_is_less : boolean;
+    variable slice1winner1_best_cost_2_1_is_less, slice1winner1_best_cost_2_2_is_less : boolean;
+    variable slice1winner1_best_cost_2_3_is_less, slice1winner1_best_cost_2_4_is_less : boolean;
+    variable slice1winner1_best_cost_2_5_is_less, slice1winner1_best_cost_2_6_is_less : boolean;
+    variable slice1winner1_best_cost_2_7_is_less, slice1winner1_best_cost_2_8_is_less : boolean;
+    variable slice1winner1_best_cost_2_9_is_less, slice1winner1_best_cost_2_10_is_less : boolean;
+    variable slice1winner1_best_cost_2_11_is_less, slice1winner1_best_cost_3_0_is_less : boolean;
+    variable slice1winner1_best_cost_3_1_is_less, slice1winner1_best_cost_3_2_is_less : boolean;
+    variable slice1winner1_best_cost_3_3_is_less, slice1winner1_best_cost_3_4_is_less : boolean;
+    variable slice1winner1_best_cost_3_5_is_less, slice1winner1_best_cost_3_6_is_less : boolean;
+    variable slice1winner1_best_cost_3_7_is_less, slice1winner1_best_cost_3_8_is_less : boolean;
+    variable slice1winner1_best_cost_3_9_is_less, slice1winner1_best_cost_3_10_is_less : boolean;
+    variable slice1winner1_best_cost_3_11_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_3_is_less, slice1winner2_best_cost_0_4_is_less : boolean;
+    variable slice1winner2_best_cost_0_5_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable slice1winner2_best_cost_1_1_is_less, slice1winner2_best_cost_1_2_is_less : boolean;
+    variable slice1winner2_best_cost_1_3_is_less, slice1winner2_best_cost_1_4_is_less : boolean;
+    variable slice1winner2_best_cost_1_5_is_less, slice1winner2_best_cost_2_0_is_less : boolean;
+    variable slice1winner2_best_cost_2_1_is_less, slice1winner2_best_cost_2_2_is_less : boolean;
+    variable slice1winner2_best_cost_2_3_is_less, slice1winner2_best_cost_2_4_is_less : boolean;
+    variable slice1winner2_best_cost_2_5_is_less, slice1winner2_best_cost_3_0_is_less : boolean;
+    variable slice1winner2_best_cost_3_1_is_less, slice1winner2_best_cost_3_2_is_less : boolean;
+    variable slice1winner2_best_cost_3_3_is_less, slice1winner2_best_cost_3_4_is_less : boolean;
+    variable slice1winner2_best_cost_3_5_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_0_1_is_less, slice1winner3_best_cost_0_2_is_less : boolean;
+    variable slice1winner3_best_cost_1_0_is_less, slice1winner3_best_cost_1_1_is_less : boolean;
+    variable slice1winner3_best_cost_1_2_is_less, slice1winner3_best_cost_2_0_is_less : boolean;
+    variable slice1winner3_best_cost_2_1_is_less, slice1winner3_best_cost_2_2_is_less : boolean;
+    variable slice1winner3_best_cost_3_0_is_less, slice1winner3_best_cost_3_1_is_less : boolean;
+    variable slice1winner3_best_cost_3_2_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
+    variable slice1winner4_best_cost_0_1_is_less, slice1winner4_best_cost_1_0_is_less : boolean;
+    variable slice1winner4_best_cost_1_1_is_less, slice1winner4_best_cost_2_0_is_less : boolean;
+    variable slice1winner4_best_cost_2_1_is_less, slice1winner4_best_cost_3_0_is_less : boolean;
+    variable slice1winner4_best_cost_3_1_is_less, slice1winner5_best_cost_0_0_is_less : boolean;
+    variable slice1winner5_best_cost_1_0_is_less, slice1winner5_best_cost_2_0_is_less : boolean;
+    variable slice1winner5_best_cost_3_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
     variable slice1_best_cost_2_0_is_less, slice1_best_cost_3_0_is_less, slice2cost_difference_0_1_value : boolean;
     variable slice2cost_difference_0_2_value, slice2cost_difference_0_3_value : boolean;
     variable slice2cost_difference_0_4_value, slice2cost_difference_0_5_value : boolean;
@@ -2580,54 +2328,54 @@ begin
     variable slice2cost_pair_1_16_is_less, slice2cost_pair_1_17_is_less, slice2cost_pair_1_18_is_less : boolean;
     variable slice2cost_pair_1_19_is_less, slice2cost_pair_1_20_is_less, slice2cost_pair_1_21_is_less : boolean;
     variable slice2cost_pair_1_22_is_less, slice2cost_pair_1_23_is_less, slice2cost_pair_1_24_is_less : boolean;
-    variable slice2winner1_of_pair_0_0_is_less, slice2winner1_of_pair_0_2_is_less : boolean;
-    variable slice2winner1_of_pair_0_4_is_less, slice2winner1_of_pair_0_6_is_less : boolean;
-    variable slice2winner1_of_pair_0_8_is_less, slice2winner1_of_pair_0_10_is_less : boolean;
-    variable slice2winner1_of_pair_0_12_is_less, slice2winner1_of_pair_0_14_is_less : boolean;
-    variable slice2winner1_of_pair_0_16_is_less, slice2winner1_of_pair_0_18_is_less : boolean;
-    variable slice2winner1_of_pair_0_20_is_less, slice2winner1_of_pair_0_22_is_less : boolean;
-    variable slice2winner1_of_pair_1_0_is_less, slice2winner1_of_pair_1_2_is_less : boolean;
-    variable slice2winner1_of_pair_1_4_is_less, slice2winner1_of_pair_1_6_is_less : boolean;
-    variable slice2winner1_of_pair_1_8_is_less, slice2winner1_of_pair_1_10_is_less : boolean;
-    variable slice2winner1_of_pair_1_12_is_less, slice2winner1_of_pair_1_14_is_less : boolean;
-    variable slice2winner1_of_pair_1_16_is_less, slice2winner1_of_pair_1_18_is_less : boolean;
-    variable slice2winner1_of_pair_1_20_is_less, slice2winner1_of_pair_1_22_is_less : boolean;
-    variable slice2winner1_of_pair_2_0_is_less, slice2winner1_of_pair_2_2_is_less : boolean;
-    variable slice2winner1_of_pair_2_4_is_less, slice2winner1_of_pair_2_6_is_less : boolean;
-    variable slice2winner1_of_pair_2_8_is_less, slice2winner1_of_pair_2_10_is_less : boolean;
-    variable slice2winner1_of_pair_2_12_is_less, slice2winner1_of_pair_2_14_is_less : boolean;
-    variable slice2winner1_of_pair_2_16_is_less, slice2winner1_of_pair_2_18_is_less : boolean;
-    variable slice2winner1_of_pair_2_20_is_less, slice2winner1_of_pair_2_22_is_less : boolean;
-    variable slice2winner1_of_pair_3_0_is_less, slice2winner1_of_pair_3_2_is_less : boolean;
-    variable slice2winner1_of_pair_3_4_is_less, slice2winner1_of_pair_3_6_is_less : boolean;
-    variable slice2winner1_of_pair_3_8_is_less, slice2winner1_of_pair_3_10_is_less : boolean;
-    variable slice2winner1_of_pair_3_12_is_less, slice2winner1_of_pair_3_14_is_less : boolean;
-    variable slice2winner1_of_pair_3_16_is_less, slice2winner1_of_pair_3_18_is_less : boolean;
-    variable slice2winner1_of_pair_3_20_is_less, slice2winner1_of_pair_3_22_is_less : boolean;
-    variable slice2winner1_of_four_0_0_is_less, slice2winner1_of_four_0_4_is_less : boolean;
-    variable slice2winner1_of_four_0_8_is_less, slice2winner1_of_four_0_12_is_less : boolean;
-    variable slice2winner1_of_four_0_16_is_less, slice2winner1_of_four_0_20_is_less : boolean;
-    variable slice2winner1_of_four_1_0_is_less, slice2winner1_of_four_1_4_is_less : boolean;
-    variable slice2winner1_of_four_1_8_is_less, slice2winner1_of_four_1_12_is_less : boolean;
-    variable slice2winner1_of_four_1_16_is_less, slice2winner1_of_four_1_20_is_less : boolean;
-    variable slice2winner1_of_four_2_0_is_less, slice2winner1_of_four_2_4_is_less : boolean;
-    variable slice2winner1_of_four_2_8_is_less, slice2winner1_of_four_2_12_is_less : boolean;
-    variable slice2winner1_of_four_2_16_is_less, slice2winner1_of_four_2_20_is_less : boolean;
-    variable slice2winner1_of_four_3_0_is_less, slice2winner1_of_four_3_4_is_less : boolean;
-    variable slice2winner1_of_four_3_8_is_less, slice2winner1_of_four_3_12_is_less : boolean;
-    variable slice2winner1_of_four_3_16_is_less, slice2winner1_of_four_3_20_is_less : boolean;
-    variable slice2winner2_of_pair_0_0_is_less, slice2winner2_of_pair_0_2_is_less : boolean;
-    variable slice2winner2_of_pair_0_4_is_less, slice2winner2_of_pair_1_0_is_less : boolean;
-    variable slice2winner2_of_pair_1_2_is_less, slice2winner2_of_pair_1_4_is_less : boolean;
-    variable slice2winner2_of_pair_2_0_is_less, slice2winner2_of_pair_2_2_is_less : boolean;
-    variable slice2winner2_of_pair_2_4_is_less, slice2winner2_of_pair_3_0_is_less : boolean;
-    variable slice2winner2_of_pair_3_2_is_less, slice2winner2_of_pair_3_4_is_less : boolean;
-    variable slice2winner2_of_four_0_0_is_less, slice2winner2_of_four_0_4_is_less : boolean;
-    variable slice2winner2_of_four_1_0_is_less, slice2winner2_of_four_1_4_is_less : boolean;
-    variable slice2winner2_of_four_2_0_is_less, slice2winner2_of_four_2_4_is_less : boolean;
-    variable slice2winner2_of_four_3_0_is_less, slice2winner2_of_four_3_4_is_less : boolean;
-    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_1_0_is_less : boolean;
-    variable slice2winner3_best_cost_2_0_is_less, slice2winner3_best_cost_3_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
+    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
+    variable slice2winner1_best_cost_0_4_is_less, slice2winner1_best_cost_0_5_is_less : boolean;
+    variable slice2winner1_best_cost_0_6_is_less, slice2winner1_best_cost_0_7_is_less : boolean;
+    variable slice2winner1_best_cost_0_8_is_less, slice2winner1_best_cost_0_9_is_less : boolean;
+    variable slice2winner1_best_cost_0_10_is_less, slice2winner1_best_cost_0_11_is_less : boolean;
+    variable slice2winner1_best_cost_1_0_is_less, slice2winner1_best_cost_1_1_is_less : boolean;
+    variable slice2winner1_best_cost_1_2_is_less, slice2winner1_best_cost_1_3_is_less : boolean;
+    variable slice2winner1_best_cost_1_4_is_less, slice2winner1_best_cost_1_5_is_less : boolean;
+    variable slice2winner1_best_cost_1_6_is_less, slice2winner1_best_cost_1_7_is_less : boolean;
+    variable slice2winner1_best_cost_1_8_is_less, slice2winner1_best_cost_1_9_is_less : boolean;
+    variable slice2winner1_best_cost_1_10_is_less, slice2winner1_best_cost_1_11_is_less : boolean;
+    variable slice2winner1_best_cost_2_0_is_less, slice2winner1_best_cost_2_1_is_less : boolean;
+    variable slice2winner1_best_cost_2_2_is_less, slice2winner1_best_cost_2_3_is_less : boolean;
+    variable slice2winner1_best_cost_2_4_is_less, slice2winner1_best_cost_2_5_is_less : boolean;
+    variable slice2winner1_best_cost_2_6_is_less, slice2winner1_best_cost_2_7_is_less : boolean;
+    variable slice2winner1_best_cost_2_8_is_less, slice2winner1_best_cost_2_9_is_less : boolean;
+    variable slice2winner1_best_cost_2_10_is_less, slice2winner1_best_cost_2_11_is_less : boolean;
+    variable slice2winner1_best_cost_3_0_is_less, slice2winner1_best_cost_3_1_is_less : boolean;
+    variable slice2winner1_best_cost_3_2_is_less, slice2winner1_best_cost_3_3_is_less : boolean;
+    variable slice2winner1_best_cost_3_4_is_less, slice2winner1_best_cost_3_5_is_less : boolean;
+    variable slice2winner1_best_cost_3_6_is_less, slice2winner1_best_cost_3_7_is_less : boolean;
+    variable slice2winner1_best_cost_3_8_is_less, slice2winner1_best_cost_3_9_is_less : boolean;
+    variable slice2winner1_best_cost_3_10_is_less, slice2winner1_best_cost_3_11_is_less : boolean;
+    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
+    variable slice2winner2_best_cost_0_2_is_less, slice2winner2_best_cost_0_3_is_less : boolean;
+    variable slice2winner2_best_cost_0_4_is_less, slice2winner2_best_cost_0_5_is_less : boolean;
+    variable slice2winner2_best_cost_1_0_is_less, slice2winner2_best_cost_1_1_is_less : boolean;
+    variable slice2winner2_best_cost_1_2_is_less, slice2winner2_best_cost_1_3_is_less : boolean;
+    variable slice2winner2_best_cost_1_4_is_less, slice2winner2_best_cost_1_5_is_less : boolean;
+    variable slice2winner2_best_cost_2_0_is_less, slice2winner2_best_cost_2_1_is_less : boolean;
+    variable slice2winner2_best_cost_2_2_is_less, slice2winner2_best_cost_2_3_is_less : boolean;
+    variable slice2winner2_best_cost_2_4_is_less, slice2winner2_best_cost_2_5_is_less : boolean;
+    variable slice2winner2_best_cost_3_0_is_less, slice2winner2_best_cost_3_1_is_less : boolean;
+    variable slice2winner2_best_cost_3_2_is_less, slice2winner2_best_cost_3_3_is_less : boolean;
+    variable slice2winner2_best_cost_3_4_is_less, slice2winner2_best_cost_3_5_is_less : boolean;
+    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_0_1_is_less : boolean;
+    variable slice2winner3_best_cost_0_2_is_less, slice2winner3_best_cost_1_0_is_less : boolean;
+    variable slice2winner3_best_cost_1_1_is_less, slice2winner3_best_cost_1_2_is_less : boolean;
+    variable slice2winner3_best_cost_2_0_is_less, slice2winner3_best_cost_2_1_is_less : boolean;
+    variable slice2winner3_best_cost_2_2_is_less, slice2winner3_best_cost_3_0_is_less : boolean;
+    variable slice2winner3_best_cost_3_1_is_less, slice2winner3_best_cost_3_2_is_less : boolean;
+    variable slice2winner4_best_cost_0_0_is_less, slice2winner4_best_cost_0_1_is_less : boolean;
+    variable slice2winner4_best_cost_1_0_is_less, slice2winner4_best_cost_1_1_is_less : boolean;
+    variable slice2winner4_best_cost_2_0_is_less, slice2winner4_best_cost_2_1_is_less : boolean;
+    variable slice2winner4_best_cost_3_0_is_less, slice2winner4_best_cost_3_1_is_less : boolean;
+    variable slice2winner5_best_cost_0_0_is_less, slice2winner5_best_cost_1_0_is_less : boolean;
+    variable slice2winner5_best_cost_2_0_is_less, slice2winner5_best_cost_3_0_is_less : boolean;
     variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, slice2_best_cost_2_0_is_less : boolean;
     variable slice2_best_cost_3_0_is_less, slice3cost_difference_0_1_value, slice3cost_difference_0_2_value : boolean;
     variable slice3cost_difference_0_3_value, slice3cost_difference_0_4_value : boolean;
@@ -2669,55 +2417,55 @@ begin
     variable slice3cost_pair_1_15_is_less, slice3cost_pair_1_16_is_less, slice3cost_pair_1_17_is_less : boolean;
     variable slice3cost_pair_1_18_is_less, slice3cost_pair_1_19_is_less, slice3cost_pair_1_20_is_less : boolean;
     variable slice3cost_pair_1_21_is_less, slice3cost_pair_1_22_is_less, slice3cost_pair_1_23_is_less : boolean;
-    variable slice3cost_pair_1_24_is_less, slice3winner1_of_pair_0_0_is_less : boolean;
-    variable slice3winner1_of_pair_0_2_is_less, slice3winner1_of_pair_0_4_is_less : boolean;
-    variable slice3winner1_of_pair_0_6_is_less, slice3winner1_of_pair_0_8_is_less : boolean;
-    variable slice3winner1_of_pair_0_10_is_less, slice3winner1_of_pair_0_12_is_less : boolean;
-    variable slice3winner1_of_pair_0_14_is_less, slice3winner1_of_pair_0_16_is_less : boolean;
-    variable slice3winner1_of_pair_0_18_is_less, slice3winner1_of_pair_0_20_is_less : boolean;
-    variable slice3winner1_of_pair_0_22_is_less, slice3winner1_of_pair_1_0_is_less : boolean;
-    variable slice3winner1_of_pair_1_2_is_less, slice3winner1_of_pair_1_4_is_less : boolean;
-    variable slice3winner1_of_pair_1_6_is_less, slice3winner1_of_pair_1_8_is_less : boolean;
-    variable slice3winner1_of_pair_1_10_is_less, slice3winner1_of_pair_1_12_is_less : boolean;
-    variable slice3winner1_of_pair_1_14_is_less, slice3winner1_of_pair_1_16_is_less : boolean;
-    variable slice3winner1_of_pair_1_18_is_less, slice3winner1_of_pair_1_20_is_less : boolean;
-    variable slice3winner1_of_pair_1_22_is_less, slice3winner1_of_pair_2_0_is_less : boolean;
-    variable slice3winner1_of_pair_2_2_is_less, slice3winner1_of_pair_2_4_is_less : boolean;
-    variable slice3winner1_of_pair_2_6_is_less, slice3winner1_of_pair_2_8_is_less : boolean;
-    variable slice3winner1_of_pair_2_10_is_less, slice3winner1_of_pair_2_12_is_less : boolean;
-    variable slice3winner1_of_pair_2_14_is_less, slice3winner1_of_pair_2_16_is_less : boolean;
-    variable slice3winner1_of_pair_2_18_is_less, slice3winner1_of_pair_2_20_is_less : boolean;
-    variable slice3winner1_of_pair_2_22_is_less, slice3winner1_of_pair_3_0_is_less : boolean;
-    variable slice3winner1_of_pair_3_2_is_less, slice3winner1_of_pair_3_4_is_less : boolean;
-    variable slice3winner1_of_pair_3_6_is_less, slice3winner1_of_pair_3_8_is_less : boolean;
-    variable slice3winner1_of_pair_3_10_is_less, slice3winner1_of_pair_3_12_is_less : boolean;
-    variable slice3winner1_of_pair_3_14_is_less, slice3winner1_of_pair_3_16_is_less : boolean;
-    variable slice3winner1_of_pair_3_18_is_less, slice3winner1_of_pair_3_20_is_less : boolean;
-    variable slice3winner1_of_pair_3_22_is_less, slice3winner1_of_four_0_0_is_less : boolean;
-    variable slice3winner1_of_four_0_4_is_less, slice3winner1_of_four_0_8_is_less : boolean;
-    variable slice3winner1_of_four_0_12_is_less, slice3winner1_of_four_0_16_is_less : boolean;
-    variable slice3winner1_of_four_0_20_is_less, slice3winner1_of_four_1_0_is_less : boolean;
-    variable slice3winner1_of_four_1_4_is_less, slice3winner1_of_four_1_8_is_less : boolean;
-    variable slice3winner1_of_four_1_12_is_less, slice3winner1_of_four_1_16_is_less : boolean;
-    variable slice3winner1_of_four_1_20_is_less, slice3winner1_of_four_2_0_is_less : boolean;
-    variable slice3winner1_of_four_2_4_is_less, slice3winner1_of_four_2_8_is_less : boolean;
-    variable slice3winner1_of_four_2_12_is_less, slice3winner1_of_four_2_16_is_less : boolean;
-    variable slice3winner1_of_four_2_20_is_less, slice3winner1_of_four_3_0_is_less : boolean;
-    variable slice3winner1_of_four_3_4_is_less, slice3winner1_of_four_3_8_is_less : boolean;
-    variable slice3winner1_of_four_3_12_is_less, slice3winner1_of_four_3_16_is_less : boolean;
-    variable slice3winner1_of_four_3_20_is_less, slice3winner2_of_pair_0_0_is_less : boolean;
-    variable slice3winner2_of_pair_0_2_is_less, slice3winner2_of_pair_0_4_is_less : boolean;
-    variable slice3winner2_of_pair_1_0_is_less, slice3winner2_of_pair_1_2_is_less : boolean;
-    variable slice3winner2_of_pair_1_4_is_less, slice3winner2_of_pair_2_0_is_less : boolean;
-    variable slice3winner2_of_pair_2_2_is_less, slice3winner2_of_pair_2_4_is_less : boolean;
-    variable slice3winner2_of_pair_3_0_is_less, slice3winner2_of_pair_3_2_is_less : boolean;
-    variable slice3winner2_of_pair_3_4_is_less, slice3winner2_of_four_0_0_is_less : boolean;
-    variable slice3winner2_of_four_0_4_is_less, slice3winner2_of_four_1_0_is_less : boolean;
-    variable slice3winner2_of_four_1_4_is_less, slice3winner2_of_four_2_0_is_less : boolean;
-    variable slice3winner2_of_four_2_4_is_less, slice3winner2_of_four_3_0_is_less : boolean;
-    variable slice3winner2_of_four_3_4_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
-    variable slice3winner3_best_cost_1_0_is_less, slice3winner3_best_cost_2_0_is_less : boolean;
-    variable slice3winner3_best_cost_3_0_is_less : boolean;
+    variable slice3cost_pair_1_24_is_less, slice3winner1_best_cost_0_0_is_less : boolean;
+    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
+    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
+    variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
+    variable slice3winner1_best_cost_0_7_is_less, slice3winner1_best_cost_0_8_is_less : boolean;
+    variable slice3winner1_best_cost_0_9_is_less, slice3winner1_best_cost_0_10_is_less : boolean;
+    variable slice3winner1_best_cost_0_11_is_less, slice3winner1_best_cost_1_0_is_less : boolean;
+    variable slice3winner1_best_cost_1_1_is_less, slice3winner1_best_cost_1_2_is_less : boolean;
+    variable slice3winner1_best_cost_1_3_is_less, slice3winner1_best_cost_1_4_is_less : boolean;
+    variable slice3winner1_best_cost_1_5_is_less, slice3winner1_best_cost_1_6_is_less : boolean;
+    variable slice3winner1_best_cost_1_7_is_less, slice3winner1_best_cost_1_8_is_less : boolean;
+    variable slice3winner1_best_cost_1_9_is_less, slice3winner1_best_cost_1_10_is_less : boolean;
+    variable slice3winner1_best_cost_1_11_is_less, slice3winner1_best_cost_2_0_is_less : boolean;
+    variable slice3winner1_best_cost_2_1_is_less, slice3winner1_best_cost_2_2_is_less : boolean;
+    variable slice3winner1_best_cost_2_3_is_less, slice3winner1_best_cost_2_4_is_less : boolean;
+    variable slice3winner1_best_cost_2_5_is_less, slice3winner1_best_cost_2_6_is_less : boolean;
+    variable slice3winner1_best_cost_2_7_is_less, slice3winner1_best_cost_2_8_is_less : boolean;
+    variable slice3winner1_best_cost_2_9_is_less, slice3winner1_best_cost_2_10_is_less : boolean;
+    variable slice3winner1_best_cost_2_11_is_less, slice3winner1_best_cost_3_0_is_less : boolean;
+    variable slice3winner1_best_cost_3_1_is_less, slice3winner1_best_cost_3_2_is_less : boolean;
+    variable slice3winner1_best_cost_3_3_is_less, slice3winner1_best_cost_3_4_is_less : boolean;
+    variable slice3winner1_best_cost_3_5_is_less, slice3winner1_best_cost_3_6_is_less : boolean;
+    variable slice3winner1_best_cost_3_7_is_less, slice3winner1_best_cost_3_8_is_less : boolean;
+    variable slice3winner1_best_cost_3_9_is_less, slice3winner1_best_cost_3_10_is_less : boolean;
+    variable slice3winner1_best_cost_3_11_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
+    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
+    variable slice3winner2_best_cost_0_3_is_less, slice3winner2_best_cost_0_4_is_less : boolean;
+    variable slice3winner2_best_cost_0_5_is_less, slice3winner2_best_cost_1_0_is_less : boolean;
+    variable slice3winner2_best_cost_1_1_is_less, slice3winner2_best_cost_1_2_is_less : boolean;
+    variable slice3winner2_best_cost_1_3_is_less, slice3winner2_best_cost_1_4_is_less : boolean;
+    variable slice3winner2_best_cost_1_5_is_less, slice3winner2_best_cost_2_0_is_less : boolean;
+    variable slice3winner2_best_cost_2_1_is_less, slice3winner2_best_cost_2_2_is_less : boolean;
+    variable slice3winner2_best_cost_2_3_is_less, slice3winner2_best_cost_2_4_is_less : boolean;
+    variable slice3winner2_best_cost_2_5_is_less, slice3winner2_best_cost_3_0_is_less : boolean;
+    variable slice3winner2_best_cost_3_1_is_less, slice3winner2_best_cost_3_2_is_less : boolean;
+    variable slice3winner2_best_cost_3_3_is_less, slice3winner2_best_cost_3_4_is_less : boolean;
+    variable slice3winner2_best_cost_3_5_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
+    variable slice3winner3_best_cost_0_1_is_less, slice3winner3_best_cost_0_2_is_less : boolean;
+    variable slice3winner3_best_cost_1_0_is_less, slice3winner3_best_cost_1_1_is_less : boolean;
+    variable slice3winner3_best_cost_1_2_is_less, slice3winner3_best_cost_2_0_is_less : boolean;
+    variable slice3winner3_best_cost_2_1_is_less, slice3winner3_best_cost_2_2_is_less : boolean;
+    variable slice3winner3_best_cost_3_0_is_less, slice3winner3_best_cost_3_1_is_less : boolean;
+    variable slice3winner3_best_cost_3_2_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
+    variable slice3winner4_best_cost_0_1_is_less, slice3winner4_best_cost_1_0_is_less : boolean;
+    variable slice3winner4_best_cost_1_1_is_less, slice3winner4_best_cost_2_0_is_less : boolean;
+    variable slice3winner4_best_cost_2_1_is_less, slice3winner4_best_cost_3_0_is_less : boolean;
+    variable slice3winner4_best_cost_3_1_is_less, slice3winner5_best_cost_0_0_is_less : boolean;
+    variable slice3winner5_best_cost_1_0_is_less, slice3winner5_best_cost_2_0_is_less : boolean;
+    variable slice3winner5_best_cost_3_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 63;
     variable delay_tag_newest_inside_choice, delay_tag_newest_inside_sum : natural range 0 to 7;
@@ -3162,9 +2910,10 @@ begin
       delay_row_inside_1_is_equal := (raster_place_group / 2) = 0;
       delay_row_inside_1_choice := ((raster_place_group / 4) mod 4) = 3 when (raster_place_group mod 2) = 1 else
         ((raster_place_group / 2) mod 8) = 7;
+      delay_row_inside_1_is_equal_2 := (raster_place_group / 16) = 3;
       delay_tag_newest_inside_any := ((raster_place_group / 4) /= 15) or delay_row_inside_1_is_equal;
-      delay_tag_newest_inside_choice := 7 when ((raster_place_group / 8) /= 0) or ((raster_place_group mod 2) = 1) or
-        (((raster_place_group / 4) mod 2) = 1) or (((raster_place_group / 2) mod 2) = 1) else 0;
+      delay_tag_newest_inside_is_equal := raster_place_group = 0;
+      delay_tag_newest_inside_choice := 0 when delay_tag_newest_inside_is_equal else 7;
       delay_tag_newest_inside_any_2 := (not delay_row_inside_1_choice) or (not ((raster_place_group / 32) = 1)) or (not
         (((raster_place_group / 16) mod 2) = 1));
       delay_tag_newest_inside_choice_2 := 3 when delay_tag_newest_inside_any_2 else 0;
@@ -3173,6 +2922,8 @@ begin
         delay_tag_newest_inside_sum;
       delay_tag_newest_inside_choice_4 := delay_tag_newest_inside_choice_3 when delay_tag_newest_inside_any else
         delay_tag_newest_inside_sum;
+      delay_tag_output_column_is_not_less := raster_place_column >= 99;
+      delay_tag_output_column_is_less := raster_place_column < 319;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_ahead_2 <= raster_features_search_2;
@@ -3181,12 +2932,14 @@ begin
       delay_row_inside_0 <= delay_row_inside_0_differs and (not ((raster_place_group / 32) = 1)) when
         ((raster_place_group / 2) mod 16) = 15 else delay_row_inside_0_differs;
       delay_row_inside_1 <= raster_place_group /= 0 when delay_row_inside_1_is_equal else not
-        (delay_row_inside_1_choice and ((raster_place_group / 16) = 3));
+        (delay_row_inside_1_choice and delay_row_inside_1_is_equal_2);
       delay_tag_valid <= raster_features_valid;
       delay_tag_newest_inside <= delay_tag_newest_inside_choice_4 + (as_number(delay_tag_newest_inside_any) * 8);
       delay_tag_border_column <= raster_place_column < 99;
-      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 61) and (raster_place_column >=
-        99) and (raster_place_column < 319);
+      delay_tag_output_column <= delay_row_inside_1_choice and delay_row_inside_1_is_equal_2 and
+        delay_tag_output_column_is_not_less and delay_tag_output_column_is_less when delay_tag_newest_inside_is_equal
+        and delay_row_inside_1_is_equal else (not (delay_row_inside_1_choice and delay_row_inside_1_is_equal_2)) and
+        delay_tag_output_column_is_not_less and delay_tag_output_column_is_less;
       delay_tag_start_of_frame <= (raster_place_column = 99) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
@@ -3834,6 +3587,7 @@ begin
       slice0cost_signs_difference_column <= slice0cost_signs_next_column;
       slice0cost_signs_ready_words_0 <= to_integer(slice0cost_signs_read_words_0);
       slice0cost_signs_ready_words_1 <= to_integer(slice0cost_signs_read_words_1);
+      slice0cost_signs_write_column <= slice0cost_signs_difference_column;
       slice0cost_difference_0_0 <= (slice0cost_difference_0_0_choice - slice0cost_difference_0_0_choice_2) mod 256;
       slice0cost_difference_0_1 <= (slice0cost_difference_0_1_choice - slice0cost_difference_0_1_choice_2) mod 256;
       slice0cost_difference_0_2 <= (slice0cost_difference_0_2_choice - slice0cost_difference_0_2_choice_2) mod 256;
@@ -4593,7 +4347,6 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       if slice0cost_difference_tag_valid then
-        slice0cost_signs_write_column <= slice0cost_signs_difference_column;
         slice0cost_signs_write_words_0 <= (as_number(slice0cost_newest_negative_2_23) * 8388608) +
           (as_number(slice0cost_newest_negative_2_24) * 16777216) + (as_number(slice0cost_newest_negative_2_22) *
           4194304) + (as_number(slice0cost_newest_negative_2_21) * 2097152) +
@@ -4934,747 +4687,492 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_of_pair_0_16_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
-      slice0winner1_of_pair_0_18_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
-      slice0winner1_of_pair_0_20_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
-      slice0winner1_of_pair_0_22_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_of_pair_1_2_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
-      slice0winner1_of_pair_1_4_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
-      slice0winner1_of_pair_1_6_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
-      slice0winner1_of_pair_1_8_is_less := (slice0window_sum_1_9 - slice0window_sum_1_8) < 0;
-      slice0winner1_of_pair_1_10_is_less := (slice0window_sum_1_11 - slice0window_sum_1_10) < 0;
-      slice0winner1_of_pair_1_12_is_less := (slice0window_sum_1_13 - slice0window_sum_1_12) < 0;
-      slice0winner1_of_pair_1_14_is_less := (slice0window_sum_1_15 - slice0window_sum_1_14) < 0;
-      slice0winner1_of_pair_1_16_is_less := (slice0window_sum_1_17 - slice0window_sum_1_16) < 0;
-      slice0winner1_of_pair_1_18_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
-      slice0winner1_of_pair_1_20_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
-      slice0winner1_of_pair_1_22_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
-      slice0winner1_of_pair_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
-      slice0winner1_of_pair_2_2_is_less := (slice0window_sum_2_3 - slice0window_sum_2_2) < 0;
-      slice0winner1_of_pair_2_4_is_less := (slice0window_sum_2_5 - slice0window_sum_2_4) < 0;
-      slice0winner1_of_pair_2_6_is_less := (slice0window_sum_2_7 - slice0window_sum_2_6) < 0;
-      slice0winner1_of_pair_2_8_is_less := (slice0window_sum_2_9 - slice0window_sum_2_8) < 0;
-      slice0winner1_of_pair_2_10_is_less := (slice0window_sum_2_11 - slice0window_sum_2_10) < 0;
-      slice0winner1_of_pair_2_12_is_less := (slice0window_sum_2_13 - slice0window_sum_2_12) < 0;
-      slice0winner1_of_pair_2_14_is_less := (slice0window_sum_2_15 - slice0window_sum_2_14) < 0;
-      slice0winner1_of_pair_2_16_is_less := (slice0window_sum_2_17 - slice0window_sum_2_16) < 0;
-      slice0winner1_of_pair_2_18_is_less := (slice0window_sum_2_19 - slice0window_sum_2_18) < 0;
-      slice0winner1_of_pair_2_20_is_less := (slice0window_sum_2_21 - slice0window_sum_2_20) < 0;
-      slice0winner1_of_pair_2_22_is_less := (slice0window_sum_2_23 - slice0window_sum_2_22) < 0;
-      slice0winner1_of_pair_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
-      slice0winner1_of_pair_3_2_is_less := (slice0window_sum_3_3 - slice0window_sum_3_2) < 0;
-      slice0winner1_of_pair_3_4_is_less := (slice0window_sum_3_5 - slice0window_sum_3_4) < 0;
-      slice0winner1_of_pair_3_6_is_less := (slice0window_sum_3_7 - slice0window_sum_3_6) < 0;
-      slice0winner1_of_pair_3_8_is_less := (slice0window_sum_3_9 - slice0window_sum_3_8) < 0;
-      slice0winner1_of_pair_3_10_is_less := (slice0window_sum_3_11 - slice0window_sum_3_10) < 0;
-      slice0winner1_of_pair_3_12_is_less := (slice0window_sum_3_13 - slice0window_sum_3_12) < 0;
-      slice0winner1_of_pair_3_14_is_less := (slice0window_sum_3_15 - slice0window_sum_3_14) < 0;
-      slice0winner1_of_pair_3_16_is_less := (slice0window_sum_3_17 - slice0window_sum_3_16) < 0;
-      slice0winner1_of_pair_3_18_is_less := (slice0window_sum_3_19 - slice0window_sum_3_18) < 0;
-      slice0winner1_of_pair_3_20_is_less := (slice0window_sum_3_21 - slice0window_sum_3_20) < 0;
-      slice0winner1_of_pair_3_22_is_less := (slice0window_sum_3_23 - slice0window_sum_3_22) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 12))))) < 0;
-      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_9, 12))))) < 0;
-      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_13, 12))))) < 0;
-      slice0winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_18, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_16, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_17, 12))))) < 0;
-      slice0winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_22, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_20, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_21, 12))))) < 0;
-      slice0winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
-      slice0winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_5, 12))))) < 0;
-      slice0winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_10, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_8, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_9, 12))))) < 0;
-      slice0winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_14, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_12, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_13, 12))))) < 0;
-      slice0winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_18, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_16, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_17, 12))))) < 0;
-      slice0winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_22, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_20, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_21, 12))))) < 0;
-      slice0winner1_of_four_2_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_2_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_2_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_1, 12))))) < 0;
-      slice0winner1_of_four_2_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_2_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_2_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_5, 12))))) < 0;
-      slice0winner1_of_four_2_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_2_10, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_2_8, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_9, 12))))) < 0;
-      slice0winner1_of_four_2_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_2_14, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_2_12, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_13, 12))))) < 0;
-      slice0winner1_of_four_2_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_2_18, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_2_16, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_17, 12))))) < 0;
-      slice0winner1_of_four_2_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_2_22, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_2_20, 12)) or
-        (to_unsigned(slice0winner1_of_pair_2_21, 12))))) < 0;
-      slice0winner1_of_four_3_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_3_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_3_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_1, 12))))) < 0;
-      slice0winner1_of_four_3_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_3_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_3_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_5, 12))))) < 0;
-      slice0winner1_of_four_3_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_3_10, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_3_8, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_9, 12))))) < 0;
-      slice0winner1_of_four_3_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_3_14, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_3_12, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_13, 12))))) < 0;
-      slice0winner1_of_four_3_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_3_18, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_3_16, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_17, 12))))) < 0;
-      slice0winner1_of_four_3_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_3_22, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_3_20, 12)) or
-        (to_unsigned(slice0winner1_of_pair_3_21, 12))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
-      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
-      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
-      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
-      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
-      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
-      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
-      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
-      slice0winner1_of_pair_0_16 <= 0 when slice0winner1_of_pair_0_16_is_less else slice0window_sum_0_16;
-      slice0winner1_of_pair_0_17 <= slice0window_sum_0_17 when slice0winner1_of_pair_0_16_is_less else 0;
-      slice0winner1_of_pair_0_18 <= 0 when slice0winner1_of_pair_0_18_is_less else slice0window_sum_0_18;
-      slice0winner1_of_pair_0_19 <= slice0window_sum_0_19 when slice0winner1_of_pair_0_18_is_less else 0;
-      slice0winner1_of_pair_0_20 <= 0 when slice0winner1_of_pair_0_20_is_less else slice0window_sum_0_20;
-      slice0winner1_of_pair_0_21 <= slice0window_sum_0_21 when slice0winner1_of_pair_0_20_is_less else 0;
-      slice0winner1_of_pair_0_22 <= 0 when slice0winner1_of_pair_0_22_is_less else slice0window_sum_0_22;
-      slice0winner1_of_pair_0_23 <= slice0window_sum_0_23 when slice0winner1_of_pair_0_22_is_less else 0;
-      slice0winner1_of_pair_0_24 <= slice0window_sum_0_24;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
-      slice0winner1_of_pair_1_2 <= 0 when slice0winner1_of_pair_1_2_is_less else slice0window_sum_1_2;
-      slice0winner1_of_pair_1_3 <= slice0window_sum_1_3 when slice0winner1_of_pair_1_2_is_less else 0;
-      slice0winner1_of_pair_1_4 <= 0 when slice0winner1_of_pair_1_4_is_less else slice0window_sum_1_4;
-      slice0winner1_of_pair_1_5 <= slice0window_sum_1_5 when slice0winner1_of_pair_1_4_is_less else 0;
-      slice0winner1_of_pair_1_6 <= 0 when slice0winner1_of_pair_1_6_is_less else slice0window_sum_1_6;
-      slice0winner1_of_pair_1_7 <= slice0window_sum_1_7 when slice0winner1_of_pair_1_6_is_less else 0;
-      slice0winner1_of_pair_1_8 <= 0 when slice0winner1_of_pair_1_8_is_less else slice0window_sum_1_8;
-      slice0winner1_of_pair_1_9 <= slice0window_sum_1_9 when slice0winner1_of_pair_1_8_is_less else 0;
-      slice0winner1_of_pair_1_10 <= 0 when slice0winner1_of_pair_1_10_is_less else slice0window_sum_1_10;
-      slice0winner1_of_pair_1_11 <= slice0window_sum_1_11 when slice0winner1_of_pair_1_10_is_less else 0;
-      slice0winner1_of_pair_1_12 <= 0 when slice0winner1_of_pair_1_12_is_less else slice0window_sum_1_12;
-      slice0winner1_of_pair_1_13 <= slice0window_sum_1_13 when slice0winner1_of_pair_1_12_is_less else 0;
-      slice0winner1_of_pair_1_14 <= 0 when slice0winner1_of_pair_1_14_is_less else slice0window_sum_1_14;
-      slice0winner1_of_pair_1_15 <= slice0window_sum_1_15 when slice0winner1_of_pair_1_14_is_less else 0;
-      slice0winner1_of_pair_1_16 <= 0 when slice0winner1_of_pair_1_16_is_less else slice0window_sum_1_16;
-      slice0winner1_of_pair_1_17 <= slice0window_sum_1_17 when slice0winner1_of_pair_1_16_is_less else 0;
-      slice0winner1_of_pair_1_18 <= 0 when slice0winner1_of_pair_1_18_is_less else slice0window_sum_1_18;
-      slice0winner1_of_pair_1_19 <= slice0window_sum_1_19 when slice0winner1_of_pair_1_18_is_less else 0;
-      slice0winner1_of_pair_1_20 <= 0 when slice0winner1_of_pair_1_20_is_less else slice0window_sum_1_20;
-      slice0winner1_of_pair_1_21 <= slice0window_sum_1_21 when slice0winner1_of_pair_1_20_is_less else 0;
-      slice0winner1_of_pair_1_22 <= 0 when slice0winner1_of_pair_1_22_is_less else slice0window_sum_1_22;
-      slice0winner1_of_pair_1_23 <= slice0window_sum_1_23 when slice0winner1_of_pair_1_22_is_less else 0;
-      slice0winner1_of_pair_1_24 <= slice0window_sum_1_24;
-      slice0winner1_of_pair_2_0 <= 0 when slice0winner1_of_pair_2_0_is_less else slice0window_sum_2_0;
-      slice0winner1_of_pair_2_1 <= slice0window_sum_2_1 when slice0winner1_of_pair_2_0_is_less else 0;
-      slice0winner1_of_pair_2_2 <= 0 when slice0winner1_of_pair_2_2_is_less else slice0window_sum_2_2;
-      slice0winner1_of_pair_2_3 <= slice0window_sum_2_3 when slice0winner1_of_pair_2_2_is_less else 0;
-      slice0winner1_of_pair_2_4 <= 0 when slice0winner1_of_pair_2_4_is_less else slice0window_sum_2_4;
-      slice0winner1_of_pair_2_5 <= slice0window_sum_2_5 when slice0winner1_of_pair_2_4_is_less else 0;
-      slice0winner1_of_pair_2_6 <= 0 when slice0winner1_of_pair_2_6_is_less else slice0window_sum_2_6;
-      slice0winner1_of_pair_2_7 <= slice0window_sum_2_7 when slice0winner1_of_pair_2_6_is_less else 0;
-      slice0winner1_of_pair_2_8 <= 0 when slice0winner1_of_pair_2_8_is_less else slice0window_sum_2_8;
-      slice0winner1_of_pair_2_9 <= slice0window_sum_2_9 when slice0winner1_of_pair_2_8_is_less else 0;
-      slice0winner1_of_pair_2_10 <= 0 when slice0winner1_of_pair_2_10_is_less else slice0window_sum_2_10;
-      slice0winner1_of_pair_2_11 <= slice0window_sum_2_11 when slice0winner1_of_pair_2_10_is_less else 0;
-      slice0winner1_of_pair_2_12 <= 0 when slice0winner1_of_pair_2_12_is_less else slice0window_sum_2_12;
-      slice0winner1_of_pair_2_13 <= slice0window_sum_2_13 when slice0winner1_of_pair_2_12_is_less else 0;
-      slice0winner1_of_pair_2_14 <= 0 when slice0winner1_of_pair_2_14_is_less else slice0window_sum_2_14;
-      slice0winner1_of_pair_2_15 <= slice0window_sum_2_15 when slice0winner1_of_pair_2_14_is_less else 0;
-      slice0winner1_of_pair_2_16 <= 0 when slice0winner1_of_pair_2_16_is_less else slice0window_sum_2_16;
-      slice0winner1_of_pair_2_17 <= slice0window_sum_2_17 when slice0winner1_of_pair_2_16_is_less else 0;
-      slice0winner1_of_pair_2_18 <= 0 when slice0winner1_of_pair_2_18_is_less else slice0window_sum_2_18;
-      slice0winner1_of_pair_2_19 <= slice0window_sum_2_19 when slice0winner1_of_pair_2_18_is_less else 0;
-      slice0winner1_of_pair_2_20 <= 0 when slice0winner1_of_pair_2_20_is_less else slice0window_sum_2_20;
-      slice0winner1_of_pair_2_21 <= slice0window_sum_2_21 when slice0winner1_of_pair_2_20_is_less else 0;
-      slice0winner1_of_pair_2_22 <= 0 when slice0winner1_of_pair_2_22_is_less else slice0window_sum_2_22;
-      slice0winner1_of_pair_2_23 <= slice0window_sum_2_23 when slice0winner1_of_pair_2_22_is_less else 0;
-      slice0winner1_of_pair_2_24 <= slice0window_sum_2_24;
-      slice0winner1_of_pair_3_0 <= 0 when slice0winner1_of_pair_3_0_is_less else slice0window_sum_3_0;
-      slice0winner1_of_pair_3_1 <= slice0window_sum_3_1 when slice0winner1_of_pair_3_0_is_less else 0;
-      slice0winner1_of_pair_3_2 <= 0 when slice0winner1_of_pair_3_2_is_less else slice0window_sum_3_2;
-      slice0winner1_of_pair_3_3 <= slice0window_sum_3_3 when slice0winner1_of_pair_3_2_is_less else 0;
-      slice0winner1_of_pair_3_4 <= 0 when slice0winner1_of_pair_3_4_is_less else slice0window_sum_3_4;
-      slice0winner1_of_pair_3_5 <= slice0window_sum_3_5 when slice0winner1_of_pair_3_4_is_less else 0;
-      slice0winner1_of_pair_3_6 <= 0 when slice0winner1_of_pair_3_6_is_less else slice0window_sum_3_6;
-      slice0winner1_of_pair_3_7 <= slice0window_sum_3_7 when slice0winner1_of_pair_3_6_is_less else 0;
-      slice0winner1_of_pair_3_8 <= 0 when slice0winner1_of_pair_3_8_is_less else slice0window_sum_3_8;
-      slice0winner1_of_pair_3_9 <= slice0window_sum_3_9 when slice0winner1_of_pair_3_8_is_less else 0;
-      slice0winner1_of_pair_3_10 <= 0 when slice0winner1_of_pair_3_10_is_less else slice0window_sum_3_10;
-      slice0winner1_of_pair_3_11 <= slice0window_sum_3_11 when slice0winner1_of_pair_3_10_is_less else 0;
-      slice0winner1_of_pair_3_12 <= 0 when slice0winner1_of_pair_3_12_is_less else slice0window_sum_3_12;
-      slice0winner1_of_pair_3_13 <= slice0window_sum_3_13 when slice0winner1_of_pair_3_12_is_less else 0;
-      slice0winner1_of_pair_3_14 <= 0 when slice0winner1_of_pair_3_14_is_less else slice0window_sum_3_14;
-      slice0winner1_of_pair_3_15 <= slice0window_sum_3_15 when slice0winner1_of_pair_3_14_is_less else 0;
-      slice0winner1_of_pair_3_16 <= 0 when slice0winner1_of_pair_3_16_is_less else slice0window_sum_3_16;
-      slice0winner1_of_pair_3_17 <= slice0window_sum_3_17 when slice0winner1_of_pair_3_16_is_less else 0;
-      slice0winner1_of_pair_3_18 <= 0 when slice0winner1_of_pair_3_18_is_less else slice0window_sum_3_18;
-      slice0winner1_of_pair_3_19 <= slice0window_sum_3_19 when slice0winner1_of_pair_3_18_is_less else 0;
-      slice0winner1_of_pair_3_20 <= 0 when slice0winner1_of_pair_3_20_is_less else slice0window_sum_3_20;
-      slice0winner1_of_pair_3_21 <= slice0window_sum_3_21 when slice0winner1_of_pair_3_20_is_less else 0;
-      slice0winner1_of_pair_3_22 <= 0 when slice0winner1_of_pair_3_22_is_less else slice0window_sum_3_22;
-      slice0winner1_of_pair_3_23 <= slice0window_sum_3_23 when slice0winner1_of_pair_3_22_is_less else 0;
-      slice0winner1_of_pair_3_24 <= slice0window_sum_3_24;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
-      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
-      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
-      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
-      slice0winner1_pair_index_0_8 <= 17 when slice0winner1_of_pair_0_16_is_less else 16;
-      slice0winner1_pair_index_0_9 <= 19 when slice0winner1_of_pair_0_18_is_less else 18;
-      slice0winner1_pair_index_0_10 <= 21 when slice0winner1_of_pair_0_20_is_less else 20;
-      slice0winner1_pair_index_0_11 <= 23 when slice0winner1_of_pair_0_22_is_less else 22;
-      slice0winner1_pair_index_0_12 <= 24;
-      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
-      slice0winner1_pair_index_1_1 <= 3 when slice0winner1_of_pair_1_2_is_less else 2;
-      slice0winner1_pair_index_1_2 <= 5 when slice0winner1_of_pair_1_4_is_less else 4;
-      slice0winner1_pair_index_1_3 <= 7 when slice0winner1_of_pair_1_6_is_less else 6;
-      slice0winner1_pair_index_1_4 <= 9 when slice0winner1_of_pair_1_8_is_less else 8;
-      slice0winner1_pair_index_1_5 <= 11 when slice0winner1_of_pair_1_10_is_less else 10;
-      slice0winner1_pair_index_1_6 <= 13 when slice0winner1_of_pair_1_12_is_less else 12;
-      slice0winner1_pair_index_1_7 <= 15 when slice0winner1_of_pair_1_14_is_less else 14;
-      slice0winner1_pair_index_1_8 <= 17 when slice0winner1_of_pair_1_16_is_less else 16;
-      slice0winner1_pair_index_1_9 <= 19 when slice0winner1_of_pair_1_18_is_less else 18;
-      slice0winner1_pair_index_1_10 <= 21 when slice0winner1_of_pair_1_20_is_less else 20;
-      slice0winner1_pair_index_1_11 <= 23 when slice0winner1_of_pair_1_22_is_less else 22;
-      slice0winner1_pair_index_2_0 <= slice0winner1_of_pair_2_0_is_less;
-      slice0winner1_pair_index_2_1 <= 3 when slice0winner1_of_pair_2_2_is_less else 2;
-      slice0winner1_pair_index_2_2 <= 5 when slice0winner1_of_pair_2_4_is_less else 4;
-      slice0winner1_pair_index_2_3 <= 7 when slice0winner1_of_pair_2_6_is_less else 6;
-      slice0winner1_pair_index_2_4 <= 9 when slice0winner1_of_pair_2_8_is_less else 8;
-      slice0winner1_pair_index_2_5 <= 11 when slice0winner1_of_pair_2_10_is_less else 10;
-      slice0winner1_pair_index_2_6 <= 13 when slice0winner1_of_pair_2_12_is_less else 12;
-      slice0winner1_pair_index_2_7 <= 15 when slice0winner1_of_pair_2_14_is_less else 14;
-      slice0winner1_pair_index_2_8 <= 17 when slice0winner1_of_pair_2_16_is_less else 16;
-      slice0winner1_pair_index_2_9 <= 19 when slice0winner1_of_pair_2_18_is_less else 18;
-      slice0winner1_pair_index_2_10 <= 21 when slice0winner1_of_pair_2_20_is_less else 20;
-      slice0winner1_pair_index_2_11 <= 23 when slice0winner1_of_pair_2_22_is_less else 22;
-      slice0winner1_pair_index_3_0 <= slice0winner1_of_pair_3_0_is_less;
-      slice0winner1_pair_index_3_1 <= 3 when slice0winner1_of_pair_3_2_is_less else 2;
-      slice0winner1_pair_index_3_2 <= 5 when slice0winner1_of_pair_3_4_is_less else 4;
-      slice0winner1_pair_index_3_3 <= 7 when slice0winner1_of_pair_3_6_is_less else 6;
-      slice0winner1_pair_index_3_4 <= 9 when slice0winner1_of_pair_3_8_is_less else 8;
-      slice0winner1_pair_index_3_5 <= 11 when slice0winner1_of_pair_3_10_is_less else 10;
-      slice0winner1_pair_index_3_6 <= 13 when slice0winner1_of_pair_3_12_is_less else 12;
-      slice0winner1_pair_index_3_7 <= 15 when slice0winner1_of_pair_3_14_is_less else 14;
-      slice0winner1_pair_index_3_8 <= 17 when slice0winner1_of_pair_3_16_is_less else 16;
-      slice0winner1_pair_index_3_9 <= 19 when slice0winner1_of_pair_3_18_is_less else 18;
-      slice0winner1_pair_index_3_10 <= 21 when slice0winner1_of_pair_3_20_is_less else 20;
-      slice0winner1_pair_index_3_11 <= 23 when slice0winner1_of_pair_3_22_is_less else 22;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
-      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
-      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
-      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
-      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_16 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_16;
-      slice0winner1_of_four_0_17 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_17;
-      slice0winner1_of_four_0_18 <= slice0winner1_of_pair_0_18 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_19 <= slice0winner1_of_pair_0_19 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_20 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_20;
-      slice0winner1_of_four_0_21 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_21;
-      slice0winner1_of_four_0_22 <= slice0winner1_of_pair_0_22 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_23 <= slice0winner1_of_pair_0_23 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_24 <= slice0winner1_of_pair_0_24;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_1_3 <= slice0winner1_of_pair_1_3 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_1_4 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_4;
-      slice0winner1_of_four_1_5 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_5;
-      slice0winner1_of_four_1_6 <= slice0winner1_of_pair_1_6 when slice0winner1_of_four_1_4_is_less else 0;
-      slice0winner1_of_four_1_7 <= slice0winner1_of_pair_1_7 when slice0winner1_of_four_1_4_is_less else 0;
-      slice0winner1_of_four_1_8 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_8;
-      slice0winner1_of_four_1_9 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_9;
-      slice0winner1_of_four_1_10 <= slice0winner1_of_pair_1_10 when slice0winner1_of_four_1_8_is_less else 0;
-      slice0winner1_of_four_1_11 <= slice0winner1_of_pair_1_11 when slice0winner1_of_four_1_8_is_less else 0;
-      slice0winner1_of_four_1_12 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_12;
-      slice0winner1_of_four_1_13 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_13;
-      slice0winner1_of_four_1_14 <= slice0winner1_of_pair_1_14 when slice0winner1_of_four_1_12_is_less else 0;
-      slice0winner1_of_four_1_15 <= slice0winner1_of_pair_1_15 when slice0winner1_of_four_1_12_is_less else 0;
-      slice0winner1_of_four_1_16 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_16;
-      slice0winner1_of_four_1_17 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_17;
-      slice0winner1_of_four_1_18 <= slice0winner1_of_pair_1_18 when slice0winner1_of_four_1_16_is_less else 0;
-      slice0winner1_of_four_1_19 <= slice0winner1_of_pair_1_19 when slice0winner1_of_four_1_16_is_less else 0;
-      slice0winner1_of_four_1_20 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_20;
-      slice0winner1_of_four_1_21 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_21;
-      slice0winner1_of_four_1_22 <= slice0winner1_of_pair_1_22 when slice0winner1_of_four_1_20_is_less else 0;
-      slice0winner1_of_four_1_23 <= slice0winner1_of_pair_1_23 when slice0winner1_of_four_1_20_is_less else 0;
-      slice0winner1_of_four_1_24 <= slice0winner1_of_pair_1_24;
-      slice0winner1_of_four_2_0 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_0;
-      slice0winner1_of_four_2_1 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_1;
-      slice0winner1_of_four_2_2 <= slice0winner1_of_pair_2_2 when slice0winner1_of_four_2_0_is_less else 0;
-      slice0winner1_of_four_2_3 <= slice0winner1_of_pair_2_3 when slice0winner1_of_four_2_0_is_less else 0;
-      slice0winner1_of_four_2_4 <= 0 when slice0winner1_of_four_2_4_is_less else slice0winner1_of_pair_2_4;
-      slice0winner1_of_four_2_5 <= 0 when slice0winner1_of_four_2_4_is_less else slice0winner1_of_pair_2_5;
-      slice0winner1_of_four_2_6 <= slice0winner1_of_pair_2_6 when slice0winner1_of_four_2_4_is_less else 0;
-      slice0winner1_of_four_2_7 <= slice0winner1_of_pair_2_7 when slice0winner1_of_four_2_4_is_less else 0;
-      slice0winner1_of_four_2_8 <= 0 when slice0winner1_of_four_2_8_is_less else slice0winner1_of_pair_2_8;
-      slice0winner1_of_four_2_9 <= 0 when slice0winner1_of_four_2_8_is_less else slice0winner1_of_pair_2_9;
-      slice0winner1_of_four_2_10 <= slice0winner1_of_pair_2_10 when slice0winner1_of_four_2_8_is_less else 0;
-      slice0winner1_of_four_2_11 <= slice0winner1_of_pair_2_11 when slice0winner1_of_four_2_8_is_less else 0;
-      slice0winner1_of_four_2_12 <= 0 when slice0winner1_of_four_2_12_is_less else slice0winner1_of_pair_2_12;
-      slice0winner1_of_four_2_13 <= 0 when slice0winner1_of_four_2_12_is_less else slice0winner1_of_pair_2_13;
-      slice0winner1_of_four_2_14 <= slice0winner1_of_pair_2_14 when slice0winner1_of_four_2_12_is_less else 0;
-      slice0winner1_of_four_2_15 <= slice0winner1_of_pair_2_15 when slice0winner1_of_four_2_12_is_less else 0;
-      slice0winner1_of_four_2_16 <= 0 when slice0winner1_of_four_2_16_is_less else slice0winner1_of_pair_2_16;
-      slice0winner1_of_four_2_17 <= 0 when slice0winner1_of_four_2_16_is_less else slice0winner1_of_pair_2_17;
-      slice0winner1_of_four_2_18 <= slice0winner1_of_pair_2_18 when slice0winner1_of_four_2_16_is_less else 0;
-      slice0winner1_of_four_2_19 <= slice0winner1_of_pair_2_19 when slice0winner1_of_four_2_16_is_less else 0;
-      slice0winner1_of_four_2_20 <= 0 when slice0winner1_of_four_2_20_is_less else slice0winner1_of_pair_2_20;
-      slice0winner1_of_four_2_21 <= 0 when slice0winner1_of_four_2_20_is_less else slice0winner1_of_pair_2_21;
-      slice0winner1_of_four_2_22 <= slice0winner1_of_pair_2_22 when slice0winner1_of_four_2_20_is_less else 0;
-      slice0winner1_of_four_2_23 <= slice0winner1_of_pair_2_23 when slice0winner1_of_four_2_20_is_less else 0;
-      slice0winner1_of_four_2_24 <= slice0winner1_of_pair_2_24;
-      slice0winner1_of_four_3_0 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_0;
-      slice0winner1_of_four_3_1 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_1;
-      slice0winner1_of_four_3_2 <= slice0winner1_of_pair_3_2 when slice0winner1_of_four_3_0_is_less else 0;
-      slice0winner1_of_four_3_3 <= slice0winner1_of_pair_3_3 when slice0winner1_of_four_3_0_is_less else 0;
-      slice0winner1_of_four_3_4 <= 0 when slice0winner1_of_four_3_4_is_less else slice0winner1_of_pair_3_4;
-      slice0winner1_of_four_3_5 <= 0 when slice0winner1_of_four_3_4_is_less else slice0winner1_of_pair_3_5;
-      slice0winner1_of_four_3_6 <= slice0winner1_of_pair_3_6 when slice0winner1_of_four_3_4_is_less else 0;
-      slice0winner1_of_four_3_7 <= slice0winner1_of_pair_3_7 when slice0winner1_of_four_3_4_is_less else 0;
-      slice0winner1_of_four_3_8 <= 0 when slice0winner1_of_four_3_8_is_less else slice0winner1_of_pair_3_8;
-      slice0winner1_of_four_3_9 <= 0 when slice0winner1_of_four_3_8_is_less else slice0winner1_of_pair_3_9;
-      slice0winner1_of_four_3_10 <= slice0winner1_of_pair_3_10 when slice0winner1_of_four_3_8_is_less else 0;
-      slice0winner1_of_four_3_11 <= slice0winner1_of_pair_3_11 when slice0winner1_of_four_3_8_is_less else 0;
-      slice0winner1_of_four_3_12 <= 0 when slice0winner1_of_four_3_12_is_less else slice0winner1_of_pair_3_12;
-      slice0winner1_of_four_3_13 <= 0 when slice0winner1_of_four_3_12_is_less else slice0winner1_of_pair_3_13;
-      slice0winner1_of_four_3_14 <= slice0winner1_of_pair_3_14 when slice0winner1_of_four_3_12_is_less else 0;
-      slice0winner1_of_four_3_15 <= slice0winner1_of_pair_3_15 when slice0winner1_of_four_3_12_is_less else 0;
-      slice0winner1_of_four_3_16 <= 0 when slice0winner1_of_four_3_16_is_less else slice0winner1_of_pair_3_16;
-      slice0winner1_of_four_3_17 <= 0 when slice0winner1_of_four_3_16_is_less else slice0winner1_of_pair_3_17;
-      slice0winner1_of_four_3_18 <= slice0winner1_of_pair_3_18 when slice0winner1_of_four_3_16_is_less else 0;
-      slice0winner1_of_four_3_19 <= slice0winner1_of_pair_3_19 when slice0winner1_of_four_3_16_is_less else 0;
-      slice0winner1_of_four_3_20 <= 0 when slice0winner1_of_four_3_20_is_less else slice0winner1_of_pair_3_20;
-      slice0winner1_of_four_3_21 <= 0 when slice0winner1_of_four_3_20_is_less else slice0winner1_of_pair_3_21;
-      slice0winner1_of_four_3_22 <= slice0winner1_of_pair_3_22 when slice0winner1_of_four_3_20_is_less else 0;
-      slice0winner1_of_four_3_23 <= slice0winner1_of_pair_3_23 when slice0winner1_of_four_3_20_is_less else 0;
-      slice0winner1_of_four_3_24 <= slice0winner1_of_pair_3_24;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
-        slice0winner1_pair_index_0_4;
-      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
-        slice0winner1_pair_index_0_6;
-      slice0winner1_four_index_0_4 <= slice0winner1_pair_index_0_9 when slice0winner1_of_four_0_16_is_less else
-        slice0winner1_pair_index_0_8;
-      slice0winner1_four_index_0_5 <= slice0winner1_pair_index_0_11 when slice0winner1_of_four_0_20_is_less else
-        slice0winner1_pair_index_0_10;
-      slice0winner1_four_index_0_6 <= slice0winner1_pair_index_0_12;
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_1_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
-      slice0winner1_four_index_1_1 <= slice0winner1_pair_index_1_3 when slice0winner1_of_four_1_4_is_less else
-        slice0winner1_pair_index_1_2;
-      slice0winner1_four_index_1_2 <= slice0winner1_pair_index_1_5 when slice0winner1_of_four_1_8_is_less else
-        slice0winner1_pair_index_1_4;
-      slice0winner1_four_index_1_3 <= slice0winner1_pair_index_1_7 when slice0winner1_of_four_1_12_is_less else
-        slice0winner1_pair_index_1_6;
-      slice0winner1_four_index_1_4 <= slice0winner1_pair_index_1_9 when slice0winner1_of_four_1_16_is_less else
-        slice0winner1_pair_index_1_8;
-      slice0winner1_four_index_1_5 <= slice0winner1_pair_index_1_11 when slice0winner1_of_four_1_20_is_less else
-        slice0winner1_pair_index_1_10;
-      slice0winner1_four_index_2_0 <= slice0winner1_pair_index_2_1 when slice0winner1_of_four_2_0_is_less else
-        as_number(slice0winner1_pair_index_2_0);
-      slice0winner1_four_index_2_1 <= slice0winner1_pair_index_2_3 when slice0winner1_of_four_2_4_is_less else
-        slice0winner1_pair_index_2_2;
-      slice0winner1_four_index_2_2 <= slice0winner1_pair_index_2_5 when slice0winner1_of_four_2_8_is_less else
-        slice0winner1_pair_index_2_4;
-      slice0winner1_four_index_2_3 <= slice0winner1_pair_index_2_7 when slice0winner1_of_four_2_12_is_less else
-        slice0winner1_pair_index_2_6;
-      slice0winner1_four_index_2_4 <= slice0winner1_pair_index_2_9 when slice0winner1_of_four_2_16_is_less else
-        slice0winner1_pair_index_2_8;
-      slice0winner1_four_index_2_5 <= slice0winner1_pair_index_2_11 when slice0winner1_of_four_2_20_is_less else
-        slice0winner1_pair_index_2_10;
-      slice0winner1_four_index_3_0 <= slice0winner1_pair_index_3_1 when slice0winner1_of_four_3_0_is_less else
-        as_number(slice0winner1_pair_index_3_0);
-      slice0winner1_four_index_3_1 <= slice0winner1_pair_index_3_3 when slice0winner1_of_four_3_4_is_less else
-        slice0winner1_pair_index_3_2;
-      slice0winner1_four_index_3_2 <= slice0winner1_pair_index_3_5 when slice0winner1_of_four_3_8_is_less else
-        slice0winner1_pair_index_3_4;
-      slice0winner1_four_index_3_3 <= slice0winner1_pair_index_3_7 when slice0winner1_of_four_3_12_is_less else
-        slice0winner1_pair_index_3_6;
-      slice0winner1_four_index_3_4 <= slice0winner1_pair_index_3_9 when slice0winner1_of_four_3_16_is_less else
-        slice0winner1_pair_index_3_8;
-      slice0winner1_four_index_3_5 <= slice0winner1_pair_index_3_11 when slice0winner1_of_four_3_20_is_less else
-        slice0winner1_pair_index_3_10;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 12))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 12)))) or (to_unsigned(slice0winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 12))));
-      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_11, 12)))) or (to_unsigned(slice0winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_8, 12))));
-      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_15, 12)))) or (to_unsigned(slice0winner1_of_four_0_13, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_12, 12))));
-      slice0winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_18, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_19, 12)))) or (to_unsigned(slice0winner1_of_four_0_17, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_16, 12))));
-      slice0winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_22, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_23, 12)))) or (to_unsigned(slice0winner1_of_four_0_21, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_20, 12))));
-      slice0winner1_best_cost_0_6 <= slice0winner1_of_four_0_24;
-      slice0winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_3, 12)))) or (to_unsigned(slice0winner1_of_four_1_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_0, 12))));
-      slice0winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_7, 12)))) or (to_unsigned(slice0winner1_of_four_1_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_4, 12))));
-      slice0winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_10, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_11, 12)))) or (to_unsigned(slice0winner1_of_four_1_9, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_8, 12))));
-      slice0winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_14, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_15, 12)))) or (to_unsigned(slice0winner1_of_four_1_13, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_12, 12))));
-      slice0winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_18, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_19, 12)))) or (to_unsigned(slice0winner1_of_four_1_17, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_16, 12))));
-      slice0winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_22, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_23, 12)))) or (to_unsigned(slice0winner1_of_four_1_21, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_20, 12))));
-      slice0winner1_best_cost_1_6 <= slice0winner1_of_four_1_24;
-      slice0winner1_best_cost_2_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_2_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_2_3, 12)))) or (to_unsigned(slice0winner1_of_four_2_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_2_0, 12))));
-      slice0winner1_best_cost_2_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_2_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_2_7, 12)))) or (to_unsigned(slice0winner1_of_four_2_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_2_4, 12))));
-      slice0winner1_best_cost_2_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_2_10, 12)) or
-        (to_unsigned(slice0winner1_of_four_2_11, 12)))) or (to_unsigned(slice0winner1_of_four_2_9, 12)))) or
-        (to_unsigned(slice0winner1_of_four_2_8, 12))));
-      slice0winner1_best_cost_2_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_2_14, 12)) or
-        (to_unsigned(slice0winner1_of_four_2_15, 12)))) or (to_unsigned(slice0winner1_of_four_2_13, 12)))) or
-        (to_unsigned(slice0winner1_of_four_2_12, 12))));
-      slice0winner1_best_cost_2_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_2_18, 12)) or
-        (to_unsigned(slice0winner1_of_four_2_19, 12)))) or (to_unsigned(slice0winner1_of_four_2_17, 12)))) or
-        (to_unsigned(slice0winner1_of_four_2_16, 12))));
-      slice0winner1_best_cost_2_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_2_22, 12)) or
-        (to_unsigned(slice0winner1_of_four_2_23, 12)))) or (to_unsigned(slice0winner1_of_four_2_21, 12)))) or
-        (to_unsigned(slice0winner1_of_four_2_20, 12))));
-      slice0winner1_best_cost_2_6 <= slice0winner1_of_four_2_24;
-      slice0winner1_best_cost_3_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_3_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_3_3, 12)))) or (to_unsigned(slice0winner1_of_four_3_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_3_0, 12))));
-      slice0winner1_best_cost_3_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_3_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_3_7, 12)))) or (to_unsigned(slice0winner1_of_four_3_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_3_4, 12))));
-      slice0winner1_best_cost_3_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_3_10, 12)) or
-        (to_unsigned(slice0winner1_of_four_3_11, 12)))) or (to_unsigned(slice0winner1_of_four_3_9, 12)))) or
-        (to_unsigned(slice0winner1_of_four_3_8, 12))));
-      slice0winner1_best_cost_3_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_3_14, 12)) or
-        (to_unsigned(slice0winner1_of_four_3_15, 12)))) or (to_unsigned(slice0winner1_of_four_3_13, 12)))) or
-        (to_unsigned(slice0winner1_of_four_3_12, 12))));
-      slice0winner1_best_cost_3_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_3_18, 12)) or
-        (to_unsigned(slice0winner1_of_four_3_19, 12)))) or (to_unsigned(slice0winner1_of_four_3_17, 12)))) or
-        (to_unsigned(slice0winner1_of_four_3_16, 12))));
-      slice0winner1_best_cost_3_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_3_22, 12)) or
-        (to_unsigned(slice0winner1_of_four_3_23, 12)))) or (to_unsigned(slice0winner1_of_four_3_21, 12)))) or
-        (to_unsigned(slice0winner1_of_four_3_20, 12))));
-      slice0winner1_best_cost_3_6 <= slice0winner1_of_four_3_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
-      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
-      slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
-      slice0winner1_best_index_0_5 <= slice0winner1_four_index_0_5;
-      slice0winner1_best_index_0_6 <= slice0winner1_four_index_0_6;
-      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
-      slice0winner1_best_index_1_1 <= slice0winner1_four_index_1_1;
-      slice0winner1_best_index_1_2 <= slice0winner1_four_index_1_2;
-      slice0winner1_best_index_1_3 <= slice0winner1_four_index_1_3;
-      slice0winner1_best_index_1_4 <= slice0winner1_four_index_1_4;
-      slice0winner1_best_index_1_5 <= slice0winner1_four_index_1_5;
-      slice0winner1_best_index_2_0 <= slice0winner1_four_index_2_0;
-      slice0winner1_best_index_2_1 <= slice0winner1_four_index_2_1;
-      slice0winner1_best_index_2_2 <= slice0winner1_four_index_2_2;
-      slice0winner1_best_index_2_3 <= slice0winner1_four_index_2_3;
-      slice0winner1_best_index_2_4 <= slice0winner1_four_index_2_4;
-      slice0winner1_best_index_2_5 <= slice0winner1_four_index_2_5;
-      slice0winner1_best_index_3_0 <= slice0winner1_four_index_3_0;
-      slice0winner1_best_index_3_1 <= slice0winner1_four_index_3_1;
-      slice0winner1_best_index_3_2 <= slice0winner1_four_index_3_2;
-      slice0winner1_best_index_3_3 <= slice0winner1_four_index_3_3;
-      slice0winner1_best_index_3_4 <= slice0winner1_four_index_3_4;
-      slice0winner1_best_index_3_5 <= slice0winner1_four_index_3_5;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
-      if slice0winner1_four_tag_valid then
-        slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-        slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-        slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      end if;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_best_cost_0_8_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
+      slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
+      slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
+      slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
+      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_best_cost_1_1_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
+      slice0winner1_best_cost_1_2_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
+      slice0winner1_best_cost_1_3_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
+      slice0winner1_best_cost_1_4_is_less := (slice0window_sum_1_9 - slice0window_sum_1_8) < 0;
+      slice0winner1_best_cost_1_5_is_less := (slice0window_sum_1_11 - slice0window_sum_1_10) < 0;
+      slice0winner1_best_cost_1_6_is_less := (slice0window_sum_1_13 - slice0window_sum_1_12) < 0;
+      slice0winner1_best_cost_1_7_is_less := (slice0window_sum_1_15 - slice0window_sum_1_14) < 0;
+      slice0winner1_best_cost_1_8_is_less := (slice0window_sum_1_17 - slice0window_sum_1_16) < 0;
+      slice0winner1_best_cost_1_9_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
+      slice0winner1_best_cost_1_10_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
+      slice0winner1_best_cost_1_11_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
+      slice0winner1_best_cost_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
+      slice0winner1_best_cost_2_1_is_less := (slice0window_sum_2_3 - slice0window_sum_2_2) < 0;
+      slice0winner1_best_cost_2_2_is_less := (slice0window_sum_2_5 - slice0window_sum_2_4) < 0;
+      slice0winner1_best_cost_2_3_is_less := (slice0window_sum_2_7 - slice0window_sum_2_6) < 0;
+      slice0winner1_best_cost_2_4_is_less := (slice0window_sum_2_9 - slice0window_sum_2_8) < 0;
+      slice0winner1_best_cost_2_5_is_less := (slice0window_sum_2_11 - slice0window_sum_2_10) < 0;
+      slice0winner1_best_cost_2_6_is_less := (slice0window_sum_2_13 - slice0window_sum_2_12) < 0;
+      slice0winner1_best_cost_2_7_is_less := (slice0window_sum_2_15 - slice0window_sum_2_14) < 0;
+      slice0winner1_best_cost_2_8_is_less := (slice0window_sum_2_17 - slice0window_sum_2_16) < 0;
+      slice0winner1_best_cost_2_9_is_less := (slice0window_sum_2_19 - slice0window_sum_2_18) < 0;
+      slice0winner1_best_cost_2_10_is_less := (slice0window_sum_2_21 - slice0window_sum_2_20) < 0;
+      slice0winner1_best_cost_2_11_is_less := (slice0window_sum_2_23 - slice0window_sum_2_22) < 0;
+      slice0winner1_best_cost_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
+      slice0winner1_best_cost_3_1_is_less := (slice0window_sum_3_3 - slice0window_sum_3_2) < 0;
+      slice0winner1_best_cost_3_2_is_less := (slice0window_sum_3_5 - slice0window_sum_3_4) < 0;
+      slice0winner1_best_cost_3_3_is_less := (slice0window_sum_3_7 - slice0window_sum_3_6) < 0;
+      slice0winner1_best_cost_3_4_is_less := (slice0window_sum_3_9 - slice0window_sum_3_8) < 0;
+      slice0winner1_best_cost_3_5_is_less := (slice0window_sum_3_11 - slice0window_sum_3_10) < 0;
+      slice0winner1_best_cost_3_6_is_less := (slice0window_sum_3_13 - slice0window_sum_3_12) < 0;
+      slice0winner1_best_cost_3_7_is_less := (slice0window_sum_3_15 - slice0window_sum_3_14) < 0;
+      slice0winner1_best_cost_3_8_is_less := (slice0window_sum_3_17 - slice0window_sum_3_16) < 0;
+      slice0winner1_best_cost_3_9_is_less := (slice0window_sum_3_19 - slice0window_sum_3_18) < 0;
+      slice0winner1_best_cost_3_10_is_less := (slice0window_sum_3_21 - slice0window_sum_3_20) < 0;
+      slice0winner1_best_cost_3_11_is_less := (slice0window_sum_3_23 - slice0window_sum_3_22) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
+        slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
+        slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
+        slice0window_sum_0_14;
+      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
+        slice0window_sum_0_16;
+      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
+        slice0window_sum_0_18;
+      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
+        slice0window_sum_0_20;
+      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
+        slice0window_sum_0_22;
+      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
+        slice0window_sum_1_2;
+      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
+        slice0window_sum_1_4;
+      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
+        slice0window_sum_1_6;
+      slice0winner1_best_cost_1_4 <= slice0window_sum_1_9 when slice0winner1_best_cost_1_4_is_less else
+        slice0window_sum_1_8;
+      slice0winner1_best_cost_1_5 <= slice0window_sum_1_11 when slice0winner1_best_cost_1_5_is_less else
+        slice0window_sum_1_10;
+      slice0winner1_best_cost_1_6 <= slice0window_sum_1_13 when slice0winner1_best_cost_1_6_is_less else
+        slice0window_sum_1_12;
+      slice0winner1_best_cost_1_7 <= slice0window_sum_1_15 when slice0winner1_best_cost_1_7_is_less else
+        slice0window_sum_1_14;
+      slice0winner1_best_cost_1_8 <= slice0window_sum_1_17 when slice0winner1_best_cost_1_8_is_less else
+        slice0window_sum_1_16;
+      slice0winner1_best_cost_1_9 <= slice0window_sum_1_19 when slice0winner1_best_cost_1_9_is_less else
+        slice0window_sum_1_18;
+      slice0winner1_best_cost_1_10 <= slice0window_sum_1_21 when slice0winner1_best_cost_1_10_is_less else
+        slice0window_sum_1_20;
+      slice0winner1_best_cost_1_11 <= slice0window_sum_1_23 when slice0winner1_best_cost_1_11_is_less else
+        slice0window_sum_1_22;
+      slice0winner1_best_cost_1_12 <= slice0window_sum_1_24;
+      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
+        slice0window_sum_2_0;
+      slice0winner1_best_cost_2_1 <= slice0window_sum_2_3 when slice0winner1_best_cost_2_1_is_less else
+        slice0window_sum_2_2;
+      slice0winner1_best_cost_2_2 <= slice0window_sum_2_5 when slice0winner1_best_cost_2_2_is_less else
+        slice0window_sum_2_4;
+      slice0winner1_best_cost_2_3 <= slice0window_sum_2_7 when slice0winner1_best_cost_2_3_is_less else
+        slice0window_sum_2_6;
+      slice0winner1_best_cost_2_4 <= slice0window_sum_2_9 when slice0winner1_best_cost_2_4_is_less else
+        slice0window_sum_2_8;
+      slice0winner1_best_cost_2_5 <= slice0window_sum_2_11 when slice0winner1_best_cost_2_5_is_less else
+        slice0window_sum_2_10;
+      slice0winner1_best_cost_2_6 <= slice0window_sum_2_13 when slice0winner1_best_cost_2_6_is_less else
+        slice0window_sum_2_12;
+      slice0winner1_best_cost_2_7 <= slice0window_sum_2_15 when slice0winner1_best_cost_2_7_is_less else
+        slice0window_sum_2_14;
+      slice0winner1_best_cost_2_8 <= slice0window_sum_2_17 when slice0winner1_best_cost_2_8_is_less else
+        slice0window_sum_2_16;
+      slice0winner1_best_cost_2_9 <= slice0window_sum_2_19 when slice0winner1_best_cost_2_9_is_less else
+        slice0window_sum_2_18;
+      slice0winner1_best_cost_2_10 <= slice0window_sum_2_21 when slice0winner1_best_cost_2_10_is_less else
+        slice0window_sum_2_20;
+      slice0winner1_best_cost_2_11 <= slice0window_sum_2_23 when slice0winner1_best_cost_2_11_is_less else
+        slice0window_sum_2_22;
+      slice0winner1_best_cost_2_12 <= slice0window_sum_2_24;
+      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
+        slice0window_sum_3_0;
+      slice0winner1_best_cost_3_1 <= slice0window_sum_3_3 when slice0winner1_best_cost_3_1_is_less else
+        slice0window_sum_3_2;
+      slice0winner1_best_cost_3_2 <= slice0window_sum_3_5 when slice0winner1_best_cost_3_2_is_less else
+        slice0window_sum_3_4;
+      slice0winner1_best_cost_3_3 <= slice0window_sum_3_7 when slice0winner1_best_cost_3_3_is_less else
+        slice0window_sum_3_6;
+      slice0winner1_best_cost_3_4 <= slice0window_sum_3_9 when slice0winner1_best_cost_3_4_is_less else
+        slice0window_sum_3_8;
+      slice0winner1_best_cost_3_5 <= slice0window_sum_3_11 when slice0winner1_best_cost_3_5_is_less else
+        slice0window_sum_3_10;
+      slice0winner1_best_cost_3_6 <= slice0window_sum_3_13 when slice0winner1_best_cost_3_6_is_less else
+        slice0window_sum_3_12;
+      slice0winner1_best_cost_3_7 <= slice0window_sum_3_15 when slice0winner1_best_cost_3_7_is_less else
+        slice0window_sum_3_14;
+      slice0winner1_best_cost_3_8 <= slice0window_sum_3_17 when slice0winner1_best_cost_3_8_is_less else
+        slice0window_sum_3_16;
+      slice0winner1_best_cost_3_9 <= slice0window_sum_3_19 when slice0winner1_best_cost_3_9_is_less else
+        slice0window_sum_3_18;
+      slice0winner1_best_cost_3_10 <= slice0window_sum_3_21 when slice0winner1_best_cost_3_10_is_less else
+        slice0window_sum_3_20;
+      slice0winner1_best_cost_3_11 <= slice0window_sum_3_23 when slice0winner1_best_cost_3_11_is_less else
+        slice0window_sum_3_22;
+      slice0winner1_best_cost_3_12 <= slice0window_sum_3_24;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
+      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
+      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
+      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
+      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
+      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
+      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
+      slice0winner1_best_index_0_12 <= 24;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
+      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
+      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
+      slice0winner1_best_index_1_4 <= 9 when slice0winner1_best_cost_1_4_is_less else 8;
+      slice0winner1_best_index_1_5 <= 11 when slice0winner1_best_cost_1_5_is_less else 10;
+      slice0winner1_best_index_1_6 <= 13 when slice0winner1_best_cost_1_6_is_less else 12;
+      slice0winner1_best_index_1_7 <= 15 when slice0winner1_best_cost_1_7_is_less else 14;
+      slice0winner1_best_index_1_8 <= 17 when slice0winner1_best_cost_1_8_is_less else 16;
+      slice0winner1_best_index_1_9 <= 19 when slice0winner1_best_cost_1_9_is_less else 18;
+      slice0winner1_best_index_1_10 <= 21 when slice0winner1_best_cost_1_10_is_less else 20;
+      slice0winner1_best_index_1_11 <= 23 when slice0winner1_best_cost_1_11_is_less else 22;
+      slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
+      slice0winner1_best_index_2_1 <= 3 when slice0winner1_best_cost_2_1_is_less else 2;
+      slice0winner1_best_index_2_2 <= 5 when slice0winner1_best_cost_2_2_is_less else 4;
+      slice0winner1_best_index_2_3 <= 7 when slice0winner1_best_cost_2_3_is_less else 6;
+      slice0winner1_best_index_2_4 <= 9 when slice0winner1_best_cost_2_4_is_less else 8;
+      slice0winner1_best_index_2_5 <= 11 when slice0winner1_best_cost_2_5_is_less else 10;
+      slice0winner1_best_index_2_6 <= 13 when slice0winner1_best_cost_2_6_is_less else 12;
+      slice0winner1_best_index_2_7 <= 15 when slice0winner1_best_cost_2_7_is_less else 14;
+      slice0winner1_best_index_2_8 <= 17 when slice0winner1_best_cost_2_8_is_less else 16;
+      slice0winner1_best_index_2_9 <= 19 when slice0winner1_best_cost_2_9_is_less else 18;
+      slice0winner1_best_index_2_10 <= 21 when slice0winner1_best_cost_2_10_is_less else 20;
+      slice0winner1_best_index_2_11 <= 23 when slice0winner1_best_cost_2_11_is_less else 22;
+      slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
+      slice0winner1_best_index_3_1 <= 3 when slice0winner1_best_cost_3_1_is_less else 2;
+      slice0winner1_best_index_3_2 <= 5 when slice0winner1_best_cost_3_2_is_less else 4;
+      slice0winner1_best_index_3_3 <= 7 when slice0winner1_best_cost_3_3_is_less else 6;
+      slice0winner1_best_index_3_4 <= 9 when slice0winner1_best_cost_3_4_is_less else 8;
+      slice0winner1_best_index_3_5 <= 11 when slice0winner1_best_cost_3_5_is_less else 10;
+      slice0winner1_best_index_3_6 <= 13 when slice0winner1_best_cost_3_6_is_less else 12;
+      slice0winner1_best_index_3_7 <= 15 when slice0winner1_best_cost_3_7_is_less else 14;
+      slice0winner1_best_index_3_8 <= 17 when slice0winner1_best_cost_3_8_is_less else 16;
+      slice0winner1_best_index_3_9 <= 19 when slice0winner1_best_cost_3_9_is_less else 18;
+      slice0winner1_best_index_3_10 <= 21 when slice0winner1_best_cost_3_10_is_less else 20;
+      slice0winner1_best_index_3_11 <= 23 when slice0winner1_best_cost_3_11_is_less else 22;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_of_pair_0_4_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_of_pair_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
-      slice0winner2_of_pair_1_2_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
-      slice0winner2_of_pair_1_4_is_less := (slice0winner1_best_cost_1_5 - slice0winner1_best_cost_1_4) < 0;
-      slice0winner2_of_pair_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
-      slice0winner2_of_pair_2_2_is_less := (slice0winner1_best_cost_2_3 - slice0winner1_best_cost_2_2) < 0;
-      slice0winner2_of_pair_2_4_is_less := (slice0winner1_best_cost_2_5 - slice0winner1_best_cost_2_4) < 0;
-      slice0winner2_of_pair_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
-      slice0winner2_of_pair_3_2_is_less := (slice0winner1_best_cost_3_3 - slice0winner1_best_cost_3_2) < 0;
-      slice0winner2_of_pair_3_4_is_less := (slice0winner1_best_cost_3_5 - slice0winner1_best_cost_3_4) < 0;
-      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner2_of_pair_0_1, 12))))) < 0;
-      slice0winner2_of_four_0_4_is_less := (slice0winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_0_4, 12)) or (to_unsigned(slice0winner2_of_pair_0_5, 12))))) < 0;
-      slice0winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_1_2, 12)) or
-        (to_unsigned(slice0winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_1_0, 12)) or
-        (to_unsigned(slice0winner2_of_pair_1_1, 12))))) < 0;
-      slice0winner2_of_four_1_4_is_less := (slice0winner2_of_pair_1_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_1_4, 12)) or (to_unsigned(slice0winner2_of_pair_1_5, 12))))) < 0;
-      slice0winner2_of_four_2_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_2_2, 12)) or
-        (to_unsigned(slice0winner2_of_pair_2_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_2_0, 12)) or
-        (to_unsigned(slice0winner2_of_pair_2_1, 12))))) < 0;
-      slice0winner2_of_four_2_4_is_less := (slice0winner2_of_pair_2_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_2_4, 12)) or (to_unsigned(slice0winner2_of_pair_2_5, 12))))) < 0;
-      slice0winner2_of_four_3_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_3_2, 12)) or
-        (to_unsigned(slice0winner2_of_pair_3_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_3_0, 12)) or
-        (to_unsigned(slice0winner2_of_pair_3_1, 12))))) < 0;
-      slice0winner2_of_four_3_4_is_less := (slice0winner2_of_pair_3_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_3_4, 12)) or (to_unsigned(slice0winner2_of_pair_3_5, 12))))) < 0;
-      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
-      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
-      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
-      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
-      slice0winner2_of_pair_0_4 <= 0 when slice0winner2_of_pair_0_4_is_less else slice0winner1_best_cost_0_4;
-      slice0winner2_of_pair_0_5 <= slice0winner1_best_cost_0_5 when slice0winner2_of_pair_0_4_is_less else 0;
-      slice0winner2_of_pair_0_6 <= slice0winner1_best_cost_0_6;
-      slice0winner2_of_pair_1_0 <= 0 when slice0winner2_of_pair_1_0_is_less else slice0winner1_best_cost_1_0;
-      slice0winner2_of_pair_1_1 <= slice0winner1_best_cost_1_1 when slice0winner2_of_pair_1_0_is_less else 0;
-      slice0winner2_of_pair_1_2 <= 0 when slice0winner2_of_pair_1_2_is_less else slice0winner1_best_cost_1_2;
-      slice0winner2_of_pair_1_3 <= slice0winner1_best_cost_1_3 when slice0winner2_of_pair_1_2_is_less else 0;
-      slice0winner2_of_pair_1_4 <= 0 when slice0winner2_of_pair_1_4_is_less else slice0winner1_best_cost_1_4;
-      slice0winner2_of_pair_1_5 <= slice0winner1_best_cost_1_5 when slice0winner2_of_pair_1_4_is_less else 0;
-      slice0winner2_of_pair_1_6 <= slice0winner1_best_cost_1_6;
-      slice0winner2_of_pair_2_0 <= 0 when slice0winner2_of_pair_2_0_is_less else slice0winner1_best_cost_2_0;
-      slice0winner2_of_pair_2_1 <= slice0winner1_best_cost_2_1 when slice0winner2_of_pair_2_0_is_less else 0;
-      slice0winner2_of_pair_2_2 <= 0 when slice0winner2_of_pair_2_2_is_less else slice0winner1_best_cost_2_2;
-      slice0winner2_of_pair_2_3 <= slice0winner1_best_cost_2_3 when slice0winner2_of_pair_2_2_is_less else 0;
-      slice0winner2_of_pair_2_4 <= 0 when slice0winner2_of_pair_2_4_is_less else slice0winner1_best_cost_2_4;
-      slice0winner2_of_pair_2_5 <= slice0winner1_best_cost_2_5 when slice0winner2_of_pair_2_4_is_less else 0;
-      slice0winner2_of_pair_2_6 <= slice0winner1_best_cost_2_6;
-      slice0winner2_of_pair_3_0 <= 0 when slice0winner2_of_pair_3_0_is_less else slice0winner1_best_cost_3_0;
-      slice0winner2_of_pair_3_1 <= slice0winner1_best_cost_3_1 when slice0winner2_of_pair_3_0_is_less else 0;
-      slice0winner2_of_pair_3_2 <= 0 when slice0winner2_of_pair_3_2_is_less else slice0winner1_best_cost_3_2;
-      slice0winner2_of_pair_3_3 <= slice0winner1_best_cost_3_3 when slice0winner2_of_pair_3_2_is_less else 0;
-      slice0winner2_of_pair_3_4 <= 0 when slice0winner2_of_pair_3_4_is_less else slice0winner1_best_cost_3_4;
-      slice0winner2_of_pair_3_5 <= slice0winner1_best_cost_3_5 when slice0winner2_of_pair_3_4_is_less else 0;
-      slice0winner2_of_pair_3_6 <= slice0winner1_best_cost_3_6;
-      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
-        slice0winner1_best_index_0_0;
-      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
+      slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
+      slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
+      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_best_cost_1_1_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
+      slice0winner2_best_cost_1_2_is_less := (slice0winner1_best_cost_1_5 - slice0winner1_best_cost_1_4) < 0;
+      slice0winner2_best_cost_1_3_is_less := (slice0winner1_best_cost_1_7 - slice0winner1_best_cost_1_6) < 0;
+      slice0winner2_best_cost_1_4_is_less := (slice0winner1_best_cost_1_9 - slice0winner1_best_cost_1_8) < 0;
+      slice0winner2_best_cost_1_5_is_less := (slice0winner1_best_cost_1_11 - slice0winner1_best_cost_1_10) < 0;
+      slice0winner2_best_cost_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
+      slice0winner2_best_cost_2_1_is_less := (slice0winner1_best_cost_2_3 - slice0winner1_best_cost_2_2) < 0;
+      slice0winner2_best_cost_2_2_is_less := (slice0winner1_best_cost_2_5 - slice0winner1_best_cost_2_4) < 0;
+      slice0winner2_best_cost_2_3_is_less := (slice0winner1_best_cost_2_7 - slice0winner1_best_cost_2_6) < 0;
+      slice0winner2_best_cost_2_4_is_less := (slice0winner1_best_cost_2_9 - slice0winner1_best_cost_2_8) < 0;
+      slice0winner2_best_cost_2_5_is_less := (slice0winner1_best_cost_2_11 - slice0winner1_best_cost_2_10) < 0;
+      slice0winner2_best_cost_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
+      slice0winner2_best_cost_3_1_is_less := (slice0winner1_best_cost_3_3 - slice0winner1_best_cost_3_2) < 0;
+      slice0winner2_best_cost_3_2_is_less := (slice0winner1_best_cost_3_5 - slice0winner1_best_cost_3_4) < 0;
+      slice0winner2_best_cost_3_3_is_less := (slice0winner1_best_cost_3_7 - slice0winner1_best_cost_3_6) < 0;
+      slice0winner2_best_cost_3_4_is_less := (slice0winner1_best_cost_3_9 - slice0winner1_best_cost_3_8) < 0;
+      slice0winner2_best_cost_3_5_is_less := (slice0winner1_best_cost_3_11 - slice0winner1_best_cost_3_10) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_cost_0_6;
+      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_cost_0_8;
+      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_cost_0_10;
+      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
+        slice0winner1_best_cost_1_2;
+      slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_5 when slice0winner2_best_cost_1_2_is_less else
+        slice0winner1_best_cost_1_4;
+      slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_7 when slice0winner2_best_cost_1_3_is_less else
+        slice0winner1_best_cost_1_6;
+      slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_9 when slice0winner2_best_cost_1_4_is_less else
+        slice0winner1_best_cost_1_8;
+      slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_11 when slice0winner2_best_cost_1_5_is_less else
+        slice0winner1_best_cost_1_10;
+      slice0winner2_best_cost_1_6 <= slice0winner1_best_cost_1_12;
+      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
+        slice0winner1_best_cost_2_0;
+      slice0winner2_best_cost_2_1 <= slice0winner1_best_cost_2_3 when slice0winner2_best_cost_2_1_is_less else
+        slice0winner1_best_cost_2_2;
+      slice0winner2_best_cost_2_2 <= slice0winner1_best_cost_2_5 when slice0winner2_best_cost_2_2_is_less else
+        slice0winner1_best_cost_2_4;
+      slice0winner2_best_cost_2_3 <= slice0winner1_best_cost_2_7 when slice0winner2_best_cost_2_3_is_less else
+        slice0winner1_best_cost_2_6;
+      slice0winner2_best_cost_2_4 <= slice0winner1_best_cost_2_9 when slice0winner2_best_cost_2_4_is_less else
+        slice0winner1_best_cost_2_8;
+      slice0winner2_best_cost_2_5 <= slice0winner1_best_cost_2_11 when slice0winner2_best_cost_2_5_is_less else
+        slice0winner1_best_cost_2_10;
+      slice0winner2_best_cost_2_6 <= slice0winner1_best_cost_2_12;
+      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
+        slice0winner1_best_cost_3_0;
+      slice0winner2_best_cost_3_1 <= slice0winner1_best_cost_3_3 when slice0winner2_best_cost_3_1_is_less else
+        slice0winner1_best_cost_3_2;
+      slice0winner2_best_cost_3_2 <= slice0winner1_best_cost_3_5 when slice0winner2_best_cost_3_2_is_less else
+        slice0winner1_best_cost_3_4;
+      slice0winner2_best_cost_3_3 <= slice0winner1_best_cost_3_7 when slice0winner2_best_cost_3_3_is_less else
+        slice0winner1_best_cost_3_6;
+      slice0winner2_best_cost_3_4 <= slice0winner1_best_cost_3_9 when slice0winner2_best_cost_3_4_is_less else
+        slice0winner1_best_cost_3_8;
+      slice0winner2_best_cost_3_5 <= slice0winner1_best_cost_3_11 when slice0winner2_best_cost_3_5_is_less else
+        slice0winner1_best_cost_3_10;
+      slice0winner2_best_cost_3_6 <= slice0winner1_best_cost_3_12;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_of_pair_0_4_is_less else
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
         slice0winner1_best_index_0_4;
-      slice0winner2_pair_index_0_3 <= slice0winner1_best_index_0_6;
-      slice0winner2_pair_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_of_pair_1_0_is_less else
-        slice0winner1_best_index_1_0;
-      slice0winner2_pair_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_of_pair_1_2_is_less else
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_index_0_6;
+      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_index_0_8;
+      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_index_0_10;
+      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
         slice0winner1_best_index_1_2;
-      slice0winner2_pair_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_of_pair_1_4_is_less else
+      slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_best_cost_1_2_is_less else
         slice0winner1_best_index_1_4;
-      slice0winner2_pair_index_2_0 <= slice0winner1_best_index_2_1 when slice0winner2_of_pair_2_0_is_less else
-        slice0winner1_best_index_2_0;
-      slice0winner2_pair_index_2_1 <= slice0winner1_best_index_2_3 when slice0winner2_of_pair_2_2_is_less else
+      slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_7 when slice0winner2_best_cost_1_3_is_less else
+        slice0winner1_best_index_1_6;
+      slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_9 when slice0winner2_best_cost_1_4_is_less else
+        slice0winner1_best_index_1_8;
+      slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_11 when slice0winner2_best_cost_1_5_is_less else
+        slice0winner1_best_index_1_10;
+      slice0winner2_best_index_2_0 <= slice0winner1_best_index_2_1 when slice0winner2_best_cost_2_0_is_less else
+        as_number(slice0winner1_best_index_2_0);
+      slice0winner2_best_index_2_1 <= slice0winner1_best_index_2_3 when slice0winner2_best_cost_2_1_is_less else
         slice0winner1_best_index_2_2;
-      slice0winner2_pair_index_2_2 <= slice0winner1_best_index_2_5 when slice0winner2_of_pair_2_4_is_less else
+      slice0winner2_best_index_2_2 <= slice0winner1_best_index_2_5 when slice0winner2_best_cost_2_2_is_less else
         slice0winner1_best_index_2_4;
-      slice0winner2_pair_index_3_0 <= slice0winner1_best_index_3_1 when slice0winner2_of_pair_3_0_is_less else
-        slice0winner1_best_index_3_0;
-      slice0winner2_pair_index_3_1 <= slice0winner1_best_index_3_3 when slice0winner2_of_pair_3_2_is_less else
+      slice0winner2_best_index_2_3 <= slice0winner1_best_index_2_7 when slice0winner2_best_cost_2_3_is_less else
+        slice0winner1_best_index_2_6;
+      slice0winner2_best_index_2_4 <= slice0winner1_best_index_2_9 when slice0winner2_best_cost_2_4_is_less else
+        slice0winner1_best_index_2_8;
+      slice0winner2_best_index_2_5 <= slice0winner1_best_index_2_11 when slice0winner2_best_cost_2_5_is_less else
+        slice0winner1_best_index_2_10;
+      slice0winner2_best_index_3_0 <= slice0winner1_best_index_3_1 when slice0winner2_best_cost_3_0_is_less else
+        as_number(slice0winner1_best_index_3_0);
+      slice0winner2_best_index_3_1 <= slice0winner1_best_index_3_3 when slice0winner2_best_cost_3_1_is_less else
         slice0winner1_best_index_3_2;
-      slice0winner2_pair_index_3_2 <= slice0winner1_best_index_3_5 when slice0winner2_of_pair_3_4_is_less else
+      slice0winner2_best_index_3_2 <= slice0winner1_best_index_3_5 when slice0winner2_best_cost_3_2_is_less else
         slice0winner1_best_index_3_4;
-      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
-      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
-      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_4 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_4;
-      slice0winner2_of_four_0_5 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_5;
-      slice0winner2_of_four_0_6 <= slice0winner2_of_pair_0_6 when slice0winner2_of_four_0_4_is_less else 0;
-      slice0winner2_of_four_1_0 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_0;
-      slice0winner2_of_four_1_1 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_1;
-      slice0winner2_of_four_1_2 <= slice0winner2_of_pair_1_2 when slice0winner2_of_four_1_0_is_less else 0;
-      slice0winner2_of_four_1_3 <= slice0winner2_of_pair_1_3 when slice0winner2_of_four_1_0_is_less else 0;
-      slice0winner2_of_four_1_4 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_4;
-      slice0winner2_of_four_1_5 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_5;
-      slice0winner2_of_four_1_6 <= slice0winner2_of_pair_1_6 when slice0winner2_of_four_1_4_is_less else 0;
-      slice0winner2_of_four_2_0 <= 0 when slice0winner2_of_four_2_0_is_less else slice0winner2_of_pair_2_0;
-      slice0winner2_of_four_2_1 <= 0 when slice0winner2_of_four_2_0_is_less else slice0winner2_of_pair_2_1;
-      slice0winner2_of_four_2_2 <= slice0winner2_of_pair_2_2 when slice0winner2_of_four_2_0_is_less else 0;
-      slice0winner2_of_four_2_3 <= slice0winner2_of_pair_2_3 when slice0winner2_of_four_2_0_is_less else 0;
-      slice0winner2_of_four_2_4 <= 0 when slice0winner2_of_four_2_4_is_less else slice0winner2_of_pair_2_4;
-      slice0winner2_of_four_2_5 <= 0 when slice0winner2_of_four_2_4_is_less else slice0winner2_of_pair_2_5;
-      slice0winner2_of_four_2_6 <= slice0winner2_of_pair_2_6 when slice0winner2_of_four_2_4_is_less else 0;
-      slice0winner2_of_four_3_0 <= 0 when slice0winner2_of_four_3_0_is_less else slice0winner2_of_pair_3_0;
-      slice0winner2_of_four_3_1 <= 0 when slice0winner2_of_four_3_0_is_less else slice0winner2_of_pair_3_1;
-      slice0winner2_of_four_3_2 <= slice0winner2_of_pair_3_2 when slice0winner2_of_four_3_0_is_less else 0;
-      slice0winner2_of_four_3_3 <= slice0winner2_of_pair_3_3 when slice0winner2_of_four_3_0_is_less else 0;
-      slice0winner2_of_four_3_4 <= 0 when slice0winner2_of_four_3_4_is_less else slice0winner2_of_pair_3_4;
-      slice0winner2_of_four_3_5 <= 0 when slice0winner2_of_four_3_4_is_less else slice0winner2_of_pair_3_5;
-      slice0winner2_of_four_3_6 <= slice0winner2_of_pair_3_6 when slice0winner2_of_four_3_4_is_less else 0;
-      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
-        slice0winner2_pair_index_0_0;
-      slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_0_4_is_less else
-        slice0winner2_pair_index_0_2;
-      slice0winner2_four_index_1_0 <= slice0winner2_pair_index_1_1 when slice0winner2_of_four_1_0_is_less else
-        slice0winner2_pair_index_1_0;
-      slice0winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_1_4_is_less else
-        slice0winner2_pair_index_1_2;
-      slice0winner2_four_index_2_0 <= slice0winner2_pair_index_2_1 when slice0winner2_of_four_2_0_is_less else
-        slice0winner2_pair_index_2_0;
-      slice0winner2_four_index_2_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_2_4_is_less else
-        slice0winner2_pair_index_2_2;
-      slice0winner2_four_index_3_0 <= slice0winner2_pair_index_3_1 when slice0winner2_of_four_3_0_is_less else
-        slice0winner2_pair_index_3_0;
-      slice0winner2_four_index_3_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_3_4_is_less else
-        slice0winner2_pair_index_3_2;
-      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
-      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
-      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
-      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
-      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner2_of_four_0_3, 12)))) or (to_unsigned(slice0winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner2_of_four_0_0, 12))));
-      slice0winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_0_5, 12)) or
-        (to_unsigned(slice0winner2_of_four_0_6, 12)))) or (to_unsigned(slice0winner2_of_four_0_4, 12))));
-      slice0winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_1_2, 12)) or
-        (to_unsigned(slice0winner2_of_four_1_3, 12)))) or (to_unsigned(slice0winner2_of_four_1_1, 12)))) or
-        (to_unsigned(slice0winner2_of_four_1_0, 12))));
-      slice0winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_1_5, 12)) or
-        (to_unsigned(slice0winner2_of_four_1_6, 12)))) or (to_unsigned(slice0winner2_of_four_1_4, 12))));
-      slice0winner2_best_cost_2_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_2_2, 12)) or
-        (to_unsigned(slice0winner2_of_four_2_3, 12)))) or (to_unsigned(slice0winner2_of_four_2_1, 12)))) or
-        (to_unsigned(slice0winner2_of_four_2_0, 12))));
-      slice0winner2_best_cost_2_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_2_5, 12)) or
-        (to_unsigned(slice0winner2_of_four_2_6, 12)))) or (to_unsigned(slice0winner2_of_four_2_4, 12))));
-      slice0winner2_best_cost_3_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_3_2, 12)) or
-        (to_unsigned(slice0winner2_of_four_3_3, 12)))) or (to_unsigned(slice0winner2_of_four_3_1, 12)))) or
-        (to_unsigned(slice0winner2_of_four_3_0, 12))));
-      slice0winner2_best_cost_3_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_3_5, 12)) or
-        (to_unsigned(slice0winner2_of_four_3_6, 12)))) or (to_unsigned(slice0winner2_of_four_3_4, 12))));
-      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
-      slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
-      slice0winner2_best_index_1_0 <= slice0winner2_four_index_1_0;
-      slice0winner2_best_index_1_1 <= slice0winner2_four_index_1_1;
-      slice0winner2_best_index_2_0 <= slice0winner2_four_index_2_0;
-      slice0winner2_best_index_2_1 <= slice0winner2_four_index_2_1;
-      slice0winner2_best_index_3_0 <= slice0winner2_four_index_3_0;
-      slice0winner2_best_index_3_1 <= slice0winner2_four_index_3_1;
-      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
+      slice0winner2_best_index_3_3 <= slice0winner1_best_index_3_7 when slice0winner2_best_cost_3_3_is_less else
+        slice0winner1_best_index_3_6;
+      slice0winner2_best_index_3_4 <= slice0winner1_best_index_3_9 when slice0winner2_best_cost_3_4_is_less else
+        slice0winner1_best_index_3_8;
+      slice0winner2_best_index_3_5 <= slice0winner1_best_index_3_11 when slice0winner2_best_cost_3_5_is_less else
+        slice0winner1_best_index_3_10;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_tag_valid then
+        slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+        slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
+      slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
       slice0winner3_best_cost_1_0_is_less := (slice0winner2_best_cost_1_1 - slice0winner2_best_cost_1_0) < 0;
+      slice0winner3_best_cost_1_1_is_less := (slice0winner2_best_cost_1_3 - slice0winner2_best_cost_1_2) < 0;
+      slice0winner3_best_cost_1_2_is_less := (slice0winner2_best_cost_1_5 - slice0winner2_best_cost_1_4) < 0;
       slice0winner3_best_cost_2_0_is_less := (slice0winner2_best_cost_2_1 - slice0winner2_best_cost_2_0) < 0;
+      slice0winner3_best_cost_2_1_is_less := (slice0winner2_best_cost_2_3 - slice0winner2_best_cost_2_2) < 0;
+      slice0winner3_best_cost_2_2_is_less := (slice0winner2_best_cost_2_5 - slice0winner2_best_cost_2_4) < 0;
       slice0winner3_best_cost_3_0_is_less := (slice0winner2_best_cost_3_1 - slice0winner2_best_cost_3_0) < 0;
+      slice0winner3_best_cost_3_1_is_less := (slice0winner2_best_cost_3_3 - slice0winner2_best_cost_3_2) < 0;
+      slice0winner3_best_cost_3_2_is_less := (slice0winner2_best_cost_3_5 - slice0winner2_best_cost_3_4) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_cost_0_4;
+      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
       slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_cost_1_0;
+      slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_3 when slice0winner3_best_cost_1_1_is_less else
+        slice0winner2_best_cost_1_2;
+      slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_5 when slice0winner3_best_cost_1_2_is_less else
+        slice0winner2_best_cost_1_4;
+      slice0winner3_best_cost_1_3 <= slice0winner2_best_cost_1_6;
       slice0winner3_best_cost_2_0 <= slice0winner2_best_cost_2_1 when slice0winner3_best_cost_2_0_is_less else
         slice0winner2_best_cost_2_0;
+      slice0winner3_best_cost_2_1 <= slice0winner2_best_cost_2_3 when slice0winner3_best_cost_2_1_is_less else
+        slice0winner2_best_cost_2_2;
+      slice0winner3_best_cost_2_2 <= slice0winner2_best_cost_2_5 when slice0winner3_best_cost_2_2_is_less else
+        slice0winner2_best_cost_2_4;
+      slice0winner3_best_cost_2_3 <= slice0winner2_best_cost_2_6;
       slice0winner3_best_cost_3_0 <= slice0winner2_best_cost_3_1 when slice0winner3_best_cost_3_0_is_less else
         slice0winner2_best_cost_3_0;
+      slice0winner3_best_cost_3_1 <= slice0winner2_best_cost_3_3 when slice0winner3_best_cost_3_1_is_less else
+        slice0winner2_best_cost_3_2;
+      slice0winner3_best_cost_3_2 <= slice0winner2_best_cost_3_5 when slice0winner3_best_cost_3_2_is_less else
+        slice0winner2_best_cost_3_4;
+      slice0winner3_best_cost_3_3 <= slice0winner2_best_cost_3_6;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_index_0_4;
+      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_index_1_0;
+      slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_3 when slice0winner3_best_cost_1_1_is_less else
+        slice0winner2_best_index_1_2;
+      slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_5 when slice0winner3_best_cost_1_2_is_less else
+        slice0winner2_best_index_1_4;
       slice0winner3_best_index_2_0 <= slice0winner2_best_index_2_1 when slice0winner3_best_cost_2_0_is_less else
         slice0winner2_best_index_2_0;
+      slice0winner3_best_index_2_1 <= slice0winner2_best_index_2_3 when slice0winner3_best_cost_2_1_is_less else
+        slice0winner2_best_index_2_2;
+      slice0winner3_best_index_2_2 <= slice0winner2_best_index_2_5 when slice0winner3_best_cost_2_2_is_less else
+        slice0winner2_best_index_2_4;
       slice0winner3_best_index_3_0 <= slice0winner2_best_index_3_1 when slice0winner3_best_cost_3_0_is_less else
         slice0winner2_best_index_3_0;
+      slice0winner3_best_index_3_1 <= slice0winner2_best_index_3_3 when slice0winner3_best_cost_3_1_is_less else
+        slice0winner2_best_index_3_2;
+      slice0winner3_best_index_3_2 <= slice0winner2_best_index_3_5 when slice0winner3_best_cost_3_2_is_less else
+        slice0winner2_best_index_3_4;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
+      slice0winner4_best_cost_1_0_is_less := (slice0winner3_best_cost_1_1 - slice0winner3_best_cost_1_0) < 0;
+      slice0winner4_best_cost_1_1_is_less := (slice0winner3_best_cost_1_3 - slice0winner3_best_cost_1_2) < 0;
+      slice0winner4_best_cost_2_0_is_less := (slice0winner3_best_cost_2_1 - slice0winner3_best_cost_2_0) < 0;
+      slice0winner4_best_cost_2_1_is_less := (slice0winner3_best_cost_2_3 - slice0winner3_best_cost_2_2) < 0;
+      slice0winner4_best_cost_3_0_is_less := (slice0winner3_best_cost_3_1 - slice0winner3_best_cost_3_0) < 0;
+      slice0winner4_best_cost_3_1_is_less := (slice0winner3_best_cost_3_3 - slice0winner3_best_cost_3_2) < 0;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_cost_0_2;
+      slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_1 when slice0winner4_best_cost_1_0_is_less else
+        slice0winner3_best_cost_1_0;
+      slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_3 when slice0winner4_best_cost_1_1_is_less else
+        slice0winner3_best_cost_1_2;
+      slice0winner4_best_cost_2_0 <= slice0winner3_best_cost_2_1 when slice0winner4_best_cost_2_0_is_less else
+        slice0winner3_best_cost_2_0;
+      slice0winner4_best_cost_2_1 <= slice0winner3_best_cost_2_3 when slice0winner4_best_cost_2_1_is_less else
+        slice0winner3_best_cost_2_2;
+      slice0winner4_best_cost_3_0 <= slice0winner3_best_cost_3_1 when slice0winner4_best_cost_3_0_is_less else
+        slice0winner3_best_cost_3_0;
+      slice0winner4_best_cost_3_1 <= slice0winner3_best_cost_3_3 when slice0winner4_best_cost_3_1_is_less else
+        slice0winner3_best_cost_3_2;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_index_0_2;
+      slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_1 when slice0winner4_best_cost_1_0_is_less else
+        slice0winner3_best_index_1_0;
+      slice0winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_1_1_is_less else
+        slice0winner3_best_index_1_2;
+      slice0winner4_best_index_2_0 <= slice0winner3_best_index_2_1 when slice0winner4_best_cost_2_0_is_less else
+        slice0winner3_best_index_2_0;
+      slice0winner4_best_index_2_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_2_1_is_less else
+        slice0winner3_best_index_2_2;
+      slice0winner4_best_index_3_0 <= slice0winner3_best_index_3_1 when slice0winner4_best_cost_3_0_is_less else
+        slice0winner3_best_index_3_0;
+      slice0winner4_best_index_3_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_3_1_is_less else
+        slice0winner3_best_index_3_2;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice0winner5
+      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
+      slice0winner5_best_cost_1_0_is_less := (slice0winner4_best_cost_1_1 - slice0winner4_best_cost_1_0) < 0;
+      slice0winner5_best_cost_2_0_is_less := (slice0winner4_best_cost_2_1 - slice0winner4_best_cost_2_0) < 0;
+      slice0winner5_best_cost_3_0_is_less := (slice0winner4_best_cost_3_1 - slice0winner4_best_cost_3_0) < 0;
+      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_cost_0_0;
+      slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_1 when slice0winner5_best_cost_1_0_is_less else
+        slice0winner4_best_cost_1_0;
+      slice0winner5_best_cost_2_0 <= slice0winner4_best_cost_2_1 when slice0winner5_best_cost_2_0_is_less else
+        slice0winner4_best_cost_2_0;
+      slice0winner5_best_cost_3_0 <= slice0winner4_best_cost_3_1 when slice0winner5_best_cost_3_0_is_less else
+        slice0winner4_best_cost_3_0;
+      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_index_0_0;
+      slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_1 when slice0winner5_best_cost_1_0_is_less else
+        slice0winner4_best_index_1_0;
+      slice0winner5_best_index_2_0 <= slice0winner4_best_index_2_1 when slice0winner5_best_cost_2_0_is_less else
+        slice0winner4_best_index_2_0;
+      slice0winner5_best_index_3_0 <= slice0winner4_best_index_3_1 when slice0winner5_best_cost_3_0_is_less else
+        slice0winner4_best_index_3_0;
+      slice0winner5_tag_valid <= slice0winner4_tag_valid;
+      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
+      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner3_best_cost_1_0;
-      slice0_best_cost_2_0 <= slice0winner3_best_cost_2_0;
-      slice0_best_cost_3_0 <= slice0winner3_best_cost_3_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 75;
-      slice0_best_index_1_0 <= slice0winner3_best_index_1_0 + 75;
-      slice0_best_index_2_0 <= slice0winner3_best_index_2_0 + 75;
-      slice0_best_index_3_0 <= slice0winner3_best_index_3_0 + 75;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner5_best_cost_1_0;
+      slice0_best_cost_2_0 <= slice0winner5_best_cost_2_0;
+      slice0_best_cost_3_0 <= slice0winner5_best_cost_3_0;
+      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 75;
+      slice0_best_index_1_0 <= slice0winner5_best_index_1_0 + 75;
+      slice0_best_index_2_0 <= slice0winner5_best_index_2_0 + 75;
+      slice0_best_index_3_0 <= slice0winner5_best_index_3_0 + 75;
+      slice0_best_tag_valid <= slice0winner5_tag_valid;
+      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -5841,6 +5339,9 @@ begin
       slice1shift_search_out_4 <= slice1shift_search_4_0;
       slice1shift_search_out_5 <= slice1shift_search_5_0;
       -- slice1cost
+      if slice0cost_difference_tag_valid then
+        slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
+      end if;
       slice1cost_difference_0_0_choice := slice1shift_reference_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
         slice1shift_search_0_0;
       slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
@@ -6239,9 +5740,9 @@ begin
       slice1cost_pair_1_23_is_less := slice1cost_difference_3_23 < 0;
       slice1cost_pair_1_24_folded_value := folded(slice1cost_difference_3_24);
       slice1cost_pair_1_24_is_less := slice1cost_difference_3_24 < 0;
-      slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
       slice1cost_signs_ready_words_0 <= to_integer(slice1cost_signs_read_words_0);
       slice1cost_signs_ready_words_1 <= to_integer(slice1cost_signs_read_words_1);
+      slice1cost_signs_write_column <= slice0cost_signs_write_column;
       slice1cost_difference_0_0 <= (slice1cost_difference_0_0_choice - slice1cost_difference_0_0_choice_2) mod 256;
       slice1cost_difference_0_1 <= (slice1cost_difference_0_1_choice - slice1cost_difference_0_1_choice_2) mod 256;
       slice1cost_difference_0_2 <= (slice1cost_difference_0_2_choice - slice1cost_difference_0_2_choice_2) mod 256;
@@ -6959,7 +6460,6 @@ begin
         as_number(slice1cost_negative_1_24) + slice1cost_single_5_24;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       if slice0cost_pair_tag_valid then
-        slice1cost_signs_write_column <= slice1cost_signs_difference_column;
         slice1cost_signs_write_words_0 <= (as_number(slice1cost_newest_negative_2_23) * 8388608) +
           (as_number(slice1cost_newest_negative_2_24) * 16777216) + (as_number(slice1cost_newest_negative_2_22) *
           4194304) + (as_number(slice1cost_newest_negative_2_21) * 2097152) +
@@ -7293,717 +6793,471 @@ begin
       slice1window_sum_3_23 <= slice1cost_column_3_23 + slice1window_partial_3_1_23;
       slice1window_sum_3_24 <= slice1cost_column_3_24 + slice1window_partial_3_1_24;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_of_pair_0_12_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
-      slice1winner1_of_pair_0_14_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_of_pair_0_16_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
-      slice1winner1_of_pair_0_18_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
-      slice1winner1_of_pair_0_20_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
-      slice1winner1_of_pair_0_22_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
-      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_of_pair_1_2_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
-      slice1winner1_of_pair_1_4_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
-      slice1winner1_of_pair_1_6_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
-      slice1winner1_of_pair_1_8_is_less := (slice1window_sum_1_9 - slice1window_sum_1_8) < 0;
-      slice1winner1_of_pair_1_10_is_less := (slice1window_sum_1_11 - slice1window_sum_1_10) < 0;
-      slice1winner1_of_pair_1_12_is_less := (slice1window_sum_1_13 - slice1window_sum_1_12) < 0;
-      slice1winner1_of_pair_1_14_is_less := (slice1window_sum_1_15 - slice1window_sum_1_14) < 0;
-      slice1winner1_of_pair_1_16_is_less := (slice1window_sum_1_17 - slice1window_sum_1_16) < 0;
-      slice1winner1_of_pair_1_18_is_less := (slice1window_sum_1_19 - slice1window_sum_1_18) < 0;
-      slice1winner1_of_pair_1_20_is_less := (slice1window_sum_1_21 - slice1window_sum_1_20) < 0;
-      slice1winner1_of_pair_1_22_is_less := (slice1window_sum_1_23 - slice1window_sum_1_22) < 0;
-      slice1winner1_of_pair_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
-      slice1winner1_of_pair_2_2_is_less := (slice1window_sum_2_3 - slice1window_sum_2_2) < 0;
-      slice1winner1_of_pair_2_4_is_less := (slice1window_sum_2_5 - slice1window_sum_2_4) < 0;
-      slice1winner1_of_pair_2_6_is_less := (slice1window_sum_2_7 - slice1window_sum_2_6) < 0;
-      slice1winner1_of_pair_2_8_is_less := (slice1window_sum_2_9 - slice1window_sum_2_8) < 0;
-      slice1winner1_of_pair_2_10_is_less := (slice1window_sum_2_11 - slice1window_sum_2_10) < 0;
-      slice1winner1_of_pair_2_12_is_less := (slice1window_sum_2_13 - slice1window_sum_2_12) < 0;
-      slice1winner1_of_pair_2_14_is_less := (slice1window_sum_2_15 - slice1window_sum_2_14) < 0;
-      slice1winner1_of_pair_2_16_is_less := (slice1window_sum_2_17 - slice1window_sum_2_16) < 0;
-      slice1winner1_of_pair_2_18_is_less := (slice1window_sum_2_19 - slice1window_sum_2_18) < 0;
-      slice1winner1_of_pair_2_20_is_less := (slice1window_sum_2_21 - slice1window_sum_2_20) < 0;
-      slice1winner1_of_pair_2_22_is_less := (slice1window_sum_2_23 - slice1window_sum_2_22) < 0;
-      slice1winner1_of_pair_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
-      slice1winner1_of_pair_3_2_is_less := (slice1window_sum_3_3 - slice1window_sum_3_2) < 0;
-      slice1winner1_of_pair_3_4_is_less := (slice1window_sum_3_5 - slice1window_sum_3_4) < 0;
-      slice1winner1_of_pair_3_6_is_less := (slice1window_sum_3_7 - slice1window_sum_3_6) < 0;
-      slice1winner1_of_pair_3_8_is_less := (slice1window_sum_3_9 - slice1window_sum_3_8) < 0;
-      slice1winner1_of_pair_3_10_is_less := (slice1window_sum_3_11 - slice1window_sum_3_10) < 0;
-      slice1winner1_of_pair_3_12_is_less := (slice1window_sum_3_13 - slice1window_sum_3_12) < 0;
-      slice1winner1_of_pair_3_14_is_less := (slice1window_sum_3_15 - slice1window_sum_3_14) < 0;
-      slice1winner1_of_pair_3_16_is_less := (slice1window_sum_3_17 - slice1window_sum_3_16) < 0;
-      slice1winner1_of_pair_3_18_is_less := (slice1window_sum_3_19 - slice1window_sum_3_18) < 0;
-      slice1winner1_of_pair_3_20_is_less := (slice1window_sum_3_21 - slice1window_sum_3_20) < 0;
-      slice1winner1_of_pair_3_22_is_less := (slice1window_sum_3_23 - slice1window_sum_3_22) < 0;
-      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
-      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_5, 12))))) < 0;
-      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_9, 12))))) < 0;
-      slice1winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_14, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_12, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_13, 12))))) < 0;
-      slice1winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_18, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_16, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_17, 12))))) < 0;
-      slice1winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_22, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_20, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_21, 12))))) < 0;
-      slice1winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_2, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
-      slice1winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_6, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_4, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_5, 12))))) < 0;
-      slice1winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_10, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_8, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_9, 12))))) < 0;
-      slice1winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_14, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_12, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_13, 12))))) < 0;
-      slice1winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_18, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_16, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_17, 12))))) < 0;
-      slice1winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_22, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_20, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_21, 12))))) < 0;
-      slice1winner1_of_four_2_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_2_2, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_2_0, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_1, 12))))) < 0;
-      slice1winner1_of_four_2_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_2_6, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_2_4, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_5, 12))))) < 0;
-      slice1winner1_of_four_2_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_2_10, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_11, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_2_8, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_9, 12))))) < 0;
-      slice1winner1_of_four_2_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_2_14, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_15, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_2_12, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_13, 12))))) < 0;
-      slice1winner1_of_four_2_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_2_18, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_19, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_2_16, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_17, 12))))) < 0;
-      slice1winner1_of_four_2_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_2_22, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_23, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_2_20, 12)) or
-        (to_unsigned(slice1winner1_of_pair_2_21, 12))))) < 0;
-      slice1winner1_of_four_3_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_3_2, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_3_0, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_1, 12))))) < 0;
-      slice1winner1_of_four_3_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_3_6, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_3_4, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_5, 12))))) < 0;
-      slice1winner1_of_four_3_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_3_10, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_11, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_3_8, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_9, 12))))) < 0;
-      slice1winner1_of_four_3_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_3_14, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_15, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_3_12, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_13, 12))))) < 0;
-      slice1winner1_of_four_3_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_3_18, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_19, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_3_16, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_17, 12))))) < 0;
-      slice1winner1_of_four_3_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_3_22, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_23, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_3_20, 12)) or
-        (to_unsigned(slice1winner1_of_pair_3_21, 12))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
-      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
-      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
-      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
-      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
-      slice1winner1_of_pair_0_12 <= 0 when slice1winner1_of_pair_0_12_is_less else slice1window_sum_0_12;
-      slice1winner1_of_pair_0_13 <= slice1window_sum_0_13 when slice1winner1_of_pair_0_12_is_less else 0;
-      slice1winner1_of_pair_0_14 <= 0 when slice1winner1_of_pair_0_14_is_less else slice1window_sum_0_14;
-      slice1winner1_of_pair_0_15 <= slice1window_sum_0_15 when slice1winner1_of_pair_0_14_is_less else 0;
-      slice1winner1_of_pair_0_16 <= 0 when slice1winner1_of_pair_0_16_is_less else slice1window_sum_0_16;
-      slice1winner1_of_pair_0_17 <= slice1window_sum_0_17 when slice1winner1_of_pair_0_16_is_less else 0;
-      slice1winner1_of_pair_0_18 <= 0 when slice1winner1_of_pair_0_18_is_less else slice1window_sum_0_18;
-      slice1winner1_of_pair_0_19 <= slice1window_sum_0_19 when slice1winner1_of_pair_0_18_is_less else 0;
-      slice1winner1_of_pair_0_20 <= 0 when slice1winner1_of_pair_0_20_is_less else slice1window_sum_0_20;
-      slice1winner1_of_pair_0_21 <= slice1window_sum_0_21 when slice1winner1_of_pair_0_20_is_less else 0;
-      slice1winner1_of_pair_0_22 <= 0 when slice1winner1_of_pair_0_22_is_less else slice1window_sum_0_22;
-      slice1winner1_of_pair_0_23 <= slice1window_sum_0_23 when slice1winner1_of_pair_0_22_is_less else 0;
-      slice1winner1_of_pair_0_24 <= slice1window_sum_0_24;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
-      slice1winner1_of_pair_1_2 <= 0 when slice1winner1_of_pair_1_2_is_less else slice1window_sum_1_2;
-      slice1winner1_of_pair_1_3 <= slice1window_sum_1_3 when slice1winner1_of_pair_1_2_is_less else 0;
-      slice1winner1_of_pair_1_4 <= 0 when slice1winner1_of_pair_1_4_is_less else slice1window_sum_1_4;
-      slice1winner1_of_pair_1_5 <= slice1window_sum_1_5 when slice1winner1_of_pair_1_4_is_less else 0;
-      slice1winner1_of_pair_1_6 <= 0 when slice1winner1_of_pair_1_6_is_less else slice1window_sum_1_6;
-      slice1winner1_of_pair_1_7 <= slice1window_sum_1_7 when slice1winner1_of_pair_1_6_is_less else 0;
-      slice1winner1_of_pair_1_8 <= 0 when slice1winner1_of_pair_1_8_is_less else slice1window_sum_1_8;
-      slice1winner1_of_pair_1_9 <= slice1window_sum_1_9 when slice1winner1_of_pair_1_8_is_less else 0;
-      slice1winner1_of_pair_1_10 <= 0 when slice1winner1_of_pair_1_10_is_less else slice1window_sum_1_10;
-      slice1winner1_of_pair_1_11 <= slice1window_sum_1_11 when slice1winner1_of_pair_1_10_is_less else 0;
-      slice1winner1_of_pair_1_12 <= 0 when slice1winner1_of_pair_1_12_is_less else slice1window_sum_1_12;
-      slice1winner1_of_pair_1_13 <= slice1window_sum_1_13 when slice1winner1_of_pair_1_12_is_less else 0;
-      slice1winner1_of_pair_1_14 <= 0 when slice1winner1_of_pair_1_14_is_less else slice1window_sum_1_14;
-      slice1winner1_of_pair_1_15 <= slice1window_sum_1_15 when slice1winner1_of_pair_1_14_is_less else 0;
-      slice1winner1_of_pair_1_16 <= 0 when slice1winner1_of_pair_1_16_is_less else slice1window_sum_1_16;
-      slice1winner1_of_pair_1_17 <= slice1window_sum_1_17 when slice1winner1_of_pair_1_16_is_less else 0;
-      slice1winner1_of_pair_1_18 <= 0 when slice1winner1_of_pair_1_18_is_less else slice1window_sum_1_18;
-      slice1winner1_of_pair_1_19 <= slice1window_sum_1_19 when slice1winner1_of_pair_1_18_is_less else 0;
-      slice1winner1_of_pair_1_20 <= 0 when slice1winner1_of_pair_1_20_is_less else slice1window_sum_1_20;
-      slice1winner1_of_pair_1_21 <= slice1window_sum_1_21 when slice1winner1_of_pair_1_20_is_less else 0;
-      slice1winner1_of_pair_1_22 <= 0 when slice1winner1_of_pair_1_22_is_less else slice1window_sum_1_22;
-      slice1winner1_of_pair_1_23 <= slice1window_sum_1_23 when slice1winner1_of_pair_1_22_is_less else 0;
-      slice1winner1_of_pair_1_24 <= slice1window_sum_1_24;
-      slice1winner1_of_pair_2_0 <= 0 when slice1winner1_of_pair_2_0_is_less else slice1window_sum_2_0;
-      slice1winner1_of_pair_2_1 <= slice1window_sum_2_1 when slice1winner1_of_pair_2_0_is_less else 0;
-      slice1winner1_of_pair_2_2 <= 0 when slice1winner1_of_pair_2_2_is_less else slice1window_sum_2_2;
-      slice1winner1_of_pair_2_3 <= slice1window_sum_2_3 when slice1winner1_of_pair_2_2_is_less else 0;
-      slice1winner1_of_pair_2_4 <= 0 when slice1winner1_of_pair_2_4_is_less else slice1window_sum_2_4;
-      slice1winner1_of_pair_2_5 <= slice1window_sum_2_5 when slice1winner1_of_pair_2_4_is_less else 0;
-      slice1winner1_of_pair_2_6 <= 0 when slice1winner1_of_pair_2_6_is_less else slice1window_sum_2_6;
-      slice1winner1_of_pair_2_7 <= slice1window_sum_2_7 when slice1winner1_of_pair_2_6_is_less else 0;
-      slice1winner1_of_pair_2_8 <= 0 when slice1winner1_of_pair_2_8_is_less else slice1window_sum_2_8;
-      slice1winner1_of_pair_2_9 <= slice1window_sum_2_9 when slice1winner1_of_pair_2_8_is_less else 0;
-      slice1winner1_of_pair_2_10 <= 0 when slice1winner1_of_pair_2_10_is_less else slice1window_sum_2_10;
-      slice1winner1_of_pair_2_11 <= slice1window_sum_2_11 when slice1winner1_of_pair_2_10_is_less else 0;
-      slice1winner1_of_pair_2_12 <= 0 when slice1winner1_of_pair_2_12_is_less else slice1window_sum_2_12;
-      slice1winner1_of_pair_2_13 <= slice1window_sum_2_13 when slice1winner1_of_pair_2_12_is_less else 0;
-      slice1winner1_of_pair_2_14 <= 0 when slice1winner1_of_pair_2_14_is_less else slice1window_sum_2_14;
-      slice1winner1_of_pair_2_15 <= slice1window_sum_2_15 when slice1winner1_of_pair_2_14_is_less else 0;
-      slice1winner1_of_pair_2_16 <= 0 when slice1winner1_of_pair_2_16_is_less else slice1window_sum_2_16;
-      slice1winner1_of_pair_2_17 <= slice1window_sum_2_17 when slice1winner1_of_pair_2_16_is_less else 0;
-      slice1winner1_of_pair_2_18 <= 0 when slice1winner1_of_pair_2_18_is_less else slice1window_sum_2_18;
-      slice1winner1_of_pair_2_19 <= slice1window_sum_2_19 when slice1winner1_of_pair_2_18_is_less else 0;
-      slice1winner1_of_pair_2_20 <= 0 when slice1winner1_of_pair_2_20_is_less else slice1window_sum_2_20;
-      slice1winner1_of_pair_2_21 <= slice1window_sum_2_21 when slice1winner1_of_pair_2_20_is_less else 0;
-      slice1winner1_of_pair_2_22 <= 0 when slice1winner1_of_pair_2_22_is_less else slice1window_sum_2_22;
-      slice1winner1_of_pair_2_23 <= slice1window_sum_2_23 when slice1winner1_of_pair_2_22_is_less else 0;
-      slice1winner1_of_pair_2_24 <= slice1window_sum_2_24;
-      slice1winner1_of_pair_3_0 <= 0 when slice1winner1_of_pair_3_0_is_less else slice1window_sum_3_0;
-      slice1winner1_of_pair_3_1 <= slice1window_sum_3_1 when slice1winner1_of_pair_3_0_is_less else 0;
-      slice1winner1_of_pair_3_2 <= 0 when slice1winner1_of_pair_3_2_is_less else slice1window_sum_3_2;
-      slice1winner1_of_pair_3_3 <= slice1window_sum_3_3 when slice1winner1_of_pair_3_2_is_less else 0;
-      slice1winner1_of_pair_3_4 <= 0 when slice1winner1_of_pair_3_4_is_less else slice1window_sum_3_4;
-      slice1winner1_of_pair_3_5 <= slice1window_sum_3_5 when slice1winner1_of_pair_3_4_is_less else 0;
-      slice1winner1_of_pair_3_6 <= 0 when slice1winner1_of_pair_3_6_is_less else slice1window_sum_3_6;
-      slice1winner1_of_pair_3_7 <= slice1window_sum_3_7 when slice1winner1_of_pair_3_6_is_less else 0;
-      slice1winner1_of_pair_3_8 <= 0 when slice1winner1_of_pair_3_8_is_less else slice1window_sum_3_8;
-      slice1winner1_of_pair_3_9 <= slice1window_sum_3_9 when slice1winner1_of_pair_3_8_is_less else 0;
-      slice1winner1_of_pair_3_10 <= 0 when slice1winner1_of_pair_3_10_is_less else slice1window_sum_3_10;
-      slice1winner1_of_pair_3_11 <= slice1window_sum_3_11 when slice1winner1_of_pair_3_10_is_less else 0;
-      slice1winner1_of_pair_3_12 <= 0 when slice1winner1_of_pair_3_12_is_less else slice1window_sum_3_12;
-      slice1winner1_of_pair_3_13 <= slice1window_sum_3_13 when slice1winner1_of_pair_3_12_is_less else 0;
-      slice1winner1_of_pair_3_14 <= 0 when slice1winner1_of_pair_3_14_is_less else slice1window_sum_3_14;
-      slice1winner1_of_pair_3_15 <= slice1window_sum_3_15 when slice1winner1_of_pair_3_14_is_less else 0;
-      slice1winner1_of_pair_3_16 <= 0 when slice1winner1_of_pair_3_16_is_less else slice1window_sum_3_16;
-      slice1winner1_of_pair_3_17 <= slice1window_sum_3_17 when slice1winner1_of_pair_3_16_is_less else 0;
-      slice1winner1_of_pair_3_18 <= 0 when slice1winner1_of_pair_3_18_is_less else slice1window_sum_3_18;
-      slice1winner1_of_pair_3_19 <= slice1window_sum_3_19 when slice1winner1_of_pair_3_18_is_less else 0;
-      slice1winner1_of_pair_3_20 <= 0 when slice1winner1_of_pair_3_20_is_less else slice1window_sum_3_20;
-      slice1winner1_of_pair_3_21 <= slice1window_sum_3_21 when slice1winner1_of_pair_3_20_is_less else 0;
-      slice1winner1_of_pair_3_22 <= 0 when slice1winner1_of_pair_3_22_is_less else slice1window_sum_3_22;
-      slice1winner1_of_pair_3_23 <= slice1window_sum_3_23 when slice1winner1_of_pair_3_22_is_less else 0;
-      slice1winner1_of_pair_3_24 <= slice1window_sum_3_24;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
-      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
-      slice1winner1_pair_index_0_6 <= 13 when slice1winner1_of_pair_0_12_is_less else 12;
-      slice1winner1_pair_index_0_7 <= 15 when slice1winner1_of_pair_0_14_is_less else 14;
-      slice1winner1_pair_index_0_8 <= 17 when slice1winner1_of_pair_0_16_is_less else 16;
-      slice1winner1_pair_index_0_9 <= 19 when slice1winner1_of_pair_0_18_is_less else 18;
-      slice1winner1_pair_index_0_10 <= 21 when slice1winner1_of_pair_0_20_is_less else 20;
-      slice1winner1_pair_index_0_11 <= 23 when slice1winner1_of_pair_0_22_is_less else 22;
-      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_pair_index_1_1 <= 3 when slice1winner1_of_pair_1_2_is_less else 2;
-      slice1winner1_pair_index_1_2 <= 5 when slice1winner1_of_pair_1_4_is_less else 4;
-      slice1winner1_pair_index_1_3 <= 7 when slice1winner1_of_pair_1_6_is_less else 6;
-      slice1winner1_pair_index_1_4 <= 9 when slice1winner1_of_pair_1_8_is_less else 8;
-      slice1winner1_pair_index_1_5 <= 11 when slice1winner1_of_pair_1_10_is_less else 10;
-      slice1winner1_pair_index_1_6 <= 13 when slice1winner1_of_pair_1_12_is_less else 12;
-      slice1winner1_pair_index_1_7 <= 15 when slice1winner1_of_pair_1_14_is_less else 14;
-      slice1winner1_pair_index_1_8 <= 17 when slice1winner1_of_pair_1_16_is_less else 16;
-      slice1winner1_pair_index_1_9 <= 19 when slice1winner1_of_pair_1_18_is_less else 18;
-      slice1winner1_pair_index_1_10 <= 21 when slice1winner1_of_pair_1_20_is_less else 20;
-      slice1winner1_pair_index_1_11 <= 23 when slice1winner1_of_pair_1_22_is_less else 22;
-      slice1winner1_pair_index_2_0 <= slice1winner1_of_pair_2_0_is_less;
-      slice1winner1_pair_index_2_1 <= 3 when slice1winner1_of_pair_2_2_is_less else 2;
-      slice1winner1_pair_index_2_2 <= 5 when slice1winner1_of_pair_2_4_is_less else 4;
-      slice1winner1_pair_index_2_3 <= 7 when slice1winner1_of_pair_2_6_is_less else 6;
-      slice1winner1_pair_index_2_4 <= 9 when slice1winner1_of_pair_2_8_is_less else 8;
-      slice1winner1_pair_index_2_5 <= 11 when slice1winner1_of_pair_2_10_is_less else 10;
-      slice1winner1_pair_index_2_6 <= 13 when slice1winner1_of_pair_2_12_is_less else 12;
-      slice1winner1_pair_index_2_7 <= 15 when slice1winner1_of_pair_2_14_is_less else 14;
-      slice1winner1_pair_index_2_8 <= 17 when slice1winner1_of_pair_2_16_is_less else 16;
-      slice1winner1_pair_index_2_9 <= 19 when slice1winner1_of_pair_2_18_is_less else 18;
-      slice1winner1_pair_index_2_10 <= 21 when slice1winner1_of_pair_2_20_is_less else 20;
-      slice1winner1_pair_index_2_11 <= 23 when slice1winner1_of_pair_2_22_is_less else 22;
-      slice1winner1_pair_index_3_0 <= slice1winner1_of_pair_3_0_is_less;
-      slice1winner1_pair_index_3_1 <= 3 when slice1winner1_of_pair_3_2_is_less else 2;
-      slice1winner1_pair_index_3_2 <= 5 when slice1winner1_of_pair_3_4_is_less else 4;
-      slice1winner1_pair_index_3_3 <= 7 when slice1winner1_of_pair_3_6_is_less else 6;
-      slice1winner1_pair_index_3_4 <= 9 when slice1winner1_of_pair_3_8_is_less else 8;
-      slice1winner1_pair_index_3_5 <= 11 when slice1winner1_of_pair_3_10_is_less else 10;
-      slice1winner1_pair_index_3_6 <= 13 when slice1winner1_of_pair_3_12_is_less else 12;
-      slice1winner1_pair_index_3_7 <= 15 when slice1winner1_of_pair_3_14_is_less else 14;
-      slice1winner1_pair_index_3_8 <= 17 when slice1winner1_of_pair_3_16_is_less else 16;
-      slice1winner1_pair_index_3_9 <= 19 when slice1winner1_of_pair_3_18_is_less else 18;
-      slice1winner1_pair_index_3_10 <= 21 when slice1winner1_of_pair_3_20_is_less else 20;
-      slice1winner1_pair_index_3_11 <= 23 when slice1winner1_of_pair_3_22_is_less else 22;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
-      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
-      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_12 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_12;
-      slice1winner1_of_four_0_13 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_13;
-      slice1winner1_of_four_0_14 <= slice1winner1_of_pair_0_14 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_15 <= slice1winner1_of_pair_0_15 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_16 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_16;
-      slice1winner1_of_four_0_17 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_17;
-      slice1winner1_of_four_0_18 <= slice1winner1_of_pair_0_18 when slice1winner1_of_four_0_16_is_less else 0;
-      slice1winner1_of_four_0_19 <= slice1winner1_of_pair_0_19 when slice1winner1_of_four_0_16_is_less else 0;
-      slice1winner1_of_four_0_20 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_20;
-      slice1winner1_of_four_0_21 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_21;
-      slice1winner1_of_four_0_22 <= slice1winner1_of_pair_0_22 when slice1winner1_of_four_0_20_is_less else 0;
-      slice1winner1_of_four_0_23 <= slice1winner1_of_pair_0_23 when slice1winner1_of_four_0_20_is_less else 0;
-      slice1winner1_of_four_0_24 <= slice1winner1_of_pair_0_24;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_of_four_1_3 <= slice1winner1_of_pair_1_3 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_of_four_1_4 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_4;
-      slice1winner1_of_four_1_5 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_5;
-      slice1winner1_of_four_1_6 <= slice1winner1_of_pair_1_6 when slice1winner1_of_four_1_4_is_less else 0;
-      slice1winner1_of_four_1_7 <= slice1winner1_of_pair_1_7 when slice1winner1_of_four_1_4_is_less else 0;
-      slice1winner1_of_four_1_8 <= 0 when slice1winner1_of_four_1_8_is_less else slice1winner1_of_pair_1_8;
-      slice1winner1_of_four_1_9 <= 0 when slice1winner1_of_four_1_8_is_less else slice1winner1_of_pair_1_9;
-      slice1winner1_of_four_1_10 <= slice1winner1_of_pair_1_10 when slice1winner1_of_four_1_8_is_less else 0;
-      slice1winner1_of_four_1_11 <= slice1winner1_of_pair_1_11 when slice1winner1_of_four_1_8_is_less else 0;
-      slice1winner1_of_four_1_12 <= 0 when slice1winner1_of_four_1_12_is_less else slice1winner1_of_pair_1_12;
-      slice1winner1_of_four_1_13 <= 0 when slice1winner1_of_four_1_12_is_less else slice1winner1_of_pair_1_13;
-      slice1winner1_of_four_1_14 <= slice1winner1_of_pair_1_14 when slice1winner1_of_four_1_12_is_less else 0;
-      slice1winner1_of_four_1_15 <= slice1winner1_of_pair_1_15 when slice1winner1_of_four_1_12_is_less else 0;
-      slice1winner1_of_four_1_16 <= 0 when slice1winner1_of_four_1_16_is_less else slice1winner1_of_pair_1_16;
-      slice1winner1_of_four_1_17 <= 0 when slice1winner1_of_four_1_16_is_less else slice1winner1_of_pair_1_17;
-      slice1winner1_of_four_1_18 <= slice1winner1_of_pair_1_18 when slice1winner1_of_four_1_16_is_less else 0;
-      slice1winner1_of_four_1_19 <= slice1winner1_of_pair_1_19 when slice1winner1_of_four_1_16_is_less else 0;
-      slice1winner1_of_four_1_20 <= 0 when slice1winner1_of_four_1_20_is_less else slice1winner1_of_pair_1_20;
-      slice1winner1_of_four_1_21 <= 0 when slice1winner1_of_four_1_20_is_less else slice1winner1_of_pair_1_21;
-      slice1winner1_of_four_1_22 <= slice1winner1_of_pair_1_22 when slice1winner1_of_four_1_20_is_less else 0;
-      slice1winner1_of_four_1_23 <= slice1winner1_of_pair_1_23 when slice1winner1_of_four_1_20_is_less else 0;
-      slice1winner1_of_four_1_24 <= slice1winner1_of_pair_1_24;
-      slice1winner1_of_four_2_0 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_0;
-      slice1winner1_of_four_2_1 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_1;
-      slice1winner1_of_four_2_2 <= slice1winner1_of_pair_2_2 when slice1winner1_of_four_2_0_is_less else 0;
-      slice1winner1_of_four_2_3 <= slice1winner1_of_pair_2_3 when slice1winner1_of_four_2_0_is_less else 0;
-      slice1winner1_of_four_2_4 <= 0 when slice1winner1_of_four_2_4_is_less else slice1winner1_of_pair_2_4;
-      slice1winner1_of_four_2_5 <= 0 when slice1winner1_of_four_2_4_is_less else slice1winner1_of_pair_2_5;
-      slice1winner1_of_four_2_6 <= slice1winner1_of_pair_2_6 when slice1winner1_of_four_2_4_is_less else 0;
-      slice1winner1_of_four_2_7 <= slice1winner1_of_pair_2_7 when slice1winner1_of_four_2_4_is_less else 0;
-      slice1winner1_of_four_2_8 <= 0 when slice1winner1_of_four_2_8_is_less else slice1winner1_of_pair_2_8;
-      slice1winner1_of_four_2_9 <= 0 when slice1winner1_of_four_2_8_is_less else slice1winner1_of_pair_2_9;
-      slice1winner1_of_four_2_10 <= slice1winner1_of_pair_2_10 when slice1winner1_of_four_2_8_is_less else 0;
-      slice1winner1_of_four_2_11 <= slice1winner1_of_pair_2_11 when slice1winner1_of_four_2_8_is_less else 0;
-      slice1winner1_of_four_2_12 <= 0 when slice1winner1_of_four_2_12_is_less else slice1winner1_of_pair_2_12;
-      slice1winner1_of_four_2_13 <= 0 when slice1winner1_of_four_2_12_is_less else slice1winner1_of_pair_2_13;
-      slice1winner1_of_four_2_14 <= slice1winner1_of_pair_2_14 when slice1winner1_of_four_2_12_is_less else 0;
-      slice1winner1_of_four_2_15 <= slice1winner1_of_pair_2_15 when slice1winner1_of_four_2_12_is_less else 0;
-      slice1winner1_of_four_2_16 <= 0 when slice1winner1_of_four_2_16_is_less else slice1winner1_of_pair_2_16;
-      slice1winner1_of_four_2_17 <= 0 when slice1winner1_of_four_2_16_is_less else slice1winner1_of_pair_2_17;
-      slice1winner1_of_four_2_18 <= slice1winner1_of_pair_2_18 when slice1winner1_of_four_2_16_is_less else 0;
-      slice1winner1_of_four_2_19 <= slice1winner1_of_pair_2_19 when slice1winner1_of_four_2_16_is_less else 0;
-      slice1winner1_of_four_2_20 <= 0 when slice1winner1_of_four_2_20_is_less else slice1winner1_of_pair_2_20;
-      slice1winner1_of_four_2_21 <= 0 when slice1winner1_of_four_2_20_is_less else slice1winner1_of_pair_2_21;
-      slice1winner1_of_four_2_22 <= slice1winner1_of_pair_2_22 when slice1winner1_of_four_2_20_is_less else 0;
-      slice1winner1_of_four_2_23 <= slice1winner1_of_pair_2_23 when slice1winner1_of_four_2_20_is_less else 0;
-      slice1winner1_of_four_2_24 <= slice1winner1_of_pair_2_24;
-      slice1winner1_of_four_3_0 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_0;
-      slice1winner1_of_four_3_1 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_1;
-      slice1winner1_of_four_3_2 <= slice1winner1_of_pair_3_2 when slice1winner1_of_four_3_0_is_less else 0;
-      slice1winner1_of_four_3_3 <= slice1winner1_of_pair_3_3 when slice1winner1_of_four_3_0_is_less else 0;
-      slice1winner1_of_four_3_4 <= 0 when slice1winner1_of_four_3_4_is_less else slice1winner1_of_pair_3_4;
-      slice1winner1_of_four_3_5 <= 0 when slice1winner1_of_four_3_4_is_less else slice1winner1_of_pair_3_5;
-      slice1winner1_of_four_3_6 <= slice1winner1_of_pair_3_6 when slice1winner1_of_four_3_4_is_less else 0;
-      slice1winner1_of_four_3_7 <= slice1winner1_of_pair_3_7 when slice1winner1_of_four_3_4_is_less else 0;
-      slice1winner1_of_four_3_8 <= 0 when slice1winner1_of_four_3_8_is_less else slice1winner1_of_pair_3_8;
-      slice1winner1_of_four_3_9 <= 0 when slice1winner1_of_four_3_8_is_less else slice1winner1_of_pair_3_9;
-      slice1winner1_of_four_3_10 <= slice1winner1_of_pair_3_10 when slice1winner1_of_four_3_8_is_less else 0;
-      slice1winner1_of_four_3_11 <= slice1winner1_of_pair_3_11 when slice1winner1_of_four_3_8_is_less else 0;
-      slice1winner1_of_four_3_12 <= 0 when slice1winner1_of_four_3_12_is_less else slice1winner1_of_pair_3_12;
-      slice1winner1_of_four_3_13 <= 0 when slice1winner1_of_four_3_12_is_less else slice1winner1_of_pair_3_13;
-      slice1winner1_of_four_3_14 <= slice1winner1_of_pair_3_14 when slice1winner1_of_four_3_12_is_less else 0;
-      slice1winner1_of_four_3_15 <= slice1winner1_of_pair_3_15 when slice1winner1_of_four_3_12_is_less else 0;
-      slice1winner1_of_four_3_16 <= 0 when slice1winner1_of_four_3_16_is_less else slice1winner1_of_pair_3_16;
-      slice1winner1_of_four_3_17 <= 0 when slice1winner1_of_four_3_16_is_less else slice1winner1_of_pair_3_17;
-      slice1winner1_of_four_3_18 <= slice1winner1_of_pair_3_18 when slice1winner1_of_four_3_16_is_less else 0;
-      slice1winner1_of_four_3_19 <= slice1winner1_of_pair_3_19 when slice1winner1_of_four_3_16_is_less else 0;
-      slice1winner1_of_four_3_20 <= 0 when slice1winner1_of_four_3_20_is_less else slice1winner1_of_pair_3_20;
-      slice1winner1_of_four_3_21 <= 0 when slice1winner1_of_four_3_20_is_less else slice1winner1_of_pair_3_21;
-      slice1winner1_of_four_3_22 <= slice1winner1_of_pair_3_22 when slice1winner1_of_four_3_20_is_less else 0;
-      slice1winner1_of_four_3_23 <= slice1winner1_of_pair_3_23 when slice1winner1_of_four_3_20_is_less else 0;
-      slice1winner1_of_four_3_24 <= slice1winner1_of_pair_3_24;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
-      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
-        slice1winner1_pair_index_0_4;
-      slice1winner1_four_index_0_3 <= slice1winner1_pair_index_0_7 when slice1winner1_of_four_0_12_is_less else
-        slice1winner1_pair_index_0_6;
-      slice1winner1_four_index_0_4 <= slice1winner1_pair_index_0_9 when slice1winner1_of_four_0_16_is_less else
-        slice1winner1_pair_index_0_8;
-      slice1winner1_four_index_0_5 <= slice1winner1_pair_index_0_11 when slice1winner1_of_four_0_20_is_less else
-        slice1winner1_pair_index_0_10;
-      slice1winner1_four_index_1_0 <= slice1winner1_pair_index_1_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
-      slice1winner1_four_index_1_1 <= slice1winner1_pair_index_1_3 when slice1winner1_of_four_1_4_is_less else
-        slice1winner1_pair_index_1_2;
-      slice1winner1_four_index_1_2 <= slice1winner1_pair_index_1_5 when slice1winner1_of_four_1_8_is_less else
-        slice1winner1_pair_index_1_4;
-      slice1winner1_four_index_1_3 <= slice1winner1_pair_index_1_7 when slice1winner1_of_four_1_12_is_less else
-        slice1winner1_pair_index_1_6;
-      slice1winner1_four_index_1_4 <= slice1winner1_pair_index_1_9 when slice1winner1_of_four_1_16_is_less else
-        slice1winner1_pair_index_1_8;
-      slice1winner1_four_index_1_5 <= slice1winner1_pair_index_1_11 when slice1winner1_of_four_1_20_is_less else
-        slice1winner1_pair_index_1_10;
-      slice1winner1_four_index_2_0 <= slice1winner1_pair_index_2_1 when slice1winner1_of_four_2_0_is_less else
-        as_number(slice1winner1_pair_index_2_0);
-      slice1winner1_four_index_2_1 <= slice1winner1_pair_index_2_3 when slice1winner1_of_four_2_4_is_less else
-        slice1winner1_pair_index_2_2;
-      slice1winner1_four_index_2_2 <= slice1winner1_pair_index_2_5 when slice1winner1_of_four_2_8_is_less else
-        slice1winner1_pair_index_2_4;
-      slice1winner1_four_index_2_3 <= slice1winner1_pair_index_2_7 when slice1winner1_of_four_2_12_is_less else
-        slice1winner1_pair_index_2_6;
-      slice1winner1_four_index_2_4 <= slice1winner1_pair_index_2_9 when slice1winner1_of_four_2_16_is_less else
-        slice1winner1_pair_index_2_8;
-      slice1winner1_four_index_2_5 <= slice1winner1_pair_index_2_11 when slice1winner1_of_four_2_20_is_less else
-        slice1winner1_pair_index_2_10;
-      slice1winner1_four_index_3_0 <= slice1winner1_pair_index_3_1 when slice1winner1_of_four_3_0_is_less else
-        as_number(slice1winner1_pair_index_3_0);
-      slice1winner1_four_index_3_1 <= slice1winner1_pair_index_3_3 when slice1winner1_of_four_3_4_is_less else
-        slice1winner1_pair_index_3_2;
-      slice1winner1_four_index_3_2 <= slice1winner1_pair_index_3_5 when slice1winner1_of_four_3_8_is_less else
-        slice1winner1_pair_index_3_4;
-      slice1winner1_four_index_3_3 <= slice1winner1_pair_index_3_7 when slice1winner1_of_four_3_12_is_less else
-        slice1winner1_pair_index_3_6;
-      slice1winner1_four_index_3_4 <= slice1winner1_pair_index_3_9 when slice1winner1_of_four_3_16_is_less else
-        slice1winner1_pair_index_3_8;
-      slice1winner1_four_index_3_5 <= slice1winner1_pair_index_3_11 when slice1winner1_of_four_3_20_is_less else
-        slice1winner1_pair_index_3_10;
-      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_3, 12)))) or (to_unsigned(slice1winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_0, 12))));
-      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_7, 12)))) or (to_unsigned(slice1winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_4, 12))));
-      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_11, 12)))) or (to_unsigned(slice1winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_8, 12))));
-      slice1winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_14, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_15, 12)))) or (to_unsigned(slice1winner1_of_four_0_13, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_12, 12))));
-      slice1winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_18, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_19, 12)))) or (to_unsigned(slice1winner1_of_four_0_17, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_16, 12))));
-      slice1winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_22, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_23, 12)))) or (to_unsigned(slice1winner1_of_four_0_21, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_20, 12))));
-      slice1winner1_best_cost_0_6 <= slice1winner1_of_four_0_24;
-      slice1winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_2, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_3, 12)))) or (to_unsigned(slice1winner1_of_four_1_1, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_0, 12))));
-      slice1winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_6, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_7, 12)))) or (to_unsigned(slice1winner1_of_four_1_5, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_4, 12))));
-      slice1winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_10, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_11, 12)))) or (to_unsigned(slice1winner1_of_four_1_9, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_8, 12))));
-      slice1winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_14, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_15, 12)))) or (to_unsigned(slice1winner1_of_four_1_13, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_12, 12))));
-      slice1winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_18, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_19, 12)))) or (to_unsigned(slice1winner1_of_four_1_17, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_16, 12))));
-      slice1winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_22, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_23, 12)))) or (to_unsigned(slice1winner1_of_four_1_21, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_20, 12))));
-      slice1winner1_best_cost_1_6 <= slice1winner1_of_four_1_24;
-      slice1winner1_best_cost_2_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_2_2, 12)) or
-        (to_unsigned(slice1winner1_of_four_2_3, 12)))) or (to_unsigned(slice1winner1_of_four_2_1, 12)))) or
-        (to_unsigned(slice1winner1_of_four_2_0, 12))));
-      slice1winner1_best_cost_2_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_2_6, 12)) or
-        (to_unsigned(slice1winner1_of_four_2_7, 12)))) or (to_unsigned(slice1winner1_of_four_2_5, 12)))) or
-        (to_unsigned(slice1winner1_of_four_2_4, 12))));
-      slice1winner1_best_cost_2_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_2_10, 12)) or
-        (to_unsigned(slice1winner1_of_four_2_11, 12)))) or (to_unsigned(slice1winner1_of_four_2_9, 12)))) or
-        (to_unsigned(slice1winner1_of_four_2_8, 12))));
-      slice1winner1_best_cost_2_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_2_14, 12)) or
-        (to_unsigned(slice1winner1_of_four_2_15, 12)))) or (to_unsigned(slice1winner1_of_four_2_13, 12)))) or
-        (to_unsigned(slice1winner1_of_four_2_12, 12))));
-      slice1winner1_best_cost_2_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_2_18, 12)) or
-        (to_unsigned(slice1winner1_of_four_2_19, 12)))) or (to_unsigned(slice1winner1_of_four_2_17, 12)))) or
-        (to_unsigned(slice1winner1_of_four_2_16, 12))));
-      slice1winner1_best_cost_2_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_2_22, 12)) or
-        (to_unsigned(slice1winner1_of_four_2_23, 12)))) or (to_unsigned(slice1winner1_of_four_2_21, 12)))) or
-        (to_unsigned(slice1winner1_of_four_2_20, 12))));
-      slice1winner1_best_cost_2_6 <= slice1winner1_of_four_2_24;
-      slice1winner1_best_cost_3_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_3_2, 12)) or
-        (to_unsigned(slice1winner1_of_four_3_3, 12)))) or (to_unsigned(slice1winner1_of_four_3_1, 12)))) or
-        (to_unsigned(slice1winner1_of_four_3_0, 12))));
-      slice1winner1_best_cost_3_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_3_6, 12)) or
-        (to_unsigned(slice1winner1_of_four_3_7, 12)))) or (to_unsigned(slice1winner1_of_four_3_5, 12)))) or
-        (to_unsigned(slice1winner1_of_four_3_4, 12))));
-      slice1winner1_best_cost_3_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_3_10, 12)) or
-        (to_unsigned(slice1winner1_of_four_3_11, 12)))) or (to_unsigned(slice1winner1_of_four_3_9, 12)))) or
-        (to_unsigned(slice1winner1_of_four_3_8, 12))));
-      slice1winner1_best_cost_3_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_3_14, 12)) or
-        (to_unsigned(slice1winner1_of_four_3_15, 12)))) or (to_unsigned(slice1winner1_of_four_3_13, 12)))) or
-        (to_unsigned(slice1winner1_of_four_3_12, 12))));
-      slice1winner1_best_cost_3_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_3_18, 12)) or
-        (to_unsigned(slice1winner1_of_four_3_19, 12)))) or (to_unsigned(slice1winner1_of_four_3_17, 12)))) or
-        (to_unsigned(slice1winner1_of_four_3_16, 12))));
-      slice1winner1_best_cost_3_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_3_22, 12)) or
-        (to_unsigned(slice1winner1_of_four_3_23, 12)))) or (to_unsigned(slice1winner1_of_four_3_21, 12)))) or
-        (to_unsigned(slice1winner1_of_four_3_20, 12))));
-      slice1winner1_best_cost_3_6 <= slice1winner1_of_four_3_24;
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
-      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
-      slice1winner1_best_index_0_3 <= slice1winner1_four_index_0_3;
-      slice1winner1_best_index_0_4 <= slice1winner1_four_index_0_4;
-      slice1winner1_best_index_0_5 <= slice1winner1_four_index_0_5;
-      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
-      slice1winner1_best_index_1_1 <= slice1winner1_four_index_1_1;
-      slice1winner1_best_index_1_2 <= slice1winner1_four_index_1_2;
-      slice1winner1_best_index_1_3 <= slice1winner1_four_index_1_3;
-      slice1winner1_best_index_1_4 <= slice1winner1_four_index_1_4;
-      slice1winner1_best_index_1_5 <= slice1winner1_four_index_1_5;
-      slice1winner1_best_index_2_0 <= slice1winner1_four_index_2_0;
-      slice1winner1_best_index_2_1 <= slice1winner1_four_index_2_1;
-      slice1winner1_best_index_2_2 <= slice1winner1_four_index_2_2;
-      slice1winner1_best_index_2_3 <= slice1winner1_four_index_2_3;
-      slice1winner1_best_index_2_4 <= slice1winner1_four_index_2_4;
-      slice1winner1_best_index_2_5 <= slice1winner1_four_index_2_5;
-      slice1winner1_best_index_3_0 <= slice1winner1_four_index_3_0;
-      slice1winner1_best_index_3_1 <= slice1winner1_four_index_3_1;
-      slice1winner1_best_index_3_2 <= slice1winner1_four_index_3_2;
-      slice1winner1_best_index_3_3 <= slice1winner1_four_index_3_3;
-      slice1winner1_best_index_3_4 <= slice1winner1_four_index_3_4;
-      slice1winner1_best_index_3_5 <= slice1winner1_four_index_3_5;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
+      slice1winner1_best_cost_0_8_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
+      slice1winner1_best_cost_0_9_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
+      slice1winner1_best_cost_0_10_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
+      slice1winner1_best_cost_0_11_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
+      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_best_cost_1_1_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
+      slice1winner1_best_cost_1_2_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
+      slice1winner1_best_cost_1_3_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
+      slice1winner1_best_cost_1_4_is_less := (slice1window_sum_1_9 - slice1window_sum_1_8) < 0;
+      slice1winner1_best_cost_1_5_is_less := (slice1window_sum_1_11 - slice1window_sum_1_10) < 0;
+      slice1winner1_best_cost_1_6_is_less := (slice1window_sum_1_13 - slice1window_sum_1_12) < 0;
+      slice1winner1_best_cost_1_7_is_less := (slice1window_sum_1_15 - slice1window_sum_1_14) < 0;
+      slice1winner1_best_cost_1_8_is_less := (slice1window_sum_1_17 - slice1window_sum_1_16) < 0;
+      slice1winner1_best_cost_1_9_is_less := (slice1window_sum_1_19 - slice1window_sum_1_18) < 0;
+      slice1winner1_best_cost_1_10_is_less := (slice1window_sum_1_21 - slice1window_sum_1_20) < 0;
+      slice1winner1_best_cost_1_11_is_less := (slice1window_sum_1_23 - slice1window_sum_1_22) < 0;
+      slice1winner1_best_cost_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
+      slice1winner1_best_cost_2_1_is_less := (slice1window_sum_2_3 - slice1window_sum_2_2) < 0;
+      slice1winner1_best_cost_2_2_is_less := (slice1window_sum_2_5 - slice1window_sum_2_4) < 0;
+      slice1winner1_best_cost_2_3_is_less := (slice1window_sum_2_7 - slice1window_sum_2_6) < 0;
+      slice1winner1_best_cost_2_4_is_less := (slice1window_sum_2_9 - slice1window_sum_2_8) < 0;
+      slice1winner1_best_cost_2_5_is_less := (slice1window_sum_2_11 - slice1window_sum_2_10) < 0;
+      slice1winner1_best_cost_2_6_is_less := (slice1window_sum_2_13 - slice1window_sum_2_12) < 0;
+      slice1winner1_best_cost_2_7_is_less := (slice1window_sum_2_15 - slice1window_sum_2_14) < 0;
+      slice1winner1_best_cost_2_8_is_less := (slice1window_sum_2_17 - slice1window_sum_2_16) < 0;
+      slice1winner1_best_cost_2_9_is_less := (slice1window_sum_2_19 - slice1window_sum_2_18) < 0;
+      slice1winner1_best_cost_2_10_is_less := (slice1window_sum_2_21 - slice1window_sum_2_20) < 0;
+      slice1winner1_best_cost_2_11_is_less := (slice1window_sum_2_23 - slice1window_sum_2_22) < 0;
+      slice1winner1_best_cost_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
+      slice1winner1_best_cost_3_1_is_less := (slice1window_sum_3_3 - slice1window_sum_3_2) < 0;
+      slice1winner1_best_cost_3_2_is_less := (slice1window_sum_3_5 - slice1window_sum_3_4) < 0;
+      slice1winner1_best_cost_3_3_is_less := (slice1window_sum_3_7 - slice1window_sum_3_6) < 0;
+      slice1winner1_best_cost_3_4_is_less := (slice1window_sum_3_9 - slice1window_sum_3_8) < 0;
+      slice1winner1_best_cost_3_5_is_less := (slice1window_sum_3_11 - slice1window_sum_3_10) < 0;
+      slice1winner1_best_cost_3_6_is_less := (slice1window_sum_3_13 - slice1window_sum_3_12) < 0;
+      slice1winner1_best_cost_3_7_is_less := (slice1window_sum_3_15 - slice1window_sum_3_14) < 0;
+      slice1winner1_best_cost_3_8_is_less := (slice1window_sum_3_17 - slice1window_sum_3_16) < 0;
+      slice1winner1_best_cost_3_9_is_less := (slice1window_sum_3_19 - slice1window_sum_3_18) < 0;
+      slice1winner1_best_cost_3_10_is_less := (slice1window_sum_3_21 - slice1window_sum_3_20) < 0;
+      slice1winner1_best_cost_3_11_is_less := (slice1window_sum_3_23 - slice1window_sum_3_22) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
+        slice1window_sum_0_8;
+      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
+        slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
+        slice1window_sum_0_12;
+      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
+        slice1window_sum_0_14;
+      slice1winner1_best_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_best_cost_0_8_is_less else
+        slice1window_sum_0_16;
+      slice1winner1_best_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_best_cost_0_9_is_less else
+        slice1window_sum_0_18;
+      slice1winner1_best_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_best_cost_0_10_is_less else
+        slice1window_sum_0_20;
+      slice1winner1_best_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_best_cost_0_11_is_less else
+        slice1window_sum_0_22;
+      slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_3 when slice1winner1_best_cost_1_1_is_less else
+        slice1window_sum_1_2;
+      slice1winner1_best_cost_1_2 <= slice1window_sum_1_5 when slice1winner1_best_cost_1_2_is_less else
+        slice1window_sum_1_4;
+      slice1winner1_best_cost_1_3 <= slice1window_sum_1_7 when slice1winner1_best_cost_1_3_is_less else
+        slice1window_sum_1_6;
+      slice1winner1_best_cost_1_4 <= slice1window_sum_1_9 when slice1winner1_best_cost_1_4_is_less else
+        slice1window_sum_1_8;
+      slice1winner1_best_cost_1_5 <= slice1window_sum_1_11 when slice1winner1_best_cost_1_5_is_less else
+        slice1window_sum_1_10;
+      slice1winner1_best_cost_1_6 <= slice1window_sum_1_13 when slice1winner1_best_cost_1_6_is_less else
+        slice1window_sum_1_12;
+      slice1winner1_best_cost_1_7 <= slice1window_sum_1_15 when slice1winner1_best_cost_1_7_is_less else
+        slice1window_sum_1_14;
+      slice1winner1_best_cost_1_8 <= slice1window_sum_1_17 when slice1winner1_best_cost_1_8_is_less else
+        slice1window_sum_1_16;
+      slice1winner1_best_cost_1_9 <= slice1window_sum_1_19 when slice1winner1_best_cost_1_9_is_less else
+        slice1window_sum_1_18;
+      slice1winner1_best_cost_1_10 <= slice1window_sum_1_21 when slice1winner1_best_cost_1_10_is_less else
+        slice1window_sum_1_20;
+      slice1winner1_best_cost_1_11 <= slice1window_sum_1_23 when slice1winner1_best_cost_1_11_is_less else
+        slice1window_sum_1_22;
+      slice1winner1_best_cost_1_12 <= slice1window_sum_1_24;
+      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
+        slice1window_sum_2_0;
+      slice1winner1_best_cost_2_1 <= slice1window_sum_2_3 when slice1winner1_best_cost_2_1_is_less else
+        slice1window_sum_2_2;
+      slice1winner1_best_cost_2_2 <= slice1window_sum_2_5 when slice1winner1_best_cost_2_2_is_less else
+        slice1window_sum_2_4;
+      slice1winner1_best_cost_2_3 <= slice1window_sum_2_7 when slice1winner1_best_cost_2_3_is_less else
+        slice1window_sum_2_6;
+      slice1winner1_best_cost_2_4 <= slice1window_sum_2_9 when slice1winner1_best_cost_2_4_is_less else
+        slice1window_sum_2_8;
+      slice1winner1_best_cost_2_5 <= slice1window_sum_2_11 when slice1winner1_best_cost_2_5_is_less else
+        slice1window_sum_2_10;
+      slice1winner1_best_cost_2_6 <= slice1window_sum_2_13 when slice1winner1_best_cost_2_6_is_less else
+        slice1window_sum_2_12;
+      slice1winner1_best_cost_2_7 <= slice1window_sum_2_15 when slice1winner1_best_cost_2_7_is_less else
+        slice1window_sum_2_14;
+      slice1winner1_best_cost_2_8 <= slice1window_sum_2_17 when slice1winner1_best_cost_2_8_is_less else
+        slice1window_sum_2_16;
+      slice1winner1_best_cost_2_9 <= slice1window_sum_2_19 when slice1winner1_best_cost_2_9_is_less else
+        slice1window_sum_2_18;
+      slice1winner1_best_cost_2_10 <= slice1window_sum_2_21 when slice1winner1_best_cost_2_10_is_less else
+        slice1window_sum_2_20;
+      slice1winner1_best_cost_2_11 <= slice1window_sum_2_23 when slice1winner1_best_cost_2_11_is_less else
+        slice1window_sum_2_22;
+      slice1winner1_best_cost_2_12 <= slice1window_sum_2_24;
+      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
+        slice1window_sum_3_0;
+      slice1winner1_best_cost_3_1 <= slice1window_sum_3_3 when slice1winner1_best_cost_3_1_is_less else
+        slice1window_sum_3_2;
+      slice1winner1_best_cost_3_2 <= slice1window_sum_3_5 when slice1winner1_best_cost_3_2_is_less else
+        slice1window_sum_3_4;
+      slice1winner1_best_cost_3_3 <= slice1window_sum_3_7 when slice1winner1_best_cost_3_3_is_less else
+        slice1window_sum_3_6;
+      slice1winner1_best_cost_3_4 <= slice1window_sum_3_9 when slice1winner1_best_cost_3_4_is_less else
+        slice1window_sum_3_8;
+      slice1winner1_best_cost_3_5 <= slice1window_sum_3_11 when slice1winner1_best_cost_3_5_is_less else
+        slice1window_sum_3_10;
+      slice1winner1_best_cost_3_6 <= slice1window_sum_3_13 when slice1winner1_best_cost_3_6_is_less else
+        slice1window_sum_3_12;
+      slice1winner1_best_cost_3_7 <= slice1window_sum_3_15 when slice1winner1_best_cost_3_7_is_less else
+        slice1window_sum_3_14;
+      slice1winner1_best_cost_3_8 <= slice1window_sum_3_17 when slice1winner1_best_cost_3_8_is_less else
+        slice1window_sum_3_16;
+      slice1winner1_best_cost_3_9 <= slice1window_sum_3_19 when slice1winner1_best_cost_3_9_is_less else
+        slice1window_sum_3_18;
+      slice1winner1_best_cost_3_10 <= slice1window_sum_3_21 when slice1winner1_best_cost_3_10_is_less else
+        slice1window_sum_3_20;
+      slice1winner1_best_cost_3_11 <= slice1window_sum_3_23 when slice1winner1_best_cost_3_11_is_less else
+        slice1window_sum_3_22;
+      slice1winner1_best_cost_3_12 <= slice1window_sum_3_24;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
+      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
+      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
+      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
+      slice1winner1_best_index_0_8 <= 17 when slice1winner1_best_cost_0_8_is_less else 16;
+      slice1winner1_best_index_0_9 <= 19 when slice1winner1_best_cost_0_9_is_less else 18;
+      slice1winner1_best_index_0_10 <= 21 when slice1winner1_best_cost_0_10_is_less else 20;
+      slice1winner1_best_index_0_11 <= 23 when slice1winner1_best_cost_0_11_is_less else 22;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      slice1winner1_best_index_1_1 <= 3 when slice1winner1_best_cost_1_1_is_less else 2;
+      slice1winner1_best_index_1_2 <= 5 when slice1winner1_best_cost_1_2_is_less else 4;
+      slice1winner1_best_index_1_3 <= 7 when slice1winner1_best_cost_1_3_is_less else 6;
+      slice1winner1_best_index_1_4 <= 9 when slice1winner1_best_cost_1_4_is_less else 8;
+      slice1winner1_best_index_1_5 <= 11 when slice1winner1_best_cost_1_5_is_less else 10;
+      slice1winner1_best_index_1_6 <= 13 when slice1winner1_best_cost_1_6_is_less else 12;
+      slice1winner1_best_index_1_7 <= 15 when slice1winner1_best_cost_1_7_is_less else 14;
+      slice1winner1_best_index_1_8 <= 17 when slice1winner1_best_cost_1_8_is_less else 16;
+      slice1winner1_best_index_1_9 <= 19 when slice1winner1_best_cost_1_9_is_less else 18;
+      slice1winner1_best_index_1_10 <= 21 when slice1winner1_best_cost_1_10_is_less else 20;
+      slice1winner1_best_index_1_11 <= 23 when slice1winner1_best_cost_1_11_is_less else 22;
+      slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
+      slice1winner1_best_index_2_1 <= 3 when slice1winner1_best_cost_2_1_is_less else 2;
+      slice1winner1_best_index_2_2 <= 5 when slice1winner1_best_cost_2_2_is_less else 4;
+      slice1winner1_best_index_2_3 <= 7 when slice1winner1_best_cost_2_3_is_less else 6;
+      slice1winner1_best_index_2_4 <= 9 when slice1winner1_best_cost_2_4_is_less else 8;
+      slice1winner1_best_index_2_5 <= 11 when slice1winner1_best_cost_2_5_is_less else 10;
+      slice1winner1_best_index_2_6 <= 13 when slice1winner1_best_cost_2_6_is_less else 12;
+      slice1winner1_best_index_2_7 <= 15 when slice1winner1_best_cost_2_7_is_less else 14;
+      slice1winner1_best_index_2_8 <= 17 when slice1winner1_best_cost_2_8_is_less else 16;
+      slice1winner1_best_index_2_9 <= 19 when slice1winner1_best_cost_2_9_is_less else 18;
+      slice1winner1_best_index_2_10 <= 21 when slice1winner1_best_cost_2_10_is_less else 20;
+      slice1winner1_best_index_2_11 <= 23 when slice1winner1_best_cost_2_11_is_less else 22;
+      slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
+      slice1winner1_best_index_3_1 <= 3 when slice1winner1_best_cost_3_1_is_less else 2;
+      slice1winner1_best_index_3_2 <= 5 when slice1winner1_best_cost_3_2_is_less else 4;
+      slice1winner1_best_index_3_3 <= 7 when slice1winner1_best_cost_3_3_is_less else 6;
+      slice1winner1_best_index_3_4 <= 9 when slice1winner1_best_cost_3_4_is_less else 8;
+      slice1winner1_best_index_3_5 <= 11 when slice1winner1_best_cost_3_5_is_less else 10;
+      slice1winner1_best_index_3_6 <= 13 when slice1winner1_best_cost_3_6_is_less else 12;
+      slice1winner1_best_index_3_7 <= 15 when slice1winner1_best_cost_3_7_is_less else 14;
+      slice1winner1_best_index_3_8 <= 17 when slice1winner1_best_cost_3_8_is_less else 16;
+      slice1winner1_best_index_3_9 <= 19 when slice1winner1_best_cost_3_9_is_less else 18;
+      slice1winner1_best_index_3_10 <= 21 when slice1winner1_best_cost_3_10_is_less else 20;
+      slice1winner1_best_index_3_11 <= 23 when slice1winner1_best_cost_3_11_is_less else 22;
       -- slice1winner2
-      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_of_pair_0_4_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
-      slice1winner2_of_pair_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
-      slice1winner2_of_pair_1_2_is_less := (slice1winner1_best_cost_1_3 - slice1winner1_best_cost_1_2) < 0;
-      slice1winner2_of_pair_1_4_is_less := (slice1winner1_best_cost_1_5 - slice1winner1_best_cost_1_4) < 0;
-      slice1winner2_of_pair_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
-      slice1winner2_of_pair_2_2_is_less := (slice1winner1_best_cost_2_3 - slice1winner1_best_cost_2_2) < 0;
-      slice1winner2_of_pair_2_4_is_less := (slice1winner1_best_cost_2_5 - slice1winner1_best_cost_2_4) < 0;
-      slice1winner2_of_pair_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
-      slice1winner2_of_pair_3_2_is_less := (slice1winner1_best_cost_3_3 - slice1winner1_best_cost_3_2) < 0;
-      slice1winner2_of_pair_3_4_is_less := (slice1winner1_best_cost_3_5 - slice1winner1_best_cost_3_4) < 0;
-      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice1winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice1winner2_of_pair_0_1, 12))))) < 0;
-      slice1winner2_of_four_0_4_is_less := (slice1winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice1winner2_of_pair_0_4, 12)) or (to_unsigned(slice1winner2_of_pair_0_5, 12))))) < 0;
-      slice1winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_1_2, 12)) or
-        (to_unsigned(slice1winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice1winner2_of_pair_1_0, 12)) or
-        (to_unsigned(slice1winner2_of_pair_1_1, 12))))) < 0;
-      slice1winner2_of_four_1_4_is_less := (slice1winner2_of_pair_1_6 -
-        to_integer(((to_unsigned(slice1winner2_of_pair_1_4, 12)) or (to_unsigned(slice1winner2_of_pair_1_5, 12))))) < 0;
-      slice1winner2_of_four_2_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_2_2, 12)) or
-        (to_unsigned(slice1winner2_of_pair_2_3, 12)))) - to_integer(((to_unsigned(slice1winner2_of_pair_2_0, 12)) or
-        (to_unsigned(slice1winner2_of_pair_2_1, 12))))) < 0;
-      slice1winner2_of_four_2_4_is_less := (slice1winner2_of_pair_2_6 -
-        to_integer(((to_unsigned(slice1winner2_of_pair_2_4, 12)) or (to_unsigned(slice1winner2_of_pair_2_5, 12))))) < 0;
-      slice1winner2_of_four_3_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_3_2, 12)) or
-        (to_unsigned(slice1winner2_of_pair_3_3, 12)))) - to_integer(((to_unsigned(slice1winner2_of_pair_3_0, 12)) or
-        (to_unsigned(slice1winner2_of_pair_3_1, 12))))) < 0;
-      slice1winner2_of_four_3_4_is_less := (slice1winner2_of_pair_3_6 -
-        to_integer(((to_unsigned(slice1winner2_of_pair_3_4, 12)) or (to_unsigned(slice1winner2_of_pair_3_5, 12))))) < 0;
-      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
-      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
-      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
-      slice1winner2_of_pair_0_4 <= 0 when slice1winner2_of_pair_0_4_is_less else slice1winner1_best_cost_0_4;
-      slice1winner2_of_pair_0_5 <= slice1winner1_best_cost_0_5 when slice1winner2_of_pair_0_4_is_less else 0;
-      slice1winner2_of_pair_0_6 <= slice1winner1_best_cost_0_6;
-      slice1winner2_of_pair_1_0 <= 0 when slice1winner2_of_pair_1_0_is_less else slice1winner1_best_cost_1_0;
-      slice1winner2_of_pair_1_1 <= slice1winner1_best_cost_1_1 when slice1winner2_of_pair_1_0_is_less else 0;
-      slice1winner2_of_pair_1_2 <= 0 when slice1winner2_of_pair_1_2_is_less else slice1winner1_best_cost_1_2;
-      slice1winner2_of_pair_1_3 <= slice1winner1_best_cost_1_3 when slice1winner2_of_pair_1_2_is_less else 0;
-      slice1winner2_of_pair_1_4 <= 0 when slice1winner2_of_pair_1_4_is_less else slice1winner1_best_cost_1_4;
-      slice1winner2_of_pair_1_5 <= slice1winner1_best_cost_1_5 when slice1winner2_of_pair_1_4_is_less else 0;
-      slice1winner2_of_pair_1_6 <= slice1winner1_best_cost_1_6;
-      slice1winner2_of_pair_2_0 <= 0 when slice1winner2_of_pair_2_0_is_less else slice1winner1_best_cost_2_0;
-      slice1winner2_of_pair_2_1 <= slice1winner1_best_cost_2_1 when slice1winner2_of_pair_2_0_is_less else 0;
-      slice1winner2_of_pair_2_2 <= 0 when slice1winner2_of_pair_2_2_is_less else slice1winner1_best_cost_2_2;
-      slice1winner2_of_pair_2_3 <= slice1winner1_best_cost_2_3 when slice1winner2_of_pair_2_2_is_less else 0;
-      slice1winner2_of_pair_2_4 <= 0 when slice1winner2_of_pair_2_4_is_less else slice1winner1_best_cost_2_4;
-      slice1winner2_of_pair_2_5 <= slice1winner1_best_cost_2_5 when slice1winner2_of_pair_2_4_is_less else 0;
-      slice1winner2_of_pair_2_6 <= slice1winner1_best_cost_2_6;
-      slice1winner2_of_pair_3_0 <= 0 when slice1winner2_of_pair_3_0_is_less else slice1winner1_best_cost_3_0;
-      slice1winner2_of_pair_3_1 <= slice1winner1_best_cost_3_1 when slice1winner2_of_pair_3_0_is_less else 0;
-      slice1winner2_of_pair_3_2 <= 0 when slice1winner2_of_pair_3_2_is_less else slice1winner1_best_cost_3_2;
-      slice1winner2_of_pair_3_3 <= slice1winner1_best_cost_3_3 when slice1winner2_of_pair_3_2_is_less else 0;
-      slice1winner2_of_pair_3_4 <= 0 when slice1winner2_of_pair_3_4_is_less else slice1winner1_best_cost_3_4;
-      slice1winner2_of_pair_3_5 <= slice1winner1_best_cost_3_5 when slice1winner2_of_pair_3_4_is_less else 0;
-      slice1winner2_of_pair_3_6 <= slice1winner1_best_cost_3_6;
-      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
-        slice1winner1_best_index_0_0;
-      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
+      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
+      slice1winner2_best_cost_0_4_is_less := (slice1winner1_best_cost_0_9 - slice1winner1_best_cost_0_8) < 0;
+      slice1winner2_best_cost_0_5_is_less := (slice1winner1_best_cost_0_11 - slice1winner1_best_cost_0_10) < 0;
+      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
+      slice1winner2_best_cost_1_1_is_less := (slice1winner1_best_cost_1_3 - slice1winner1_best_cost_1_2) < 0;
+      slice1winner2_best_cost_1_2_is_less := (slice1winner1_best_cost_1_5 - slice1winner1_best_cost_1_4) < 0;
+      slice1winner2_best_cost_1_3_is_less := (slice1winner1_best_cost_1_7 - slice1winner1_best_cost_1_6) < 0;
+      slice1winner2_best_cost_1_4_is_less := (slice1winner1_best_cost_1_9 - slice1winner1_best_cost_1_8) < 0;
+      slice1winner2_best_cost_1_5_is_less := (slice1winner1_best_cost_1_11 - slice1winner1_best_cost_1_10) < 0;
+      slice1winner2_best_cost_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
+      slice1winner2_best_cost_2_1_is_less := (slice1winner1_best_cost_2_3 - slice1winner1_best_cost_2_2) < 0;
+      slice1winner2_best_cost_2_2_is_less := (slice1winner1_best_cost_2_5 - slice1winner1_best_cost_2_4) < 0;
+      slice1winner2_best_cost_2_3_is_less := (slice1winner1_best_cost_2_7 - slice1winner1_best_cost_2_6) < 0;
+      slice1winner2_best_cost_2_4_is_less := (slice1winner1_best_cost_2_9 - slice1winner1_best_cost_2_8) < 0;
+      slice1winner2_best_cost_2_5_is_less := (slice1winner1_best_cost_2_11 - slice1winner1_best_cost_2_10) < 0;
+      slice1winner2_best_cost_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
+      slice1winner2_best_cost_3_1_is_less := (slice1winner1_best_cost_3_3 - slice1winner1_best_cost_3_2) < 0;
+      slice1winner2_best_cost_3_2_is_less := (slice1winner1_best_cost_3_5 - slice1winner1_best_cost_3_4) < 0;
+      slice1winner2_best_cost_3_3_is_less := (slice1winner1_best_cost_3_7 - slice1winner1_best_cost_3_6) < 0;
+      slice1winner2_best_cost_3_4_is_less := (slice1winner1_best_cost_3_9 - slice1winner1_best_cost_3_8) < 0;
+      slice1winner2_best_cost_3_5_is_less := (slice1winner1_best_cost_3_11 - slice1winner1_best_cost_3_10) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_cost_0_6;
+      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_cost_0_8;
+      slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_cost_0_10;
+      slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_3 when slice1winner2_best_cost_1_1_is_less else
+        slice1winner1_best_cost_1_2;
+      slice1winner2_best_cost_1_2 <= slice1winner1_best_cost_1_5 when slice1winner2_best_cost_1_2_is_less else
+        slice1winner1_best_cost_1_4;
+      slice1winner2_best_cost_1_3 <= slice1winner1_best_cost_1_7 when slice1winner2_best_cost_1_3_is_less else
+        slice1winner1_best_cost_1_6;
+      slice1winner2_best_cost_1_4 <= slice1winner1_best_cost_1_9 when slice1winner2_best_cost_1_4_is_less else
+        slice1winner1_best_cost_1_8;
+      slice1winner2_best_cost_1_5 <= slice1winner1_best_cost_1_11 when slice1winner2_best_cost_1_5_is_less else
+        slice1winner1_best_cost_1_10;
+      slice1winner2_best_cost_1_6 <= slice1winner1_best_cost_1_12;
+      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
+        slice1winner1_best_cost_2_0;
+      slice1winner2_best_cost_2_1 <= slice1winner1_best_cost_2_3 when slice1winner2_best_cost_2_1_is_less else
+        slice1winner1_best_cost_2_2;
+      slice1winner2_best_cost_2_2 <= slice1winner1_best_cost_2_5 when slice1winner2_best_cost_2_2_is_less else
+        slice1winner1_best_cost_2_4;
+      slice1winner2_best_cost_2_3 <= slice1winner1_best_cost_2_7 when slice1winner2_best_cost_2_3_is_less else
+        slice1winner1_best_cost_2_6;
+      slice1winner2_best_cost_2_4 <= slice1winner1_best_cost_2_9 when slice1winner2_best_cost_2_4_is_less else
+        slice1winner1_best_cost_2_8;
+      slice1winner2_best_cost_2_5 <= slice1winner1_best_cost_2_11 when slice1winner2_best_cost_2_5_is_less else
+        slice1winner1_best_cost_2_10;
+      slice1winner2_best_cost_2_6 <= slice1winner1_best_cost_2_12;
+      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
+        slice1winner1_best_cost_3_0;
+      slice1winner2_best_cost_3_1 <= slice1winner1_best_cost_3_3 when slice1winner2_best_cost_3_1_is_less else
+        slice1winner1_best_cost_3_2;
+      slice1winner2_best_cost_3_2 <= slice1winner1_best_cost_3_5 when slice1winner2_best_cost_3_2_is_less else
+        slice1winner1_best_cost_3_4;
+      slice1winner2_best_cost_3_3 <= slice1winner1_best_cost_3_7 when slice1winner2_best_cost_3_3_is_less else
+        slice1winner1_best_cost_3_6;
+      slice1winner2_best_cost_3_4 <= slice1winner1_best_cost_3_9 when slice1winner2_best_cost_3_4_is_less else
+        slice1winner1_best_cost_3_8;
+      slice1winner2_best_cost_3_5 <= slice1winner1_best_cost_3_11 when slice1winner2_best_cost_3_5_is_less else
+        slice1winner1_best_cost_3_10;
+      slice1winner2_best_cost_3_6 <= slice1winner1_best_cost_3_12;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_pair_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_of_pair_0_4_is_less else
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
         slice1winner1_best_index_0_4;
-      slice1winner2_pair_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_of_pair_1_0_is_less else
-        slice1winner1_best_index_1_0;
-      slice1winner2_pair_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_of_pair_1_2_is_less else
+      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_index_0_6;
+      slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_index_0_8;
+      slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_index_0_10;
+      slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_best_cost_1_0_is_less else
+        as_number(slice1winner1_best_index_1_0);
+      slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_best_cost_1_1_is_less else
         slice1winner1_best_index_1_2;
-      slice1winner2_pair_index_1_2 <= slice1winner1_best_index_1_5 when slice1winner2_of_pair_1_4_is_less else
+      slice1winner2_best_index_1_2 <= slice1winner1_best_index_1_5 when slice1winner2_best_cost_1_2_is_less else
         slice1winner1_best_index_1_4;
-      slice1winner2_pair_index_2_0 <= slice1winner1_best_index_2_1 when slice1winner2_of_pair_2_0_is_less else
-        slice1winner1_best_index_2_0;
-      slice1winner2_pair_index_2_1 <= slice1winner1_best_index_2_3 when slice1winner2_of_pair_2_2_is_less else
+      slice1winner2_best_index_1_3 <= slice1winner1_best_index_1_7 when slice1winner2_best_cost_1_3_is_less else
+        slice1winner1_best_index_1_6;
+      slice1winner2_best_index_1_4 <= slice1winner1_best_index_1_9 when slice1winner2_best_cost_1_4_is_less else
+        slice1winner1_best_index_1_8;
+      slice1winner2_best_index_1_5 <= slice1winner1_best_index_1_11 when slice1winner2_best_cost_1_5_is_less else
+        slice1winner1_best_index_1_10;
+      slice1winner2_best_index_2_0 <= slice1winner1_best_index_2_1 when slice1winner2_best_cost_2_0_is_less else
+        as_number(slice1winner1_best_index_2_0);
+      slice1winner2_best_index_2_1 <= slice1winner1_best_index_2_3 when slice1winner2_best_cost_2_1_is_less else
         slice1winner1_best_index_2_2;
-      slice1winner2_pair_index_2_2 <= slice1winner1_best_index_2_5 when slice1winner2_of_pair_2_4_is_less else
+      slice1winner2_best_index_2_2 <= slice1winner1_best_index_2_5 when slice1winner2_best_cost_2_2_is_less else
         slice1winner1_best_index_2_4;
-      slice1winner2_pair_index_3_0 <= slice1winner1_best_index_3_1 when slice1winner2_of_pair_3_0_is_less else
-        slice1winner1_best_index_3_0;
-      slice1winner2_pair_index_3_1 <= slice1winner1_best_index_3_3 when slice1winner2_of_pair_3_2_is_less else
+      slice1winner2_best_index_2_3 <= slice1winner1_best_index_2_7 when slice1winner2_best_cost_2_3_is_less else
+        slice1winner1_best_index_2_6;
+      slice1winner2_best_index_2_4 <= slice1winner1_best_index_2_9 when slice1winner2_best_cost_2_4_is_less else
+        slice1winner1_best_index_2_8;
+      slice1winner2_best_index_2_5 <= slice1winner1_best_index_2_11 when slice1winner2_best_cost_2_5_is_less else
+        slice1winner1_best_index_2_10;
+      slice1winner2_best_index_3_0 <= slice1winner1_best_index_3_1 when slice1winner2_best_cost_3_0_is_less else
+        as_number(slice1winner1_best_index_3_0);
+      slice1winner2_best_index_3_1 <= slice1winner1_best_index_3_3 when slice1winner2_best_cost_3_1_is_less else
         slice1winner1_best_index_3_2;
-      slice1winner2_pair_index_3_2 <= slice1winner1_best_index_3_5 when slice1winner2_of_pair_3_4_is_less else
+      slice1winner2_best_index_3_2 <= slice1winner1_best_index_3_5 when slice1winner2_best_cost_3_2_is_less else
         slice1winner1_best_index_3_4;
-      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
-      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
-      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_4 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_4;
-      slice1winner2_of_four_0_5 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_5;
-      slice1winner2_of_four_0_6 <= slice1winner2_of_pair_0_6 when slice1winner2_of_four_0_4_is_less else 0;
-      slice1winner2_of_four_1_0 <= 0 when slice1winner2_of_four_1_0_is_less else slice1winner2_of_pair_1_0;
-      slice1winner2_of_four_1_1 <= 0 when slice1winner2_of_four_1_0_is_less else slice1winner2_of_pair_1_1;
-      slice1winner2_of_four_1_2 <= slice1winner2_of_pair_1_2 when slice1winner2_of_four_1_0_is_less else 0;
-      slice1winner2_of_four_1_3 <= slice1winner2_of_pair_1_3 when slice1winner2_of_four_1_0_is_less else 0;
-      slice1winner2_of_four_1_4 <= 0 when slice1winner2_of_four_1_4_is_less else slice1winner2_of_pair_1_4;
-      slice1winner2_of_four_1_5 <= 0 when slice1winner2_of_four_1_4_is_less else slice1winner2_of_pair_1_5;
-      slice1winner2_of_four_1_6 <= slice1winner2_of_pair_1_6 when slice1winner2_of_four_1_4_is_less else 0;
-      slice1winner2_of_four_2_0 <= 0 when slice1winner2_of_four_2_0_is_less else slice1winner2_of_pair_2_0;
-      slice1winner2_of_four_2_1 <= 0 when slice1winner2_of_four_2_0_is_less else slice1winner2_of_pair_2_1;
-      slice1winner2_of_four_2_2 <= slice1winner2_of_pair_2_2 when slice1winner2_of_four_2_0_is_less else 0;
-      slice1winner2_of_four_2_3 <= slice1winner2_of_pair_2_3 when slice1winner2_of_four_2_0_is_less else 0;
-      slice1winner2_of_four_2_4 <= 0 when slice1winner2_of_four_2_4_is_less else slice1winner2_of_pair_2_4;
-      slice1winner2_of_four_2_5 <= 0 when slice1winner2_of_four_2_4_is_less else slice1winner2_of_pair_2_5;
-      slice1winner2_of_four_2_6 <= slice1winner2_of_pair_2_6 when slice1winner2_of_four_2_4_is_less else 0;
-      slice1winner2_of_four_3_0 <= 0 when slice1winner2_of_four_3_0_is_less else slice1winner2_of_pair_3_0;
-      slice1winner2_of_four_3_1 <= 0 when slice1winner2_of_four_3_0_is_less else slice1winner2_of_pair_3_1;
-      slice1winner2_of_four_3_2 <= slice1winner2_of_pair_3_2 when slice1winner2_of_four_3_0_is_less else 0;
-      slice1winner2_of_four_3_3 <= slice1winner2_of_pair_3_3 when slice1winner2_of_four_3_0_is_less else 0;
-      slice1winner2_of_four_3_4 <= 0 when slice1winner2_of_four_3_4_is_less else slice1winner2_of_pair_3_4;
-      slice1winner2_of_four_3_5 <= 0 when slice1winner2_of_four_3_4_is_less else slice1winner2_of_pair_3_5;
-      slice1winner2_of_four_3_6 <= slice1winner2_of_pair_3_6 when slice1winner2_of_four_3_4_is_less else 0;
-      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
-        slice1winner2_pair_index_0_0;
-      slice1winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_0_4_is_less else
-        slice1winner2_pair_index_0_2;
-      slice1winner2_four_index_1_0 <= slice1winner2_pair_index_1_1 when slice1winner2_of_four_1_0_is_less else
-        slice1winner2_pair_index_1_0;
-      slice1winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_1_4_is_less else
-        slice1winner2_pair_index_1_2;
-      slice1winner2_four_index_2_0 <= slice1winner2_pair_index_2_1 when slice1winner2_of_four_2_0_is_less else
-        slice1winner2_pair_index_2_0;
-      slice1winner2_four_index_2_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_2_4_is_less else
-        slice1winner2_pair_index_2_2;
-      slice1winner2_four_index_3_0 <= slice1winner2_pair_index_3_1 when slice1winner2_of_four_3_0_is_less else
-        slice1winner2_pair_index_3_0;
-      slice1winner2_four_index_3_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_3_4_is_less else
-        slice1winner2_pair_index_3_2;
-      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice1winner2_of_four_0_3, 12)))) or (to_unsigned(slice1winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice1winner2_of_four_0_0, 12))));
-      slice1winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_0_5, 12)) or
-        (to_unsigned(slice1winner2_of_four_0_6, 12)))) or (to_unsigned(slice1winner2_of_four_0_4, 12))));
-      slice1winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_1_2, 12)) or
-        (to_unsigned(slice1winner2_of_four_1_3, 12)))) or (to_unsigned(slice1winner2_of_four_1_1, 12)))) or
-        (to_unsigned(slice1winner2_of_four_1_0, 12))));
-      slice1winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_1_5, 12)) or
-        (to_unsigned(slice1winner2_of_four_1_6, 12)))) or (to_unsigned(slice1winner2_of_four_1_4, 12))));
-      slice1winner2_best_cost_2_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_2_2, 12)) or
-        (to_unsigned(slice1winner2_of_four_2_3, 12)))) or (to_unsigned(slice1winner2_of_four_2_1, 12)))) or
-        (to_unsigned(slice1winner2_of_four_2_0, 12))));
-      slice1winner2_best_cost_2_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_2_5, 12)) or
-        (to_unsigned(slice1winner2_of_four_2_6, 12)))) or (to_unsigned(slice1winner2_of_four_2_4, 12))));
-      slice1winner2_best_cost_3_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_3_2, 12)) or
-        (to_unsigned(slice1winner2_of_four_3_3, 12)))) or (to_unsigned(slice1winner2_of_four_3_1, 12)))) or
-        (to_unsigned(slice1winner2_of_four_3_0, 12))));
-      slice1winner2_best_cost_3_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_3_5, 12)) or
-        (to_unsigned(slice1winner2_of_four_3_6, 12)))) or (to_unsigned(slice1winner2_of_four_3_4, 12))));
-      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
-      slice1winner2_best_index_0_1 <= slice1winner2_four_index_0_1;
-      slice1winner2_best_index_1_0 <= slice1winner2_four_index_1_0;
-      slice1winner2_best_index_1_1 <= slice1winner2_four_index_1_1;
-      slice1winner2_best_index_2_0 <= slice1winner2_four_index_2_0;
-      slice1winner2_best_index_2_1 <= slice1winner2_four_index_2_1;
-      slice1winner2_best_index_3_0 <= slice1winner2_four_index_3_0;
-      slice1winner2_best_index_3_1 <= slice1winner2_four_index_3_1;
+      slice1winner2_best_index_3_3 <= slice1winner1_best_index_3_7 when slice1winner2_best_cost_3_3_is_less else
+        slice1winner1_best_index_3_6;
+      slice1winner2_best_index_3_4 <= slice1winner1_best_index_3_9 when slice1winner2_best_cost_3_4_is_less else
+        slice1winner1_best_index_3_8;
+      slice1winner2_best_index_3_5 <= slice1winner1_best_index_3_11 when slice1winner2_best_cost_3_5_is_less else
+        slice1winner1_best_index_3_10;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
+      slice1winner3_best_cost_0_2_is_less := (slice1winner2_best_cost_0_5 - slice1winner2_best_cost_0_4) < 0;
       slice1winner3_best_cost_1_0_is_less := (slice1winner2_best_cost_1_1 - slice1winner2_best_cost_1_0) < 0;
+      slice1winner3_best_cost_1_1_is_less := (slice1winner2_best_cost_1_3 - slice1winner2_best_cost_1_2) < 0;
+      slice1winner3_best_cost_1_2_is_less := (slice1winner2_best_cost_1_5 - slice1winner2_best_cost_1_4) < 0;
       slice1winner3_best_cost_2_0_is_less := (slice1winner2_best_cost_2_1 - slice1winner2_best_cost_2_0) < 0;
+      slice1winner3_best_cost_2_1_is_less := (slice1winner2_best_cost_2_3 - slice1winner2_best_cost_2_2) < 0;
+      slice1winner3_best_cost_2_2_is_less := (slice1winner2_best_cost_2_5 - slice1winner2_best_cost_2_4) < 0;
       slice1winner3_best_cost_3_0_is_less := (slice1winner2_best_cost_3_1 - slice1winner2_best_cost_3_0) < 0;
+      slice1winner3_best_cost_3_1_is_less := (slice1winner2_best_cost_3_3 - slice1winner2_best_cost_3_2) < 0;
+      slice1winner3_best_cost_3_2_is_less := (slice1winner2_best_cost_3_5 - slice1winner2_best_cost_3_4) < 0;
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_cost_0_2;
+      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_cost_0_4;
+      slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
       slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_1 when slice1winner3_best_cost_1_0_is_less else
         slice1winner2_best_cost_1_0;
+      slice1winner3_best_cost_1_1 <= slice1winner2_best_cost_1_3 when slice1winner3_best_cost_1_1_is_less else
+        slice1winner2_best_cost_1_2;
+      slice1winner3_best_cost_1_2 <= slice1winner2_best_cost_1_5 when slice1winner3_best_cost_1_2_is_less else
+        slice1winner2_best_cost_1_4;
+      slice1winner3_best_cost_1_3 <= slice1winner2_best_cost_1_6;
       slice1winner3_best_cost_2_0 <= slice1winner2_best_cost_2_1 when slice1winner3_best_cost_2_0_is_less else
         slice1winner2_best_cost_2_0;
+      slice1winner3_best_cost_2_1 <= slice1winner2_best_cost_2_3 when slice1winner3_best_cost_2_1_is_less else
+        slice1winner2_best_cost_2_2;
+      slice1winner3_best_cost_2_2 <= slice1winner2_best_cost_2_5 when slice1winner3_best_cost_2_2_is_less else
+        slice1winner2_best_cost_2_4;
+      slice1winner3_best_cost_2_3 <= slice1winner2_best_cost_2_6;
       slice1winner3_best_cost_3_0 <= slice1winner2_best_cost_3_1 when slice1winner3_best_cost_3_0_is_less else
         slice1winner2_best_cost_3_0;
+      slice1winner3_best_cost_3_1 <= slice1winner2_best_cost_3_3 when slice1winner3_best_cost_3_1_is_less else
+        slice1winner2_best_cost_3_2;
+      slice1winner3_best_cost_3_2 <= slice1winner2_best_cost_3_5 when slice1winner3_best_cost_3_2_is_less else
+        slice1winner2_best_cost_3_4;
+      slice1winner3_best_cost_3_3 <= slice1winner2_best_cost_3_6;
       slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_index_0_0;
+      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_index_0_2;
+      slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_index_0_4;
       slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_1 when slice1winner3_best_cost_1_0_is_less else
         slice1winner2_best_index_1_0;
+      slice1winner3_best_index_1_1 <= slice1winner2_best_index_1_3 when slice1winner3_best_cost_1_1_is_less else
+        slice1winner2_best_index_1_2;
+      slice1winner3_best_index_1_2 <= slice1winner2_best_index_1_5 when slice1winner3_best_cost_1_2_is_less else
+        slice1winner2_best_index_1_4;
       slice1winner3_best_index_2_0 <= slice1winner2_best_index_2_1 when slice1winner3_best_cost_2_0_is_less else
         slice1winner2_best_index_2_0;
+      slice1winner3_best_index_2_1 <= slice1winner2_best_index_2_3 when slice1winner3_best_cost_2_1_is_less else
+        slice1winner2_best_index_2_2;
+      slice1winner3_best_index_2_2 <= slice1winner2_best_index_2_5 when slice1winner3_best_cost_2_2_is_less else
+        slice1winner2_best_index_2_4;
       slice1winner3_best_index_3_0 <= slice1winner2_best_index_3_1 when slice1winner3_best_cost_3_0_is_less else
         slice1winner2_best_index_3_0;
+      slice1winner3_best_index_3_1 <= slice1winner2_best_index_3_3 when slice1winner3_best_cost_3_1_is_less else
+        slice1winner2_best_index_3_2;
+      slice1winner3_best_index_3_2 <= slice1winner2_best_index_3_5 when slice1winner3_best_cost_3_2_is_less else
+        slice1winner2_best_index_3_4;
+      -- slice1winner4
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
+      slice1winner4_best_cost_0_1_is_less := (slice1winner3_best_cost_0_3 - slice1winner3_best_cost_0_2) < 0;
+      slice1winner4_best_cost_1_0_is_less := (slice1winner3_best_cost_1_1 - slice1winner3_best_cost_1_0) < 0;
+      slice1winner4_best_cost_1_1_is_less := (slice1winner3_best_cost_1_3 - slice1winner3_best_cost_1_2) < 0;
+      slice1winner4_best_cost_2_0_is_less := (slice1winner3_best_cost_2_1 - slice1winner3_best_cost_2_0) < 0;
+      slice1winner4_best_cost_2_1_is_less := (slice1winner3_best_cost_2_3 - slice1winner3_best_cost_2_2) < 0;
+      slice1winner4_best_cost_3_0_is_less := (slice1winner3_best_cost_3_1 - slice1winner3_best_cost_3_0) < 0;
+      slice1winner4_best_cost_3_1_is_less := (slice1winner3_best_cost_3_3 - slice1winner3_best_cost_3_2) < 0;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_cost_0_0;
+      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_cost_0_2;
+      slice1winner4_best_cost_1_0 <= slice1winner3_best_cost_1_1 when slice1winner4_best_cost_1_0_is_less else
+        slice1winner3_best_cost_1_0;
+      slice1winner4_best_cost_1_1 <= slice1winner3_best_cost_1_3 when slice1winner4_best_cost_1_1_is_less else
+        slice1winner3_best_cost_1_2;
+      slice1winner4_best_cost_2_0 <= slice1winner3_best_cost_2_1 when slice1winner4_best_cost_2_0_is_less else
+        slice1winner3_best_cost_2_0;
+      slice1winner4_best_cost_2_1 <= slice1winner3_best_cost_2_3 when slice1winner4_best_cost_2_1_is_less else
+        slice1winner3_best_cost_2_2;
+      slice1winner4_best_cost_3_0 <= slice1winner3_best_cost_3_1 when slice1winner4_best_cost_3_0_is_less else
+        slice1winner3_best_cost_3_0;
+      slice1winner4_best_cost_3_1 <= slice1winner3_best_cost_3_3 when slice1winner4_best_cost_3_1_is_less else
+        slice1winner3_best_cost_3_2;
+      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
+      slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_index_0_2;
+      slice1winner4_best_index_1_0 <= slice1winner3_best_index_1_1 when slice1winner4_best_cost_1_0_is_less else
+        slice1winner3_best_index_1_0;
+      slice1winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_1_1_is_less else
+        slice1winner3_best_index_1_2;
+      slice1winner4_best_index_2_0 <= slice1winner3_best_index_2_1 when slice1winner4_best_cost_2_0_is_less else
+        slice1winner3_best_index_2_0;
+      slice1winner4_best_index_2_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_2_1_is_less else
+        slice1winner3_best_index_2_2;
+      slice1winner4_best_index_3_0 <= slice1winner3_best_index_3_1 when slice1winner4_best_cost_3_0_is_less else
+        slice1winner3_best_index_3_0;
+      slice1winner4_best_index_3_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_3_1_is_less else
+        slice1winner3_best_index_3_2;
+      -- slice1winner5
+      slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
+      slice1winner5_best_cost_1_0_is_less := (slice1winner4_best_cost_1_1 - slice1winner4_best_cost_1_0) < 0;
+      slice1winner5_best_cost_2_0_is_less := (slice1winner4_best_cost_2_1 - slice1winner4_best_cost_2_0) < 0;
+      slice1winner5_best_cost_3_0_is_less := (slice1winner4_best_cost_3_1 - slice1winner4_best_cost_3_0) < 0;
+      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_cost_0_0;
+      slice1winner5_best_cost_1_0 <= slice1winner4_best_cost_1_1 when slice1winner5_best_cost_1_0_is_less else
+        slice1winner4_best_cost_1_0;
+      slice1winner5_best_cost_2_0 <= slice1winner4_best_cost_2_1 when slice1winner5_best_cost_2_0_is_less else
+        slice1winner4_best_cost_2_0;
+      slice1winner5_best_cost_3_0 <= slice1winner4_best_cost_3_1 when slice1winner5_best_cost_3_0_is_less else
+        slice1winner4_best_cost_3_0;
+      slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_index_0_0;
+      slice1winner5_best_index_1_0 <= slice1winner4_best_index_1_1 when slice1winner5_best_cost_1_0_is_less else
+        slice1winner4_best_index_1_0;
+      slice1winner5_best_index_2_0 <= slice1winner4_best_index_2_1 when slice1winner5_best_cost_2_0_is_less else
+        slice1winner4_best_index_2_0;
+      slice1winner5_best_index_3_0 <= slice1winner4_best_index_3_1 when slice1winner5_best_cost_3_0_is_less else
+        slice1winner4_best_index_3_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
-      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner3_best_cost_1_0) < 0;
-      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner3_best_cost_2_0) < 0;
-      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner3_best_cost_3_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner3_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner3_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner3_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner3_best_cost_3_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner5_best_cost_1_0) < 0;
+      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner5_best_cost_2_0) < 0;
+      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner5_best_cost_3_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner5_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner5_best_cost_1_0;
+      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner5_best_cost_2_0;
+      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner5_best_cost_3_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner3_best_index_0_0 / 2) + 25) * 2) + (slice1winner3_best_index_0_0 mod 2);
+        (((slice1winner5_best_index_0_0 / 2) + 25) * 2) + (slice1winner5_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner3_best_index_1_0 / 2) + 25) * 2) + (slice1winner3_best_index_1_0 mod 2);
+        (((slice1winner5_best_index_1_0 / 2) + 25) * 2) + (slice1winner5_best_index_1_0 mod 2);
       slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        (((slice1winner3_best_index_2_0 / 2) + 25) * 2) + (slice1winner3_best_index_2_0 mod 2);
+        (((slice1winner5_best_index_2_0 / 2) + 25) * 2) + (slice1winner5_best_index_2_0 mod 2);
       slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        (((slice1winner3_best_index_3_0 / 2) + 25) * 2) + (slice1winner3_best_index_3_0 mod 2);
+        (((slice1winner5_best_index_3_0 / 2) + 25) * 2) + (slice1winner5_best_index_3_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -8174,6 +7428,9 @@ begin
       slice2shift_search_out_4 <= slice2shift_search_4_0;
       slice2shift_search_out_5 <= slice2shift_search_5_0;
       -- slice2cost
+      if slice0cost_pair_tag_valid then
+        slice2cost_signs_difference_column <= slice0cost_signs_write_column;
+      end if;
       slice2cost_difference_0_0_choice := slice2shift_reference_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
         slice2shift_search_0_0;
       slice2cost_difference_0_0_choice_2 := slice2shift_search_0_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
@@ -8572,9 +7829,9 @@ begin
       slice2cost_pair_1_23_is_less := slice2cost_difference_3_23 < 0;
       slice2cost_pair_1_24_folded_value := folded(slice2cost_difference_3_24);
       slice2cost_pair_1_24_is_less := slice2cost_difference_3_24 < 0;
-      slice2cost_signs_difference_column <= slice1cost_signs_difference_column;
       slice2cost_signs_ready_words_0 <= to_integer(slice2cost_signs_read_words_0);
       slice2cost_signs_ready_words_1 <= to_integer(slice2cost_signs_read_words_1);
+      slice2cost_signs_write_column <= slice1cost_signs_write_column;
       slice2cost_difference_0_0 <= (slice2cost_difference_0_0_choice - slice2cost_difference_0_0_choice_2) mod 256;
       slice2cost_difference_0_1 <= (slice2cost_difference_0_1_choice - slice2cost_difference_0_1_choice_2) mod 256;
       slice2cost_difference_0_2 <= (slice2cost_difference_0_2_choice - slice2cost_difference_0_2_choice_2) mod 256;
@@ -9292,7 +8549,6 @@ begin
         as_number(slice2cost_negative_1_24) + slice2cost_single_5_24;
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
       if slice0cost_tag_valid then
-        slice2cost_signs_write_column <= slice2cost_signs_difference_column;
         slice2cost_signs_write_words_0 <= (as_number(slice2cost_newest_negative_2_23) * 8388608) +
           (as_number(slice2cost_newest_negative_2_24) * 16777216) + (as_number(slice2cost_newest_negative_2_22) *
           4194304) + (as_number(slice2cost_newest_negative_2_21) * 2097152) +
@@ -9323,7 +8579,7 @@ begin
           as_number(slice2cost_newest_negative_3_0) + (as_number(slice2cost_newest_negative_3_1) * 2);
       end if;
       -- slice2window
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_0_2 <= slice2cost_column_0_2;
@@ -9626,717 +8882,471 @@ begin
       slice2window_sum_3_23 <= slice2cost_column_3_23 + slice2window_partial_3_1_23;
       slice2window_sum_3_24 <= slice2cost_column_3_24 + slice2window_partial_3_1_24;
       -- slice2winner1
-      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
-      slice2winner1_of_pair_0_4_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
-      slice2winner1_of_pair_0_6_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
-      slice2winner1_of_pair_0_8_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
-      slice2winner1_of_pair_0_10_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
-      slice2winner1_of_pair_0_12_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
-      slice2winner1_of_pair_0_14_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
-      slice2winner1_of_pair_0_16_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
-      slice2winner1_of_pair_0_18_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
-      slice2winner1_of_pair_0_20_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
-      slice2winner1_of_pair_0_22_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
-      slice2winner1_of_pair_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
-      slice2winner1_of_pair_1_2_is_less := (slice2window_sum_1_3 - slice2window_sum_1_2) < 0;
-      slice2winner1_of_pair_1_4_is_less := (slice2window_sum_1_5 - slice2window_sum_1_4) < 0;
-      slice2winner1_of_pair_1_6_is_less := (slice2window_sum_1_7 - slice2window_sum_1_6) < 0;
-      slice2winner1_of_pair_1_8_is_less := (slice2window_sum_1_9 - slice2window_sum_1_8) < 0;
-      slice2winner1_of_pair_1_10_is_less := (slice2window_sum_1_11 - slice2window_sum_1_10) < 0;
-      slice2winner1_of_pair_1_12_is_less := (slice2window_sum_1_13 - slice2window_sum_1_12) < 0;
-      slice2winner1_of_pair_1_14_is_less := (slice2window_sum_1_15 - slice2window_sum_1_14) < 0;
-      slice2winner1_of_pair_1_16_is_less := (slice2window_sum_1_17 - slice2window_sum_1_16) < 0;
-      slice2winner1_of_pair_1_18_is_less := (slice2window_sum_1_19 - slice2window_sum_1_18) < 0;
-      slice2winner1_of_pair_1_20_is_less := (slice2window_sum_1_21 - slice2window_sum_1_20) < 0;
-      slice2winner1_of_pair_1_22_is_less := (slice2window_sum_1_23 - slice2window_sum_1_22) < 0;
-      slice2winner1_of_pair_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
-      slice2winner1_of_pair_2_2_is_less := (slice2window_sum_2_3 - slice2window_sum_2_2) < 0;
-      slice2winner1_of_pair_2_4_is_less := (slice2window_sum_2_5 - slice2window_sum_2_4) < 0;
-      slice2winner1_of_pair_2_6_is_less := (slice2window_sum_2_7 - slice2window_sum_2_6) < 0;
-      slice2winner1_of_pair_2_8_is_less := (slice2window_sum_2_9 - slice2window_sum_2_8) < 0;
-      slice2winner1_of_pair_2_10_is_less := (slice2window_sum_2_11 - slice2window_sum_2_10) < 0;
-      slice2winner1_of_pair_2_12_is_less := (slice2window_sum_2_13 - slice2window_sum_2_12) < 0;
-      slice2winner1_of_pair_2_14_is_less := (slice2window_sum_2_15 - slice2window_sum_2_14) < 0;
-      slice2winner1_of_pair_2_16_is_less := (slice2window_sum_2_17 - slice2window_sum_2_16) < 0;
-      slice2winner1_of_pair_2_18_is_less := (slice2window_sum_2_19 - slice2window_sum_2_18) < 0;
-      slice2winner1_of_pair_2_20_is_less := (slice2window_sum_2_21 - slice2window_sum_2_20) < 0;
-      slice2winner1_of_pair_2_22_is_less := (slice2window_sum_2_23 - slice2window_sum_2_22) < 0;
-      slice2winner1_of_pair_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
-      slice2winner1_of_pair_3_2_is_less := (slice2window_sum_3_3 - slice2window_sum_3_2) < 0;
-      slice2winner1_of_pair_3_4_is_less := (slice2window_sum_3_5 - slice2window_sum_3_4) < 0;
-      slice2winner1_of_pair_3_6_is_less := (slice2window_sum_3_7 - slice2window_sum_3_6) < 0;
-      slice2winner1_of_pair_3_8_is_less := (slice2window_sum_3_9 - slice2window_sum_3_8) < 0;
-      slice2winner1_of_pair_3_10_is_less := (slice2window_sum_3_11 - slice2window_sum_3_10) < 0;
-      slice2winner1_of_pair_3_12_is_less := (slice2window_sum_3_13 - slice2window_sum_3_12) < 0;
-      slice2winner1_of_pair_3_14_is_less := (slice2window_sum_3_15 - slice2window_sum_3_14) < 0;
-      slice2winner1_of_pair_3_16_is_less := (slice2window_sum_3_17 - slice2window_sum_3_16) < 0;
-      slice2winner1_of_pair_3_18_is_less := (slice2window_sum_3_19 - slice2window_sum_3_18) < 0;
-      slice2winner1_of_pair_3_20_is_less := (slice2window_sum_3_21 - slice2window_sum_3_20) < 0;
-      slice2winner1_of_pair_3_22_is_less := (slice2window_sum_3_23 - slice2window_sum_3_22) < 0;
-      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_1, 12))))) < 0;
-      slice2winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_5, 12))))) < 0;
-      slice2winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_9, 12))))) < 0;
-      slice2winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_14, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_12, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_13, 12))))) < 0;
-      slice2winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_18, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_16, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_17, 12))))) < 0;
-      slice2winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_22, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_20, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_21, 12))))) < 0;
-      slice2winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_2, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_0, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_1, 12))))) < 0;
-      slice2winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_6, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_4, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_5, 12))))) < 0;
-      slice2winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_10, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_8, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_9, 12))))) < 0;
-      slice2winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_14, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_12, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_13, 12))))) < 0;
-      slice2winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_18, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_16, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_17, 12))))) < 0;
-      slice2winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_22, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_20, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_21, 12))))) < 0;
-      slice2winner1_of_four_2_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_2_2, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_2_0, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_1, 12))))) < 0;
-      slice2winner1_of_four_2_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_2_6, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_2_4, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_5, 12))))) < 0;
-      slice2winner1_of_four_2_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_2_10, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_11, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_2_8, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_9, 12))))) < 0;
-      slice2winner1_of_four_2_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_2_14, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_15, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_2_12, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_13, 12))))) < 0;
-      slice2winner1_of_four_2_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_2_18, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_19, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_2_16, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_17, 12))))) < 0;
-      slice2winner1_of_four_2_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_2_22, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_23, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_2_20, 12)) or
-        (to_unsigned(slice2winner1_of_pair_2_21, 12))))) < 0;
-      slice2winner1_of_four_3_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_3_2, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_3_0, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_1, 12))))) < 0;
-      slice2winner1_of_four_3_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_3_6, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_3_4, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_5, 12))))) < 0;
-      slice2winner1_of_four_3_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_3_10, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_11, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_3_8, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_9, 12))))) < 0;
-      slice2winner1_of_four_3_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_3_14, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_15, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_3_12, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_13, 12))))) < 0;
-      slice2winner1_of_four_3_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_3_18, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_19, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_3_16, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_17, 12))))) < 0;
-      slice2winner1_of_four_3_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_3_22, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_23, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_3_20, 12)) or
-        (to_unsigned(slice2winner1_of_pair_3_21, 12))))) < 0;
-      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
-      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
-      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
-      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
-      slice2winner1_of_pair_0_4 <= 0 when slice2winner1_of_pair_0_4_is_less else slice2window_sum_0_4;
-      slice2winner1_of_pair_0_5 <= slice2window_sum_0_5 when slice2winner1_of_pair_0_4_is_less else 0;
-      slice2winner1_of_pair_0_6 <= 0 when slice2winner1_of_pair_0_6_is_less else slice2window_sum_0_6;
-      slice2winner1_of_pair_0_7 <= slice2window_sum_0_7 when slice2winner1_of_pair_0_6_is_less else 0;
-      slice2winner1_of_pair_0_8 <= 0 when slice2winner1_of_pair_0_8_is_less else slice2window_sum_0_8;
-      slice2winner1_of_pair_0_9 <= slice2window_sum_0_9 when slice2winner1_of_pair_0_8_is_less else 0;
-      slice2winner1_of_pair_0_10 <= 0 when slice2winner1_of_pair_0_10_is_less else slice2window_sum_0_10;
-      slice2winner1_of_pair_0_11 <= slice2window_sum_0_11 when slice2winner1_of_pair_0_10_is_less else 0;
-      slice2winner1_of_pair_0_12 <= 0 when slice2winner1_of_pair_0_12_is_less else slice2window_sum_0_12;
-      slice2winner1_of_pair_0_13 <= slice2window_sum_0_13 when slice2winner1_of_pair_0_12_is_less else 0;
-      slice2winner1_of_pair_0_14 <= 0 when slice2winner1_of_pair_0_14_is_less else slice2window_sum_0_14;
-      slice2winner1_of_pair_0_15 <= slice2window_sum_0_15 when slice2winner1_of_pair_0_14_is_less else 0;
-      slice2winner1_of_pair_0_16 <= 0 when slice2winner1_of_pair_0_16_is_less else slice2window_sum_0_16;
-      slice2winner1_of_pair_0_17 <= slice2window_sum_0_17 when slice2winner1_of_pair_0_16_is_less else 0;
-      slice2winner1_of_pair_0_18 <= 0 when slice2winner1_of_pair_0_18_is_less else slice2window_sum_0_18;
-      slice2winner1_of_pair_0_19 <= slice2window_sum_0_19 when slice2winner1_of_pair_0_18_is_less else 0;
-      slice2winner1_of_pair_0_20 <= 0 when slice2winner1_of_pair_0_20_is_less else slice2window_sum_0_20;
-      slice2winner1_of_pair_0_21 <= slice2window_sum_0_21 when slice2winner1_of_pair_0_20_is_less else 0;
-      slice2winner1_of_pair_0_22 <= 0 when slice2winner1_of_pair_0_22_is_less else slice2window_sum_0_22;
-      slice2winner1_of_pair_0_23 <= slice2window_sum_0_23 when slice2winner1_of_pair_0_22_is_less else 0;
-      slice2winner1_of_pair_0_24 <= slice2window_sum_0_24;
-      slice2winner1_of_pair_1_0 <= 0 when slice2winner1_of_pair_1_0_is_less else slice2window_sum_1_0;
-      slice2winner1_of_pair_1_1 <= slice2window_sum_1_1 when slice2winner1_of_pair_1_0_is_less else 0;
-      slice2winner1_of_pair_1_2 <= 0 when slice2winner1_of_pair_1_2_is_less else slice2window_sum_1_2;
-      slice2winner1_of_pair_1_3 <= slice2window_sum_1_3 when slice2winner1_of_pair_1_2_is_less else 0;
-      slice2winner1_of_pair_1_4 <= 0 when slice2winner1_of_pair_1_4_is_less else slice2window_sum_1_4;
-      slice2winner1_of_pair_1_5 <= slice2window_sum_1_5 when slice2winner1_of_pair_1_4_is_less else 0;
-      slice2winner1_of_pair_1_6 <= 0 when slice2winner1_of_pair_1_6_is_less else slice2window_sum_1_6;
-      slice2winner1_of_pair_1_7 <= slice2window_sum_1_7 when slice2winner1_of_pair_1_6_is_less else 0;
-      slice2winner1_of_pair_1_8 <= 0 when slice2winner1_of_pair_1_8_is_less else slice2window_sum_1_8;
-      slice2winner1_of_pair_1_9 <= slice2window_sum_1_9 when slice2winner1_of_pair_1_8_is_less else 0;
-      slice2winner1_of_pair_1_10 <= 0 when slice2winner1_of_pair_1_10_is_less else slice2window_sum_1_10;
-      slice2winner1_of_pair_1_11 <= slice2window_sum_1_11 when slice2winner1_of_pair_1_10_is_less else 0;
-      slice2winner1_of_pair_1_12 <= 0 when slice2winner1_of_pair_1_12_is_less else slice2window_sum_1_12;
-      slice2winner1_of_pair_1_13 <= slice2window_sum_1_13 when slice2winner1_of_pair_1_12_is_less else 0;
-      slice2winner1_of_pair_1_14 <= 0 when slice2winner1_of_pair_1_14_is_less else slice2window_sum_1_14;
-      slice2winner1_of_pair_1_15 <= slice2window_sum_1_15 when slice2winner1_of_pair_1_14_is_less else 0;
-      slice2winner1_of_pair_1_16 <= 0 when slice2winner1_of_pair_1_16_is_less else slice2window_sum_1_16;
-      slice2winner1_of_pair_1_17 <= slice2window_sum_1_17 when slice2winner1_of_pair_1_16_is_less else 0;
-      slice2winner1_of_pair_1_18 <= 0 when slice2winner1_of_pair_1_18_is_less else slice2window_sum_1_18;
-      slice2winner1_of_pair_1_19 <= slice2window_sum_1_19 when slice2winner1_of_pair_1_18_is_less else 0;
-      slice2winner1_of_pair_1_20 <= 0 when slice2winner1_of_pair_1_20_is_less else slice2window_sum_1_20;
-      slice2winner1_of_pair_1_21 <= slice2window_sum_1_21 when slice2winner1_of_pair_1_20_is_less else 0;
-      slice2winner1_of_pair_1_22 <= 0 when slice2winner1_of_pair_1_22_is_less else slice2window_sum_1_22;
-      slice2winner1_of_pair_1_23 <= slice2window_sum_1_23 when slice2winner1_of_pair_1_22_is_less else 0;
-      slice2winner1_of_pair_1_24 <= slice2window_sum_1_24;
-      slice2winner1_of_pair_2_0 <= 0 when slice2winner1_of_pair_2_0_is_less else slice2window_sum_2_0;
-      slice2winner1_of_pair_2_1 <= slice2window_sum_2_1 when slice2winner1_of_pair_2_0_is_less else 0;
-      slice2winner1_of_pair_2_2 <= 0 when slice2winner1_of_pair_2_2_is_less else slice2window_sum_2_2;
-      slice2winner1_of_pair_2_3 <= slice2window_sum_2_3 when slice2winner1_of_pair_2_2_is_less else 0;
-      slice2winner1_of_pair_2_4 <= 0 when slice2winner1_of_pair_2_4_is_less else slice2window_sum_2_4;
-      slice2winner1_of_pair_2_5 <= slice2window_sum_2_5 when slice2winner1_of_pair_2_4_is_less else 0;
-      slice2winner1_of_pair_2_6 <= 0 when slice2winner1_of_pair_2_6_is_less else slice2window_sum_2_6;
-      slice2winner1_of_pair_2_7 <= slice2window_sum_2_7 when slice2winner1_of_pair_2_6_is_less else 0;
-      slice2winner1_of_pair_2_8 <= 0 when slice2winner1_of_pair_2_8_is_less else slice2window_sum_2_8;
-      slice2winner1_of_pair_2_9 <= slice2window_sum_2_9 when slice2winner1_of_pair_2_8_is_less else 0;
-      slice2winner1_of_pair_2_10 <= 0 when slice2winner1_of_pair_2_10_is_less else slice2window_sum_2_10;
-      slice2winner1_of_pair_2_11 <= slice2window_sum_2_11 when slice2winner1_of_pair_2_10_is_less else 0;
-      slice2winner1_of_pair_2_12 <= 0 when slice2winner1_of_pair_2_12_is_less else slice2window_sum_2_12;
-      slice2winner1_of_pair_2_13 <= slice2window_sum_2_13 when slice2winner1_of_pair_2_12_is_less else 0;
-      slice2winner1_of_pair_2_14 <= 0 when slice2winner1_of_pair_2_14_is_less else slice2window_sum_2_14;
-      slice2winner1_of_pair_2_15 <= slice2window_sum_2_15 when slice2winner1_of_pair_2_14_is_less else 0;
-      slice2winner1_of_pair_2_16 <= 0 when slice2winner1_of_pair_2_16_is_less else slice2window_sum_2_16;
-      slice2winner1_of_pair_2_17 <= slice2window_sum_2_17 when slice2winner1_of_pair_2_16_is_less else 0;
-      slice2winner1_of_pair_2_18 <= 0 when slice2winner1_of_pair_2_18_is_less else slice2window_sum_2_18;
-      slice2winner1_of_pair_2_19 <= slice2window_sum_2_19 when slice2winner1_of_pair_2_18_is_less else 0;
-      slice2winner1_of_pair_2_20 <= 0 when slice2winner1_of_pair_2_20_is_less else slice2window_sum_2_20;
-      slice2winner1_of_pair_2_21 <= slice2window_sum_2_21 when slice2winner1_of_pair_2_20_is_less else 0;
-      slice2winner1_of_pair_2_22 <= 0 when slice2winner1_of_pair_2_22_is_less else slice2window_sum_2_22;
-      slice2winner1_of_pair_2_23 <= slice2window_sum_2_23 when slice2winner1_of_pair_2_22_is_less else 0;
-      slice2winner1_of_pair_2_24 <= slice2window_sum_2_24;
-      slice2winner1_of_pair_3_0 <= 0 when slice2winner1_of_pair_3_0_is_less else slice2window_sum_3_0;
-      slice2winner1_of_pair_3_1 <= slice2window_sum_3_1 when slice2winner1_of_pair_3_0_is_less else 0;
-      slice2winner1_of_pair_3_2 <= 0 when slice2winner1_of_pair_3_2_is_less else slice2window_sum_3_2;
-      slice2winner1_of_pair_3_3 <= slice2window_sum_3_3 when slice2winner1_of_pair_3_2_is_less else 0;
-      slice2winner1_of_pair_3_4 <= 0 when slice2winner1_of_pair_3_4_is_less else slice2window_sum_3_4;
-      slice2winner1_of_pair_3_5 <= slice2window_sum_3_5 when slice2winner1_of_pair_3_4_is_less else 0;
-      slice2winner1_of_pair_3_6 <= 0 when slice2winner1_of_pair_3_6_is_less else slice2window_sum_3_6;
-      slice2winner1_of_pair_3_7 <= slice2window_sum_3_7 when slice2winner1_of_pair_3_6_is_less else 0;
-      slice2winner1_of_pair_3_8 <= 0 when slice2winner1_of_pair_3_8_is_less else slice2window_sum_3_8;
-      slice2winner1_of_pair_3_9 <= slice2window_sum_3_9 when slice2winner1_of_pair_3_8_is_less else 0;
-      slice2winner1_of_pair_3_10 <= 0 when slice2winner1_of_pair_3_10_is_less else slice2window_sum_3_10;
-      slice2winner1_of_pair_3_11 <= slice2window_sum_3_11 when slice2winner1_of_pair_3_10_is_less else 0;
-      slice2winner1_of_pair_3_12 <= 0 when slice2winner1_of_pair_3_12_is_less else slice2window_sum_3_12;
-      slice2winner1_of_pair_3_13 <= slice2window_sum_3_13 when slice2winner1_of_pair_3_12_is_less else 0;
-      slice2winner1_of_pair_3_14 <= 0 when slice2winner1_of_pair_3_14_is_less else slice2window_sum_3_14;
-      slice2winner1_of_pair_3_15 <= slice2window_sum_3_15 when slice2winner1_of_pair_3_14_is_less else 0;
-      slice2winner1_of_pair_3_16 <= 0 when slice2winner1_of_pair_3_16_is_less else slice2window_sum_3_16;
-      slice2winner1_of_pair_3_17 <= slice2window_sum_3_17 when slice2winner1_of_pair_3_16_is_less else 0;
-      slice2winner1_of_pair_3_18 <= 0 when slice2winner1_of_pair_3_18_is_less else slice2window_sum_3_18;
-      slice2winner1_of_pair_3_19 <= slice2window_sum_3_19 when slice2winner1_of_pair_3_18_is_less else 0;
-      slice2winner1_of_pair_3_20 <= 0 when slice2winner1_of_pair_3_20_is_less else slice2window_sum_3_20;
-      slice2winner1_of_pair_3_21 <= slice2window_sum_3_21 when slice2winner1_of_pair_3_20_is_less else 0;
-      slice2winner1_of_pair_3_22 <= 0 when slice2winner1_of_pair_3_22_is_less else slice2window_sum_3_22;
-      slice2winner1_of_pair_3_23 <= slice2window_sum_3_23 when slice2winner1_of_pair_3_22_is_less else 0;
-      slice2winner1_of_pair_3_24 <= slice2window_sum_3_24;
-      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
-      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
-      slice2winner1_pair_index_0_2 <= 5 when slice2winner1_of_pair_0_4_is_less else 4;
-      slice2winner1_pair_index_0_3 <= 7 when slice2winner1_of_pair_0_6_is_less else 6;
-      slice2winner1_pair_index_0_4 <= 9 when slice2winner1_of_pair_0_8_is_less else 8;
-      slice2winner1_pair_index_0_5 <= 11 when slice2winner1_of_pair_0_10_is_less else 10;
-      slice2winner1_pair_index_0_6 <= 13 when slice2winner1_of_pair_0_12_is_less else 12;
-      slice2winner1_pair_index_0_7 <= 15 when slice2winner1_of_pair_0_14_is_less else 14;
-      slice2winner1_pair_index_0_8 <= 17 when slice2winner1_of_pair_0_16_is_less else 16;
-      slice2winner1_pair_index_0_9 <= 19 when slice2winner1_of_pair_0_18_is_less else 18;
-      slice2winner1_pair_index_0_10 <= 21 when slice2winner1_of_pair_0_20_is_less else 20;
-      slice2winner1_pair_index_0_11 <= 23 when slice2winner1_of_pair_0_22_is_less else 22;
-      slice2winner1_pair_index_1_0 <= slice2winner1_of_pair_1_0_is_less;
-      slice2winner1_pair_index_1_1 <= 3 when slice2winner1_of_pair_1_2_is_less else 2;
-      slice2winner1_pair_index_1_2 <= 5 when slice2winner1_of_pair_1_4_is_less else 4;
-      slice2winner1_pair_index_1_3 <= 7 when slice2winner1_of_pair_1_6_is_less else 6;
-      slice2winner1_pair_index_1_4 <= 9 when slice2winner1_of_pair_1_8_is_less else 8;
-      slice2winner1_pair_index_1_5 <= 11 when slice2winner1_of_pair_1_10_is_less else 10;
-      slice2winner1_pair_index_1_6 <= 13 when slice2winner1_of_pair_1_12_is_less else 12;
-      slice2winner1_pair_index_1_7 <= 15 when slice2winner1_of_pair_1_14_is_less else 14;
-      slice2winner1_pair_index_1_8 <= 17 when slice2winner1_of_pair_1_16_is_less else 16;
-      slice2winner1_pair_index_1_9 <= 19 when slice2winner1_of_pair_1_18_is_less else 18;
-      slice2winner1_pair_index_1_10 <= 21 when slice2winner1_of_pair_1_20_is_less else 20;
-      slice2winner1_pair_index_1_11 <= 23 when slice2winner1_of_pair_1_22_is_less else 22;
-      slice2winner1_pair_index_2_0 <= slice2winner1_of_pair_2_0_is_less;
-      slice2winner1_pair_index_2_1 <= 3 when slice2winner1_of_pair_2_2_is_less else 2;
-      slice2winner1_pair_index_2_2 <= 5 when slice2winner1_of_pair_2_4_is_less else 4;
-      slice2winner1_pair_index_2_3 <= 7 when slice2winner1_of_pair_2_6_is_less else 6;
-      slice2winner1_pair_index_2_4 <= 9 when slice2winner1_of_pair_2_8_is_less else 8;
-      slice2winner1_pair_index_2_5 <= 11 when slice2winner1_of_pair_2_10_is_less else 10;
-      slice2winner1_pair_index_2_6 <= 13 when slice2winner1_of_pair_2_12_is_less else 12;
-      slice2winner1_pair_index_2_7 <= 15 when slice2winner1_of_pair_2_14_is_less else 14;
-      slice2winner1_pair_index_2_8 <= 17 when slice2winner1_of_pair_2_16_is_less else 16;
-      slice2winner1_pair_index_2_9 <= 19 when slice2winner1_of_pair_2_18_is_less else 18;
-      slice2winner1_pair_index_2_10 <= 21 when slice2winner1_of_pair_2_20_is_less else 20;
-      slice2winner1_pair_index_2_11 <= 23 when slice2winner1_of_pair_2_22_is_less else 22;
-      slice2winner1_pair_index_3_0 <= slice2winner1_of_pair_3_0_is_less;
-      slice2winner1_pair_index_3_1 <= 3 when slice2winner1_of_pair_3_2_is_less else 2;
-      slice2winner1_pair_index_3_2 <= 5 when slice2winner1_of_pair_3_4_is_less else 4;
-      slice2winner1_pair_index_3_3 <= 7 when slice2winner1_of_pair_3_6_is_less else 6;
-      slice2winner1_pair_index_3_4 <= 9 when slice2winner1_of_pair_3_8_is_less else 8;
-      slice2winner1_pair_index_3_5 <= 11 when slice2winner1_of_pair_3_10_is_less else 10;
-      slice2winner1_pair_index_3_6 <= 13 when slice2winner1_of_pair_3_12_is_less else 12;
-      slice2winner1_pair_index_3_7 <= 15 when slice2winner1_of_pair_3_14_is_less else 14;
-      slice2winner1_pair_index_3_8 <= 17 when slice2winner1_of_pair_3_16_is_less else 16;
-      slice2winner1_pair_index_3_9 <= 19 when slice2winner1_of_pair_3_18_is_less else 18;
-      slice2winner1_pair_index_3_10 <= 21 when slice2winner1_of_pair_3_20_is_less else 20;
-      slice2winner1_pair_index_3_11 <= 23 when slice2winner1_of_pair_3_22_is_less else 22;
-      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
-      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
-      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_4 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_4;
-      slice2winner1_of_four_0_5 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_5;
-      slice2winner1_of_four_0_6 <= slice2winner1_of_pair_0_6 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_7 <= slice2winner1_of_pair_0_7 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_8 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_8;
-      slice2winner1_of_four_0_9 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_9;
-      slice2winner1_of_four_0_10 <= slice2winner1_of_pair_0_10 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_11 <= slice2winner1_of_pair_0_11 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_12 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_12;
-      slice2winner1_of_four_0_13 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_13;
-      slice2winner1_of_four_0_14 <= slice2winner1_of_pair_0_14 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_of_four_0_15 <= slice2winner1_of_pair_0_15 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_of_four_0_16 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_16;
-      slice2winner1_of_four_0_17 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_17;
-      slice2winner1_of_four_0_18 <= slice2winner1_of_pair_0_18 when slice2winner1_of_four_0_16_is_less else 0;
-      slice2winner1_of_four_0_19 <= slice2winner1_of_pair_0_19 when slice2winner1_of_four_0_16_is_less else 0;
-      slice2winner1_of_four_0_20 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_20;
-      slice2winner1_of_four_0_21 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_21;
-      slice2winner1_of_four_0_22 <= slice2winner1_of_pair_0_22 when slice2winner1_of_four_0_20_is_less else 0;
-      slice2winner1_of_four_0_23 <= slice2winner1_of_pair_0_23 when slice2winner1_of_four_0_20_is_less else 0;
-      slice2winner1_of_four_0_24 <= slice2winner1_of_pair_0_24;
-      slice2winner1_of_four_1_0 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_0;
-      slice2winner1_of_four_1_1 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_1;
-      slice2winner1_of_four_1_2 <= slice2winner1_of_pair_1_2 when slice2winner1_of_four_1_0_is_less else 0;
-      slice2winner1_of_four_1_3 <= slice2winner1_of_pair_1_3 when slice2winner1_of_four_1_0_is_less else 0;
-      slice2winner1_of_four_1_4 <= 0 when slice2winner1_of_four_1_4_is_less else slice2winner1_of_pair_1_4;
-      slice2winner1_of_four_1_5 <= 0 when slice2winner1_of_four_1_4_is_less else slice2winner1_of_pair_1_5;
-      slice2winner1_of_four_1_6 <= slice2winner1_of_pair_1_6 when slice2winner1_of_four_1_4_is_less else 0;
-      slice2winner1_of_four_1_7 <= slice2winner1_of_pair_1_7 when slice2winner1_of_four_1_4_is_less else 0;
-      slice2winner1_of_four_1_8 <= 0 when slice2winner1_of_four_1_8_is_less else slice2winner1_of_pair_1_8;
-      slice2winner1_of_four_1_9 <= 0 when slice2winner1_of_four_1_8_is_less else slice2winner1_of_pair_1_9;
-      slice2winner1_of_four_1_10 <= slice2winner1_of_pair_1_10 when slice2winner1_of_four_1_8_is_less else 0;
-      slice2winner1_of_four_1_11 <= slice2winner1_of_pair_1_11 when slice2winner1_of_four_1_8_is_less else 0;
-      slice2winner1_of_four_1_12 <= 0 when slice2winner1_of_four_1_12_is_less else slice2winner1_of_pair_1_12;
-      slice2winner1_of_four_1_13 <= 0 when slice2winner1_of_four_1_12_is_less else slice2winner1_of_pair_1_13;
-      slice2winner1_of_four_1_14 <= slice2winner1_of_pair_1_14 when slice2winner1_of_four_1_12_is_less else 0;
-      slice2winner1_of_four_1_15 <= slice2winner1_of_pair_1_15 when slice2winner1_of_four_1_12_is_less else 0;
-      slice2winner1_of_four_1_16 <= 0 when slice2winner1_of_four_1_16_is_less else slice2winner1_of_pair_1_16;
-      slice2winner1_of_four_1_17 <= 0 when slice2winner1_of_four_1_16_is_less else slice2winner1_of_pair_1_17;
-      slice2winner1_of_four_1_18 <= slice2winner1_of_pair_1_18 when slice2winner1_of_four_1_16_is_less else 0;
-      slice2winner1_of_four_1_19 <= slice2winner1_of_pair_1_19 when slice2winner1_of_four_1_16_is_less else 0;
-      slice2winner1_of_four_1_20 <= 0 when slice2winner1_of_four_1_20_is_less else slice2winner1_of_pair_1_20;
-      slice2winner1_of_four_1_21 <= 0 when slice2winner1_of_four_1_20_is_less else slice2winner1_of_pair_1_21;
-      slice2winner1_of_four_1_22 <= slice2winner1_of_pair_1_22 when slice2winner1_of_four_1_20_is_less else 0;
-      slice2winner1_of_four_1_23 <= slice2winner1_of_pair_1_23 when slice2winner1_of_four_1_20_is_less else 0;
-      slice2winner1_of_four_1_24 <= slice2winner1_of_pair_1_24;
-      slice2winner1_of_four_2_0 <= 0 when slice2winner1_of_four_2_0_is_less else slice2winner1_of_pair_2_0;
-      slice2winner1_of_four_2_1 <= 0 when slice2winner1_of_four_2_0_is_less else slice2winner1_of_pair_2_1;
-      slice2winner1_of_four_2_2 <= slice2winner1_of_pair_2_2 when slice2winner1_of_four_2_0_is_less else 0;
-      slice2winner1_of_four_2_3 <= slice2winner1_of_pair_2_3 when slice2winner1_of_four_2_0_is_less else 0;
-      slice2winner1_of_four_2_4 <= 0 when slice2winner1_of_four_2_4_is_less else slice2winner1_of_pair_2_4;
-      slice2winner1_of_four_2_5 <= 0 when slice2winner1_of_four_2_4_is_less else slice2winner1_of_pair_2_5;
-      slice2winner1_of_four_2_6 <= slice2winner1_of_pair_2_6 when slice2winner1_of_four_2_4_is_less else 0;
-      slice2winner1_of_four_2_7 <= slice2winner1_of_pair_2_7 when slice2winner1_of_four_2_4_is_less else 0;
-      slice2winner1_of_four_2_8 <= 0 when slice2winner1_of_four_2_8_is_less else slice2winner1_of_pair_2_8;
-      slice2winner1_of_four_2_9 <= 0 when slice2winner1_of_four_2_8_is_less else slice2winner1_of_pair_2_9;
-      slice2winner1_of_four_2_10 <= slice2winner1_of_pair_2_10 when slice2winner1_of_four_2_8_is_less else 0;
-      slice2winner1_of_four_2_11 <= slice2winner1_of_pair_2_11 when slice2winner1_of_four_2_8_is_less else 0;
-      slice2winner1_of_four_2_12 <= 0 when slice2winner1_of_four_2_12_is_less else slice2winner1_of_pair_2_12;
-      slice2winner1_of_four_2_13 <= 0 when slice2winner1_of_four_2_12_is_less else slice2winner1_of_pair_2_13;
-      slice2winner1_of_four_2_14 <= slice2winner1_of_pair_2_14 when slice2winner1_of_four_2_12_is_less else 0;
-      slice2winner1_of_four_2_15 <= slice2winner1_of_pair_2_15 when slice2winner1_of_four_2_12_is_less else 0;
-      slice2winner1_of_four_2_16 <= 0 when slice2winner1_of_four_2_16_is_less else slice2winner1_of_pair_2_16;
-      slice2winner1_of_four_2_17 <= 0 when slice2winner1_of_four_2_16_is_less else slice2winner1_of_pair_2_17;
-      slice2winner1_of_four_2_18 <= slice2winner1_of_pair_2_18 when slice2winner1_of_four_2_16_is_less else 0;
-      slice2winner1_of_four_2_19 <= slice2winner1_of_pair_2_19 when slice2winner1_of_four_2_16_is_less else 0;
-      slice2winner1_of_four_2_20 <= 0 when slice2winner1_of_four_2_20_is_less else slice2winner1_of_pair_2_20;
-      slice2winner1_of_four_2_21 <= 0 when slice2winner1_of_four_2_20_is_less else slice2winner1_of_pair_2_21;
-      slice2winner1_of_four_2_22 <= slice2winner1_of_pair_2_22 when slice2winner1_of_four_2_20_is_less else 0;
-      slice2winner1_of_four_2_23 <= slice2winner1_of_pair_2_23 when slice2winner1_of_four_2_20_is_less else 0;
-      slice2winner1_of_four_2_24 <= slice2winner1_of_pair_2_24;
-      slice2winner1_of_four_3_0 <= 0 when slice2winner1_of_four_3_0_is_less else slice2winner1_of_pair_3_0;
-      slice2winner1_of_four_3_1 <= 0 when slice2winner1_of_four_3_0_is_less else slice2winner1_of_pair_3_1;
-      slice2winner1_of_four_3_2 <= slice2winner1_of_pair_3_2 when slice2winner1_of_four_3_0_is_less else 0;
-      slice2winner1_of_four_3_3 <= slice2winner1_of_pair_3_3 when slice2winner1_of_four_3_0_is_less else 0;
-      slice2winner1_of_four_3_4 <= 0 when slice2winner1_of_four_3_4_is_less else slice2winner1_of_pair_3_4;
-      slice2winner1_of_four_3_5 <= 0 when slice2winner1_of_four_3_4_is_less else slice2winner1_of_pair_3_5;
-      slice2winner1_of_four_3_6 <= slice2winner1_of_pair_3_6 when slice2winner1_of_four_3_4_is_less else 0;
-      slice2winner1_of_four_3_7 <= slice2winner1_of_pair_3_7 when slice2winner1_of_four_3_4_is_less else 0;
-      slice2winner1_of_four_3_8 <= 0 when slice2winner1_of_four_3_8_is_less else slice2winner1_of_pair_3_8;
-      slice2winner1_of_four_3_9 <= 0 when slice2winner1_of_four_3_8_is_less else slice2winner1_of_pair_3_9;
-      slice2winner1_of_four_3_10 <= slice2winner1_of_pair_3_10 when slice2winner1_of_four_3_8_is_less else 0;
-      slice2winner1_of_four_3_11 <= slice2winner1_of_pair_3_11 when slice2winner1_of_four_3_8_is_less else 0;
-      slice2winner1_of_four_3_12 <= 0 when slice2winner1_of_four_3_12_is_less else slice2winner1_of_pair_3_12;
-      slice2winner1_of_four_3_13 <= 0 when slice2winner1_of_four_3_12_is_less else slice2winner1_of_pair_3_13;
-      slice2winner1_of_four_3_14 <= slice2winner1_of_pair_3_14 when slice2winner1_of_four_3_12_is_less else 0;
-      slice2winner1_of_four_3_15 <= slice2winner1_of_pair_3_15 when slice2winner1_of_four_3_12_is_less else 0;
-      slice2winner1_of_four_3_16 <= 0 when slice2winner1_of_four_3_16_is_less else slice2winner1_of_pair_3_16;
-      slice2winner1_of_four_3_17 <= 0 when slice2winner1_of_four_3_16_is_less else slice2winner1_of_pair_3_17;
-      slice2winner1_of_four_3_18 <= slice2winner1_of_pair_3_18 when slice2winner1_of_four_3_16_is_less else 0;
-      slice2winner1_of_four_3_19 <= slice2winner1_of_pair_3_19 when slice2winner1_of_four_3_16_is_less else 0;
-      slice2winner1_of_four_3_20 <= 0 when slice2winner1_of_four_3_20_is_less else slice2winner1_of_pair_3_20;
-      slice2winner1_of_four_3_21 <= 0 when slice2winner1_of_four_3_20_is_less else slice2winner1_of_pair_3_21;
-      slice2winner1_of_four_3_22 <= slice2winner1_of_pair_3_22 when slice2winner1_of_four_3_20_is_less else 0;
-      slice2winner1_of_four_3_23 <= slice2winner1_of_pair_3_23 when slice2winner1_of_four_3_20_is_less else 0;
-      slice2winner1_of_four_3_24 <= slice2winner1_of_pair_3_24;
-      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
-        as_number(slice2winner1_pair_index_0_0);
-      slice2winner1_four_index_0_1 <= slice2winner1_pair_index_0_3 when slice2winner1_of_four_0_4_is_less else
-        slice2winner1_pair_index_0_2;
-      slice2winner1_four_index_0_2 <= slice2winner1_pair_index_0_5 when slice2winner1_of_four_0_8_is_less else
-        slice2winner1_pair_index_0_4;
-      slice2winner1_four_index_0_3 <= slice2winner1_pair_index_0_7 when slice2winner1_of_four_0_12_is_less else
-        slice2winner1_pair_index_0_6;
-      slice2winner1_four_index_0_4 <= slice2winner1_pair_index_0_9 when slice2winner1_of_four_0_16_is_less else
-        slice2winner1_pair_index_0_8;
-      slice2winner1_four_index_0_5 <= slice2winner1_pair_index_0_11 when slice2winner1_of_four_0_20_is_less else
-        slice2winner1_pair_index_0_10;
-      slice2winner1_four_index_1_0 <= slice2winner1_pair_index_1_1 when slice2winner1_of_four_1_0_is_less else
-        as_number(slice2winner1_pair_index_1_0);
-      slice2winner1_four_index_1_1 <= slice2winner1_pair_index_1_3 when slice2winner1_of_four_1_4_is_less else
-        slice2winner1_pair_index_1_2;
-      slice2winner1_four_index_1_2 <= slice2winner1_pair_index_1_5 when slice2winner1_of_four_1_8_is_less else
-        slice2winner1_pair_index_1_4;
-      slice2winner1_four_index_1_3 <= slice2winner1_pair_index_1_7 when slice2winner1_of_four_1_12_is_less else
-        slice2winner1_pair_index_1_6;
-      slice2winner1_four_index_1_4 <= slice2winner1_pair_index_1_9 when slice2winner1_of_four_1_16_is_less else
-        slice2winner1_pair_index_1_8;
-      slice2winner1_four_index_1_5 <= slice2winner1_pair_index_1_11 when slice2winner1_of_four_1_20_is_less else
-        slice2winner1_pair_index_1_10;
-      slice2winner1_four_index_2_0 <= slice2winner1_pair_index_2_1 when slice2winner1_of_four_2_0_is_less else
-        as_number(slice2winner1_pair_index_2_0);
-      slice2winner1_four_index_2_1 <= slice2winner1_pair_index_2_3 when slice2winner1_of_four_2_4_is_less else
-        slice2winner1_pair_index_2_2;
-      slice2winner1_four_index_2_2 <= slice2winner1_pair_index_2_5 when slice2winner1_of_four_2_8_is_less else
-        slice2winner1_pair_index_2_4;
-      slice2winner1_four_index_2_3 <= slice2winner1_pair_index_2_7 when slice2winner1_of_four_2_12_is_less else
-        slice2winner1_pair_index_2_6;
-      slice2winner1_four_index_2_4 <= slice2winner1_pair_index_2_9 when slice2winner1_of_four_2_16_is_less else
-        slice2winner1_pair_index_2_8;
-      slice2winner1_four_index_2_5 <= slice2winner1_pair_index_2_11 when slice2winner1_of_four_2_20_is_less else
-        slice2winner1_pair_index_2_10;
-      slice2winner1_four_index_3_0 <= slice2winner1_pair_index_3_1 when slice2winner1_of_four_3_0_is_less else
-        as_number(slice2winner1_pair_index_3_0);
-      slice2winner1_four_index_3_1 <= slice2winner1_pair_index_3_3 when slice2winner1_of_four_3_4_is_less else
-        slice2winner1_pair_index_3_2;
-      slice2winner1_four_index_3_2 <= slice2winner1_pair_index_3_5 when slice2winner1_of_four_3_8_is_less else
-        slice2winner1_pair_index_3_4;
-      slice2winner1_four_index_3_3 <= slice2winner1_pair_index_3_7 when slice2winner1_of_four_3_12_is_less else
-        slice2winner1_pair_index_3_6;
-      slice2winner1_four_index_3_4 <= slice2winner1_pair_index_3_9 when slice2winner1_of_four_3_16_is_less else
-        slice2winner1_pair_index_3_8;
-      slice2winner1_four_index_3_5 <= slice2winner1_pair_index_3_11 when slice2winner1_of_four_3_20_is_less else
-        slice2winner1_pair_index_3_10;
-      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_3, 12)))) or (to_unsigned(slice2winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_0, 12))));
-      slice2winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_7, 12)))) or (to_unsigned(slice2winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_4, 12))));
-      slice2winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_11, 12)))) or (to_unsigned(slice2winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_8, 12))));
-      slice2winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_14, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_15, 12)))) or (to_unsigned(slice2winner1_of_four_0_13, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_12, 12))));
-      slice2winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_18, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_19, 12)))) or (to_unsigned(slice2winner1_of_four_0_17, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_16, 12))));
-      slice2winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_22, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_23, 12)))) or (to_unsigned(slice2winner1_of_four_0_21, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_20, 12))));
-      slice2winner1_best_cost_0_6 <= slice2winner1_of_four_0_24;
-      slice2winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_2, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_3, 12)))) or (to_unsigned(slice2winner1_of_four_1_1, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_0, 12))));
-      slice2winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_6, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_7, 12)))) or (to_unsigned(slice2winner1_of_four_1_5, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_4, 12))));
-      slice2winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_10, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_11, 12)))) or (to_unsigned(slice2winner1_of_four_1_9, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_8, 12))));
-      slice2winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_14, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_15, 12)))) or (to_unsigned(slice2winner1_of_four_1_13, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_12, 12))));
-      slice2winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_18, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_19, 12)))) or (to_unsigned(slice2winner1_of_four_1_17, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_16, 12))));
-      slice2winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_22, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_23, 12)))) or (to_unsigned(slice2winner1_of_four_1_21, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_20, 12))));
-      slice2winner1_best_cost_1_6 <= slice2winner1_of_four_1_24;
-      slice2winner1_best_cost_2_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_2_2, 12)) or
-        (to_unsigned(slice2winner1_of_four_2_3, 12)))) or (to_unsigned(slice2winner1_of_four_2_1, 12)))) or
-        (to_unsigned(slice2winner1_of_four_2_0, 12))));
-      slice2winner1_best_cost_2_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_2_6, 12)) or
-        (to_unsigned(slice2winner1_of_four_2_7, 12)))) or (to_unsigned(slice2winner1_of_four_2_5, 12)))) or
-        (to_unsigned(slice2winner1_of_four_2_4, 12))));
-      slice2winner1_best_cost_2_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_2_10, 12)) or
-        (to_unsigned(slice2winner1_of_four_2_11, 12)))) or (to_unsigned(slice2winner1_of_four_2_9, 12)))) or
-        (to_unsigned(slice2winner1_of_four_2_8, 12))));
-      slice2winner1_best_cost_2_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_2_14, 12)) or
-        (to_unsigned(slice2winner1_of_four_2_15, 12)))) or (to_unsigned(slice2winner1_of_four_2_13, 12)))) or
-        (to_unsigned(slice2winner1_of_four_2_12, 12))));
-      slice2winner1_best_cost_2_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_2_18, 12)) or
-        (to_unsigned(slice2winner1_of_four_2_19, 12)))) or (to_unsigned(slice2winner1_of_four_2_17, 12)))) or
-        (to_unsigned(slice2winner1_of_four_2_16, 12))));
-      slice2winner1_best_cost_2_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_2_22, 12)) or
-        (to_unsigned(slice2winner1_of_four_2_23, 12)))) or (to_unsigned(slice2winner1_of_four_2_21, 12)))) or
-        (to_unsigned(slice2winner1_of_four_2_20, 12))));
-      slice2winner1_best_cost_2_6 <= slice2winner1_of_four_2_24;
-      slice2winner1_best_cost_3_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_3_2, 12)) or
-        (to_unsigned(slice2winner1_of_four_3_3, 12)))) or (to_unsigned(slice2winner1_of_four_3_1, 12)))) or
-        (to_unsigned(slice2winner1_of_four_3_0, 12))));
-      slice2winner1_best_cost_3_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_3_6, 12)) or
-        (to_unsigned(slice2winner1_of_four_3_7, 12)))) or (to_unsigned(slice2winner1_of_four_3_5, 12)))) or
-        (to_unsigned(slice2winner1_of_four_3_4, 12))));
-      slice2winner1_best_cost_3_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_3_10, 12)) or
-        (to_unsigned(slice2winner1_of_four_3_11, 12)))) or (to_unsigned(slice2winner1_of_four_3_9, 12)))) or
-        (to_unsigned(slice2winner1_of_four_3_8, 12))));
-      slice2winner1_best_cost_3_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_3_14, 12)) or
-        (to_unsigned(slice2winner1_of_four_3_15, 12)))) or (to_unsigned(slice2winner1_of_four_3_13, 12)))) or
-        (to_unsigned(slice2winner1_of_four_3_12, 12))));
-      slice2winner1_best_cost_3_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_3_18, 12)) or
-        (to_unsigned(slice2winner1_of_four_3_19, 12)))) or (to_unsigned(slice2winner1_of_four_3_17, 12)))) or
-        (to_unsigned(slice2winner1_of_four_3_16, 12))));
-      slice2winner1_best_cost_3_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_3_22, 12)) or
-        (to_unsigned(slice2winner1_of_four_3_23, 12)))) or (to_unsigned(slice2winner1_of_four_3_21, 12)))) or
-        (to_unsigned(slice2winner1_of_four_3_20, 12))));
-      slice2winner1_best_cost_3_6 <= slice2winner1_of_four_3_24;
-      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
-      slice2winner1_best_index_0_1 <= slice2winner1_four_index_0_1;
-      slice2winner1_best_index_0_2 <= slice2winner1_four_index_0_2;
-      slice2winner1_best_index_0_3 <= slice2winner1_four_index_0_3;
-      slice2winner1_best_index_0_4 <= slice2winner1_four_index_0_4;
-      slice2winner1_best_index_0_5 <= slice2winner1_four_index_0_5;
-      slice2winner1_best_index_1_0 <= slice2winner1_four_index_1_0;
-      slice2winner1_best_index_1_1 <= slice2winner1_four_index_1_1;
-      slice2winner1_best_index_1_2 <= slice2winner1_four_index_1_2;
-      slice2winner1_best_index_1_3 <= slice2winner1_four_index_1_3;
-      slice2winner1_best_index_1_4 <= slice2winner1_four_index_1_4;
-      slice2winner1_best_index_1_5 <= slice2winner1_four_index_1_5;
-      slice2winner1_best_index_2_0 <= slice2winner1_four_index_2_0;
-      slice2winner1_best_index_2_1 <= slice2winner1_four_index_2_1;
-      slice2winner1_best_index_2_2 <= slice2winner1_four_index_2_2;
-      slice2winner1_best_index_2_3 <= slice2winner1_four_index_2_3;
-      slice2winner1_best_index_2_4 <= slice2winner1_four_index_2_4;
-      slice2winner1_best_index_2_5 <= slice2winner1_four_index_2_5;
-      slice2winner1_best_index_3_0 <= slice2winner1_four_index_3_0;
-      slice2winner1_best_index_3_1 <= slice2winner1_four_index_3_1;
-      slice2winner1_best_index_3_2 <= slice2winner1_four_index_3_2;
-      slice2winner1_best_index_3_3 <= slice2winner1_four_index_3_3;
-      slice2winner1_best_index_3_4 <= slice2winner1_four_index_3_4;
-      slice2winner1_best_index_3_5 <= slice2winner1_four_index_3_5;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_best_cost_0_4_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
+      slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
+      slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
+      slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
+      slice2winner1_best_cost_0_8_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
+      slice2winner1_best_cost_0_9_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
+      slice2winner1_best_cost_0_10_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
+      slice2winner1_best_cost_0_11_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
+      slice2winner1_best_cost_1_1_is_less := (slice2window_sum_1_3 - slice2window_sum_1_2) < 0;
+      slice2winner1_best_cost_1_2_is_less := (slice2window_sum_1_5 - slice2window_sum_1_4) < 0;
+      slice2winner1_best_cost_1_3_is_less := (slice2window_sum_1_7 - slice2window_sum_1_6) < 0;
+      slice2winner1_best_cost_1_4_is_less := (slice2window_sum_1_9 - slice2window_sum_1_8) < 0;
+      slice2winner1_best_cost_1_5_is_less := (slice2window_sum_1_11 - slice2window_sum_1_10) < 0;
+      slice2winner1_best_cost_1_6_is_less := (slice2window_sum_1_13 - slice2window_sum_1_12) < 0;
+      slice2winner1_best_cost_1_7_is_less := (slice2window_sum_1_15 - slice2window_sum_1_14) < 0;
+      slice2winner1_best_cost_1_8_is_less := (slice2window_sum_1_17 - slice2window_sum_1_16) < 0;
+      slice2winner1_best_cost_1_9_is_less := (slice2window_sum_1_19 - slice2window_sum_1_18) < 0;
+      slice2winner1_best_cost_1_10_is_less := (slice2window_sum_1_21 - slice2window_sum_1_20) < 0;
+      slice2winner1_best_cost_1_11_is_less := (slice2window_sum_1_23 - slice2window_sum_1_22) < 0;
+      slice2winner1_best_cost_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
+      slice2winner1_best_cost_2_1_is_less := (slice2window_sum_2_3 - slice2window_sum_2_2) < 0;
+      slice2winner1_best_cost_2_2_is_less := (slice2window_sum_2_5 - slice2window_sum_2_4) < 0;
+      slice2winner1_best_cost_2_3_is_less := (slice2window_sum_2_7 - slice2window_sum_2_6) < 0;
+      slice2winner1_best_cost_2_4_is_less := (slice2window_sum_2_9 - slice2window_sum_2_8) < 0;
+      slice2winner1_best_cost_2_5_is_less := (slice2window_sum_2_11 - slice2window_sum_2_10) < 0;
+      slice2winner1_best_cost_2_6_is_less := (slice2window_sum_2_13 - slice2window_sum_2_12) < 0;
+      slice2winner1_best_cost_2_7_is_less := (slice2window_sum_2_15 - slice2window_sum_2_14) < 0;
+      slice2winner1_best_cost_2_8_is_less := (slice2window_sum_2_17 - slice2window_sum_2_16) < 0;
+      slice2winner1_best_cost_2_9_is_less := (slice2window_sum_2_19 - slice2window_sum_2_18) < 0;
+      slice2winner1_best_cost_2_10_is_less := (slice2window_sum_2_21 - slice2window_sum_2_20) < 0;
+      slice2winner1_best_cost_2_11_is_less := (slice2window_sum_2_23 - slice2window_sum_2_22) < 0;
+      slice2winner1_best_cost_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
+      slice2winner1_best_cost_3_1_is_less := (slice2window_sum_3_3 - slice2window_sum_3_2) < 0;
+      slice2winner1_best_cost_3_2_is_less := (slice2window_sum_3_5 - slice2window_sum_3_4) < 0;
+      slice2winner1_best_cost_3_3_is_less := (slice2window_sum_3_7 - slice2window_sum_3_6) < 0;
+      slice2winner1_best_cost_3_4_is_less := (slice2window_sum_3_9 - slice2window_sum_3_8) < 0;
+      slice2winner1_best_cost_3_5_is_less := (slice2window_sum_3_11 - slice2window_sum_3_10) < 0;
+      slice2winner1_best_cost_3_6_is_less := (slice2window_sum_3_13 - slice2window_sum_3_12) < 0;
+      slice2winner1_best_cost_3_7_is_less := (slice2window_sum_3_15 - slice2window_sum_3_14) < 0;
+      slice2winner1_best_cost_3_8_is_less := (slice2window_sum_3_17 - slice2window_sum_3_16) < 0;
+      slice2winner1_best_cost_3_9_is_less := (slice2window_sum_3_19 - slice2window_sum_3_18) < 0;
+      slice2winner1_best_cost_3_10_is_less := (slice2window_sum_3_21 - slice2window_sum_3_20) < 0;
+      slice2winner1_best_cost_3_11_is_less := (slice2window_sum_3_23 - slice2window_sum_3_22) < 0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
+        slice2window_sum_0_2;
+      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
+        slice2window_sum_0_4;
+      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
+        slice2window_sum_0_6;
+      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
+        slice2window_sum_0_8;
+      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
+        slice2window_sum_0_10;
+      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
+        slice2window_sum_0_12;
+      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
+        slice2window_sum_0_14;
+      slice2winner1_best_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_best_cost_0_8_is_less else
+        slice2window_sum_0_16;
+      slice2winner1_best_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_best_cost_0_9_is_less else
+        slice2window_sum_0_18;
+      slice2winner1_best_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_best_cost_0_10_is_less else
+        slice2window_sum_0_20;
+      slice2winner1_best_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_best_cost_0_11_is_less else
+        slice2window_sum_0_22;
+      slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
+      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
+        slice2window_sum_1_0;
+      slice2winner1_best_cost_1_1 <= slice2window_sum_1_3 when slice2winner1_best_cost_1_1_is_less else
+        slice2window_sum_1_2;
+      slice2winner1_best_cost_1_2 <= slice2window_sum_1_5 when slice2winner1_best_cost_1_2_is_less else
+        slice2window_sum_1_4;
+      slice2winner1_best_cost_1_3 <= slice2window_sum_1_7 when slice2winner1_best_cost_1_3_is_less else
+        slice2window_sum_1_6;
+      slice2winner1_best_cost_1_4 <= slice2window_sum_1_9 when slice2winner1_best_cost_1_4_is_less else
+        slice2window_sum_1_8;
+      slice2winner1_best_cost_1_5 <= slice2window_sum_1_11 when slice2winner1_best_cost_1_5_is_less else
+        slice2window_sum_1_10;
+      slice2winner1_best_cost_1_6 <= slice2window_sum_1_13 when slice2winner1_best_cost_1_6_is_less else
+        slice2window_sum_1_12;
+      slice2winner1_best_cost_1_7 <= slice2window_sum_1_15 when slice2winner1_best_cost_1_7_is_less else
+        slice2window_sum_1_14;
+      slice2winner1_best_cost_1_8 <= slice2window_sum_1_17 when slice2winner1_best_cost_1_8_is_less else
+        slice2window_sum_1_16;
+      slice2winner1_best_cost_1_9 <= slice2window_sum_1_19 when slice2winner1_best_cost_1_9_is_less else
+        slice2window_sum_1_18;
+      slice2winner1_best_cost_1_10 <= slice2window_sum_1_21 when slice2winner1_best_cost_1_10_is_less else
+        slice2window_sum_1_20;
+      slice2winner1_best_cost_1_11 <= slice2window_sum_1_23 when slice2winner1_best_cost_1_11_is_less else
+        slice2window_sum_1_22;
+      slice2winner1_best_cost_1_12 <= slice2window_sum_1_24;
+      slice2winner1_best_cost_2_0 <= slice2window_sum_2_1 when slice2winner1_best_cost_2_0_is_less else
+        slice2window_sum_2_0;
+      slice2winner1_best_cost_2_1 <= slice2window_sum_2_3 when slice2winner1_best_cost_2_1_is_less else
+        slice2window_sum_2_2;
+      slice2winner1_best_cost_2_2 <= slice2window_sum_2_5 when slice2winner1_best_cost_2_2_is_less else
+        slice2window_sum_2_4;
+      slice2winner1_best_cost_2_3 <= slice2window_sum_2_7 when slice2winner1_best_cost_2_3_is_less else
+        slice2window_sum_2_6;
+      slice2winner1_best_cost_2_4 <= slice2window_sum_2_9 when slice2winner1_best_cost_2_4_is_less else
+        slice2window_sum_2_8;
+      slice2winner1_best_cost_2_5 <= slice2window_sum_2_11 when slice2winner1_best_cost_2_5_is_less else
+        slice2window_sum_2_10;
+      slice2winner1_best_cost_2_6 <= slice2window_sum_2_13 when slice2winner1_best_cost_2_6_is_less else
+        slice2window_sum_2_12;
+      slice2winner1_best_cost_2_7 <= slice2window_sum_2_15 when slice2winner1_best_cost_2_7_is_less else
+        slice2window_sum_2_14;
+      slice2winner1_best_cost_2_8 <= slice2window_sum_2_17 when slice2winner1_best_cost_2_8_is_less else
+        slice2window_sum_2_16;
+      slice2winner1_best_cost_2_9 <= slice2window_sum_2_19 when slice2winner1_best_cost_2_9_is_less else
+        slice2window_sum_2_18;
+      slice2winner1_best_cost_2_10 <= slice2window_sum_2_21 when slice2winner1_best_cost_2_10_is_less else
+        slice2window_sum_2_20;
+      slice2winner1_best_cost_2_11 <= slice2window_sum_2_23 when slice2winner1_best_cost_2_11_is_less else
+        slice2window_sum_2_22;
+      slice2winner1_best_cost_2_12 <= slice2window_sum_2_24;
+      slice2winner1_best_cost_3_0 <= slice2window_sum_3_1 when slice2winner1_best_cost_3_0_is_less else
+        slice2window_sum_3_0;
+      slice2winner1_best_cost_3_1 <= slice2window_sum_3_3 when slice2winner1_best_cost_3_1_is_less else
+        slice2window_sum_3_2;
+      slice2winner1_best_cost_3_2 <= slice2window_sum_3_5 when slice2winner1_best_cost_3_2_is_less else
+        slice2window_sum_3_4;
+      slice2winner1_best_cost_3_3 <= slice2window_sum_3_7 when slice2winner1_best_cost_3_3_is_less else
+        slice2window_sum_3_6;
+      slice2winner1_best_cost_3_4 <= slice2window_sum_3_9 when slice2winner1_best_cost_3_4_is_less else
+        slice2window_sum_3_8;
+      slice2winner1_best_cost_3_5 <= slice2window_sum_3_11 when slice2winner1_best_cost_3_5_is_less else
+        slice2window_sum_3_10;
+      slice2winner1_best_cost_3_6 <= slice2window_sum_3_13 when slice2winner1_best_cost_3_6_is_less else
+        slice2window_sum_3_12;
+      slice2winner1_best_cost_3_7 <= slice2window_sum_3_15 when slice2winner1_best_cost_3_7_is_less else
+        slice2window_sum_3_14;
+      slice2winner1_best_cost_3_8 <= slice2window_sum_3_17 when slice2winner1_best_cost_3_8_is_less else
+        slice2window_sum_3_16;
+      slice2winner1_best_cost_3_9 <= slice2window_sum_3_19 when slice2winner1_best_cost_3_9_is_less else
+        slice2window_sum_3_18;
+      slice2winner1_best_cost_3_10 <= slice2window_sum_3_21 when slice2winner1_best_cost_3_10_is_less else
+        slice2window_sum_3_20;
+      slice2winner1_best_cost_3_11 <= slice2window_sum_3_23 when slice2winner1_best_cost_3_11_is_less else
+        slice2window_sum_3_22;
+      slice2winner1_best_cost_3_12 <= slice2window_sum_3_24;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
+      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
+      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
+      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
+      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
+      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
+      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
+      slice2winner1_best_index_0_8 <= 17 when slice2winner1_best_cost_0_8_is_less else 16;
+      slice2winner1_best_index_0_9 <= 19 when slice2winner1_best_cost_0_9_is_less else 18;
+      slice2winner1_best_index_0_10 <= 21 when slice2winner1_best_cost_0_10_is_less else 20;
+      slice2winner1_best_index_0_11 <= 23 when slice2winner1_best_cost_0_11_is_less else 22;
+      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      slice2winner1_best_index_1_1 <= 3 when slice2winner1_best_cost_1_1_is_less else 2;
+      slice2winner1_best_index_1_2 <= 5 when slice2winner1_best_cost_1_2_is_less else 4;
+      slice2winner1_best_index_1_3 <= 7 when slice2winner1_best_cost_1_3_is_less else 6;
+      slice2winner1_best_index_1_4 <= 9 when slice2winner1_best_cost_1_4_is_less else 8;
+      slice2winner1_best_index_1_5 <= 11 when slice2winner1_best_cost_1_5_is_less else 10;
+      slice2winner1_best_index_1_6 <= 13 when slice2winner1_best_cost_1_6_is_less else 12;
+      slice2winner1_best_index_1_7 <= 15 when slice2winner1_best_cost_1_7_is_less else 14;
+      slice2winner1_best_index_1_8 <= 17 when slice2winner1_best_cost_1_8_is_less else 16;
+      slice2winner1_best_index_1_9 <= 19 when slice2winner1_best_cost_1_9_is_less else 18;
+      slice2winner1_best_index_1_10 <= 21 when slice2winner1_best_cost_1_10_is_less else 20;
+      slice2winner1_best_index_1_11 <= 23 when slice2winner1_best_cost_1_11_is_less else 22;
+      slice2winner1_best_index_2_0 <= slice2winner1_best_cost_2_0_is_less;
+      slice2winner1_best_index_2_1 <= 3 when slice2winner1_best_cost_2_1_is_less else 2;
+      slice2winner1_best_index_2_2 <= 5 when slice2winner1_best_cost_2_2_is_less else 4;
+      slice2winner1_best_index_2_3 <= 7 when slice2winner1_best_cost_2_3_is_less else 6;
+      slice2winner1_best_index_2_4 <= 9 when slice2winner1_best_cost_2_4_is_less else 8;
+      slice2winner1_best_index_2_5 <= 11 when slice2winner1_best_cost_2_5_is_less else 10;
+      slice2winner1_best_index_2_6 <= 13 when slice2winner1_best_cost_2_6_is_less else 12;
+      slice2winner1_best_index_2_7 <= 15 when slice2winner1_best_cost_2_7_is_less else 14;
+      slice2winner1_best_index_2_8 <= 17 when slice2winner1_best_cost_2_8_is_less else 16;
+      slice2winner1_best_index_2_9 <= 19 when slice2winner1_best_cost_2_9_is_less else 18;
+      slice2winner1_best_index_2_10 <= 21 when slice2winner1_best_cost_2_10_is_less else 20;
+      slice2winner1_best_index_2_11 <= 23 when slice2winner1_best_cost_2_11_is_less else 22;
+      slice2winner1_best_index_3_0 <= slice2winner1_best_cost_3_0_is_less;
+      slice2winner1_best_index_3_1 <= 3 when slice2winner1_best_cost_3_1_is_less else 2;
+      slice2winner1_best_index_3_2 <= 5 when slice2winner1_best_cost_3_2_is_less else 4;
+      slice2winner1_best_index_3_3 <= 7 when slice2winner1_best_cost_3_3_is_less else 6;
+      slice2winner1_best_index_3_4 <= 9 when slice2winner1_best_cost_3_4_is_less else 8;
+      slice2winner1_best_index_3_5 <= 11 when slice2winner1_best_cost_3_5_is_less else 10;
+      slice2winner1_best_index_3_6 <= 13 when slice2winner1_best_cost_3_6_is_less else 12;
+      slice2winner1_best_index_3_7 <= 15 when slice2winner1_best_cost_3_7_is_less else 14;
+      slice2winner1_best_index_3_8 <= 17 when slice2winner1_best_cost_3_8_is_less else 16;
+      slice2winner1_best_index_3_9 <= 19 when slice2winner1_best_cost_3_9_is_less else 18;
+      slice2winner1_best_index_3_10 <= 21 when slice2winner1_best_cost_3_10_is_less else 20;
+      slice2winner1_best_index_3_11 <= 23 when slice2winner1_best_cost_3_11_is_less else 22;
       -- slice2winner2
-      slice2winner2_of_pair_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
-      slice2winner2_of_pair_0_2_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
-      slice2winner2_of_pair_0_4_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
-      slice2winner2_of_pair_1_0_is_less := (slice2winner1_best_cost_1_1 - slice2winner1_best_cost_1_0) < 0;
-      slice2winner2_of_pair_1_2_is_less := (slice2winner1_best_cost_1_3 - slice2winner1_best_cost_1_2) < 0;
-      slice2winner2_of_pair_1_4_is_less := (slice2winner1_best_cost_1_5 - slice2winner1_best_cost_1_4) < 0;
-      slice2winner2_of_pair_2_0_is_less := (slice2winner1_best_cost_2_1 - slice2winner1_best_cost_2_0) < 0;
-      slice2winner2_of_pair_2_2_is_less := (slice2winner1_best_cost_2_3 - slice2winner1_best_cost_2_2) < 0;
-      slice2winner2_of_pair_2_4_is_less := (slice2winner1_best_cost_2_5 - slice2winner1_best_cost_2_4) < 0;
-      slice2winner2_of_pair_3_0_is_less := (slice2winner1_best_cost_3_1 - slice2winner1_best_cost_3_0) < 0;
-      slice2winner2_of_pair_3_2_is_less := (slice2winner1_best_cost_3_3 - slice2winner1_best_cost_3_2) < 0;
-      slice2winner2_of_pair_3_4_is_less := (slice2winner1_best_cost_3_5 - slice2winner1_best_cost_3_4) < 0;
-      slice2winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice2winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice2winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice2winner2_of_pair_0_1, 12))))) < 0;
-      slice2winner2_of_four_0_4_is_less := (slice2winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice2winner2_of_pair_0_4, 12)) or (to_unsigned(slice2winner2_of_pair_0_5, 12))))) < 0;
-      slice2winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_1_2, 12)) or
-        (to_unsigned(slice2winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice2winner2_of_pair_1_0, 12)) or
-        (to_unsigned(slice2winner2_of_pair_1_1, 12))))) < 0;
-      slice2winner2_of_four_1_4_is_less := (slice2winner2_of_pair_1_6 -
-        to_integer(((to_unsigned(slice2winner2_of_pair_1_4, 12)) or (to_unsigned(slice2winner2_of_pair_1_5, 12))))) < 0;
-      slice2winner2_of_four_2_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_2_2, 12)) or
-        (to_unsigned(slice2winner2_of_pair_2_3, 12)))) - to_integer(((to_unsigned(slice2winner2_of_pair_2_0, 12)) or
-        (to_unsigned(slice2winner2_of_pair_2_1, 12))))) < 0;
-      slice2winner2_of_four_2_4_is_less := (slice2winner2_of_pair_2_6 -
-        to_integer(((to_unsigned(slice2winner2_of_pair_2_4, 12)) or (to_unsigned(slice2winner2_of_pair_2_5, 12))))) < 0;
-      slice2winner2_of_four_3_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_3_2, 12)) or
-        (to_unsigned(slice2winner2_of_pair_3_3, 12)))) - to_integer(((to_unsigned(slice2winner2_of_pair_3_0, 12)) or
-        (to_unsigned(slice2winner2_of_pair_3_1, 12))))) < 0;
-      slice2winner2_of_four_3_4_is_less := (slice2winner2_of_pair_3_6 -
-        to_integer(((to_unsigned(slice2winner2_of_pair_3_4, 12)) or (to_unsigned(slice2winner2_of_pair_3_5, 12))))) < 0;
-      slice2winner2_of_pair_0_0 <= 0 when slice2winner2_of_pair_0_0_is_less else slice2winner1_best_cost_0_0;
-      slice2winner2_of_pair_0_1 <= slice2winner1_best_cost_0_1 when slice2winner2_of_pair_0_0_is_less else 0;
-      slice2winner2_of_pair_0_2 <= 0 when slice2winner2_of_pair_0_2_is_less else slice2winner1_best_cost_0_2;
-      slice2winner2_of_pair_0_3 <= slice2winner1_best_cost_0_3 when slice2winner2_of_pair_0_2_is_less else 0;
-      slice2winner2_of_pair_0_4 <= 0 when slice2winner2_of_pair_0_4_is_less else slice2winner1_best_cost_0_4;
-      slice2winner2_of_pair_0_5 <= slice2winner1_best_cost_0_5 when slice2winner2_of_pair_0_4_is_less else 0;
-      slice2winner2_of_pair_0_6 <= slice2winner1_best_cost_0_6;
-      slice2winner2_of_pair_1_0 <= 0 when slice2winner2_of_pair_1_0_is_less else slice2winner1_best_cost_1_0;
-      slice2winner2_of_pair_1_1 <= slice2winner1_best_cost_1_1 when slice2winner2_of_pair_1_0_is_less else 0;
-      slice2winner2_of_pair_1_2 <= 0 when slice2winner2_of_pair_1_2_is_less else slice2winner1_best_cost_1_2;
-      slice2winner2_of_pair_1_3 <= slice2winner1_best_cost_1_3 when slice2winner2_of_pair_1_2_is_less else 0;
-      slice2winner2_of_pair_1_4 <= 0 when slice2winner2_of_pair_1_4_is_less else slice2winner1_best_cost_1_4;
-      slice2winner2_of_pair_1_5 <= slice2winner1_best_cost_1_5 when slice2winner2_of_pair_1_4_is_less else 0;
-      slice2winner2_of_pair_1_6 <= slice2winner1_best_cost_1_6;
-      slice2winner2_of_pair_2_0 <= 0 when slice2winner2_of_pair_2_0_is_less else slice2winner1_best_cost_2_0;
-      slice2winner2_of_pair_2_1 <= slice2winner1_best_cost_2_1 when slice2winner2_of_pair_2_0_is_less else 0;
-      slice2winner2_of_pair_2_2 <= 0 when slice2winner2_of_pair_2_2_is_less else slice2winner1_best_cost_2_2;
-      slice2winner2_of_pair_2_3 <= slice2winner1_best_cost_2_3 when slice2winner2_of_pair_2_2_is_less else 0;
-      slice2winner2_of_pair_2_4 <= 0 when slice2winner2_of_pair_2_4_is_less else slice2winner1_best_cost_2_4;
-      slice2winner2_of_pair_2_5 <= slice2winner1_best_cost_2_5 when slice2winner2_of_pair_2_4_is_less else 0;
-      slice2winner2_of_pair_2_6 <= slice2winner1_best_cost_2_6;
-      slice2winner2_of_pair_3_0 <= 0 when slice2winner2_of_pair_3_0_is_less else slice2winner1_best_cost_3_0;
-      slice2winner2_of_pair_3_1 <= slice2winner1_best_cost_3_1 when slice2winner2_of_pair_3_0_is_less else 0;
-      slice2winner2_of_pair_3_2 <= 0 when slice2winner2_of_pair_3_2_is_less else slice2winner1_best_cost_3_2;
-      slice2winner2_of_pair_3_3 <= slice2winner1_best_cost_3_3 when slice2winner2_of_pair_3_2_is_less else 0;
-      slice2winner2_of_pair_3_4 <= 0 when slice2winner2_of_pair_3_4_is_less else slice2winner1_best_cost_3_4;
-      slice2winner2_of_pair_3_5 <= slice2winner1_best_cost_3_5 when slice2winner2_of_pair_3_4_is_less else 0;
-      slice2winner2_of_pair_3_6 <= slice2winner1_best_cost_3_6;
-      slice2winner2_pair_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_of_pair_0_0_is_less else
-        slice2winner1_best_index_0_0;
-      slice2winner2_pair_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_of_pair_0_2_is_less else
+      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
+      slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
+      slice2winner2_best_cost_0_4_is_less := (slice2winner1_best_cost_0_9 - slice2winner1_best_cost_0_8) < 0;
+      slice2winner2_best_cost_0_5_is_less := (slice2winner1_best_cost_0_11 - slice2winner1_best_cost_0_10) < 0;
+      slice2winner2_best_cost_1_0_is_less := (slice2winner1_best_cost_1_1 - slice2winner1_best_cost_1_0) < 0;
+      slice2winner2_best_cost_1_1_is_less := (slice2winner1_best_cost_1_3 - slice2winner1_best_cost_1_2) < 0;
+      slice2winner2_best_cost_1_2_is_less := (slice2winner1_best_cost_1_5 - slice2winner1_best_cost_1_4) < 0;
+      slice2winner2_best_cost_1_3_is_less := (slice2winner1_best_cost_1_7 - slice2winner1_best_cost_1_6) < 0;
+      slice2winner2_best_cost_1_4_is_less := (slice2winner1_best_cost_1_9 - slice2winner1_best_cost_1_8) < 0;
+      slice2winner2_best_cost_1_5_is_less := (slice2winner1_best_cost_1_11 - slice2winner1_best_cost_1_10) < 0;
+      slice2winner2_best_cost_2_0_is_less := (slice2winner1_best_cost_2_1 - slice2winner1_best_cost_2_0) < 0;
+      slice2winner2_best_cost_2_1_is_less := (slice2winner1_best_cost_2_3 - slice2winner1_best_cost_2_2) < 0;
+      slice2winner2_best_cost_2_2_is_less := (slice2winner1_best_cost_2_5 - slice2winner1_best_cost_2_4) < 0;
+      slice2winner2_best_cost_2_3_is_less := (slice2winner1_best_cost_2_7 - slice2winner1_best_cost_2_6) < 0;
+      slice2winner2_best_cost_2_4_is_less := (slice2winner1_best_cost_2_9 - slice2winner1_best_cost_2_8) < 0;
+      slice2winner2_best_cost_2_5_is_less := (slice2winner1_best_cost_2_11 - slice2winner1_best_cost_2_10) < 0;
+      slice2winner2_best_cost_3_0_is_less := (slice2winner1_best_cost_3_1 - slice2winner1_best_cost_3_0) < 0;
+      slice2winner2_best_cost_3_1_is_less := (slice2winner1_best_cost_3_3 - slice2winner1_best_cost_3_2) < 0;
+      slice2winner2_best_cost_3_2_is_less := (slice2winner1_best_cost_3_5 - slice2winner1_best_cost_3_4) < 0;
+      slice2winner2_best_cost_3_3_is_less := (slice2winner1_best_cost_3_7 - slice2winner1_best_cost_3_6) < 0;
+      slice2winner2_best_cost_3_4_is_less := (slice2winner1_best_cost_3_9 - slice2winner1_best_cost_3_8) < 0;
+      slice2winner2_best_cost_3_5_is_less := (slice2winner1_best_cost_3_11 - slice2winner1_best_cost_3_10) < 0;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_cost_0_4;
+      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_cost_0_6;
+      slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_cost_0_8;
+      slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_cost_0_10;
+      slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
+      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_1 when slice2winner2_best_cost_1_0_is_less else
+        slice2winner1_best_cost_1_0;
+      slice2winner2_best_cost_1_1 <= slice2winner1_best_cost_1_3 when slice2winner2_best_cost_1_1_is_less else
+        slice2winner1_best_cost_1_2;
+      slice2winner2_best_cost_1_2 <= slice2winner1_best_cost_1_5 when slice2winner2_best_cost_1_2_is_less else
+        slice2winner1_best_cost_1_4;
+      slice2winner2_best_cost_1_3 <= slice2winner1_best_cost_1_7 when slice2winner2_best_cost_1_3_is_less else
+        slice2winner1_best_cost_1_6;
+      slice2winner2_best_cost_1_4 <= slice2winner1_best_cost_1_9 when slice2winner2_best_cost_1_4_is_less else
+        slice2winner1_best_cost_1_8;
+      slice2winner2_best_cost_1_5 <= slice2winner1_best_cost_1_11 when slice2winner2_best_cost_1_5_is_less else
+        slice2winner1_best_cost_1_10;
+      slice2winner2_best_cost_1_6 <= slice2winner1_best_cost_1_12;
+      slice2winner2_best_cost_2_0 <= slice2winner1_best_cost_2_1 when slice2winner2_best_cost_2_0_is_less else
+        slice2winner1_best_cost_2_0;
+      slice2winner2_best_cost_2_1 <= slice2winner1_best_cost_2_3 when slice2winner2_best_cost_2_1_is_less else
+        slice2winner1_best_cost_2_2;
+      slice2winner2_best_cost_2_2 <= slice2winner1_best_cost_2_5 when slice2winner2_best_cost_2_2_is_less else
+        slice2winner1_best_cost_2_4;
+      slice2winner2_best_cost_2_3 <= slice2winner1_best_cost_2_7 when slice2winner2_best_cost_2_3_is_less else
+        slice2winner1_best_cost_2_6;
+      slice2winner2_best_cost_2_4 <= slice2winner1_best_cost_2_9 when slice2winner2_best_cost_2_4_is_less else
+        slice2winner1_best_cost_2_8;
+      slice2winner2_best_cost_2_5 <= slice2winner1_best_cost_2_11 when slice2winner2_best_cost_2_5_is_less else
+        slice2winner1_best_cost_2_10;
+      slice2winner2_best_cost_2_6 <= slice2winner1_best_cost_2_12;
+      slice2winner2_best_cost_3_0 <= slice2winner1_best_cost_3_1 when slice2winner2_best_cost_3_0_is_less else
+        slice2winner1_best_cost_3_0;
+      slice2winner2_best_cost_3_1 <= slice2winner1_best_cost_3_3 when slice2winner2_best_cost_3_1_is_less else
+        slice2winner1_best_cost_3_2;
+      slice2winner2_best_cost_3_2 <= slice2winner1_best_cost_3_5 when slice2winner2_best_cost_3_2_is_less else
+        slice2winner1_best_cost_3_4;
+      slice2winner2_best_cost_3_3 <= slice2winner1_best_cost_3_7 when slice2winner2_best_cost_3_3_is_less else
+        slice2winner1_best_cost_3_6;
+      slice2winner2_best_cost_3_4 <= slice2winner1_best_cost_3_9 when slice2winner2_best_cost_3_4_is_less else
+        slice2winner1_best_cost_3_8;
+      slice2winner2_best_cost_3_5 <= slice2winner1_best_cost_3_11 when slice2winner2_best_cost_3_5_is_less else
+        slice2winner1_best_cost_3_10;
+      slice2winner2_best_cost_3_6 <= slice2winner1_best_cost_3_12;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
+        as_number(slice2winner1_best_index_0_0);
+      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
         slice2winner1_best_index_0_2;
-      slice2winner2_pair_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_of_pair_0_4_is_less else
+      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
         slice2winner1_best_index_0_4;
-      slice2winner2_pair_index_1_0 <= slice2winner1_best_index_1_1 when slice2winner2_of_pair_1_0_is_less else
-        slice2winner1_best_index_1_0;
-      slice2winner2_pair_index_1_1 <= slice2winner1_best_index_1_3 when slice2winner2_of_pair_1_2_is_less else
+      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_index_0_6;
+      slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_index_0_8;
+      slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_index_0_10;
+      slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_1 when slice2winner2_best_cost_1_0_is_less else
+        as_number(slice2winner1_best_index_1_0);
+      slice2winner2_best_index_1_1 <= slice2winner1_best_index_1_3 when slice2winner2_best_cost_1_1_is_less else
         slice2winner1_best_index_1_2;
-      slice2winner2_pair_index_1_2 <= slice2winner1_best_index_1_5 when slice2winner2_of_pair_1_4_is_less else
+      slice2winner2_best_index_1_2 <= slice2winner1_best_index_1_5 when slice2winner2_best_cost_1_2_is_less else
         slice2winner1_best_index_1_4;
-      slice2winner2_pair_index_2_0 <= slice2winner1_best_index_2_1 when slice2winner2_of_pair_2_0_is_less else
-        slice2winner1_best_index_2_0;
-      slice2winner2_pair_index_2_1 <= slice2winner1_best_index_2_3 when slice2winner2_of_pair_2_2_is_less else
+      slice2winner2_best_index_1_3 <= slice2winner1_best_index_1_7 when slice2winner2_best_cost_1_3_is_less else
+        slice2winner1_best_index_1_6;
+      slice2winner2_best_index_1_4 <= slice2winner1_best_index_1_9 when slice2winner2_best_cost_1_4_is_less else
+        slice2winner1_best_index_1_8;
+      slice2winner2_best_index_1_5 <= slice2winner1_best_index_1_11 when slice2winner2_best_cost_1_5_is_less else
+        slice2winner1_best_index_1_10;
+      slice2winner2_best_index_2_0 <= slice2winner1_best_index_2_1 when slice2winner2_best_cost_2_0_is_less else
+        as_number(slice2winner1_best_index_2_0);
+      slice2winner2_best_index_2_1 <= slice2winner1_best_index_2_3 when slice2winner2_best_cost_2_1_is_less else
         slice2winner1_best_index_2_2;
-      slice2winner2_pair_index_2_2 <= slice2winner1_best_index_2_5 when slice2winner2_of_pair_2_4_is_less else
+      slice2winner2_best_index_2_2 <= slice2winner1_best_index_2_5 when slice2winner2_best_cost_2_2_is_less else
         slice2winner1_best_index_2_4;
-      slice2winner2_pair_index_3_0 <= slice2winner1_best_index_3_1 when slice2winner2_of_pair_3_0_is_less else
-        slice2winner1_best_index_3_0;
-      slice2winner2_pair_index_3_1 <= slice2winner1_best_index_3_3 when slice2winner2_of_pair_3_2_is_less else
+      slice2winner2_best_index_2_3 <= slice2winner1_best_index_2_7 when slice2winner2_best_cost_2_3_is_less else
+        slice2winner1_best_index_2_6;
+      slice2winner2_best_index_2_4 <= slice2winner1_best_index_2_9 when slice2winner2_best_cost_2_4_is_less else
+        slice2winner1_best_index_2_8;
+      slice2winner2_best_index_2_5 <= slice2winner1_best_index_2_11 when slice2winner2_best_cost_2_5_is_less else
+        slice2winner1_best_index_2_10;
+      slice2winner2_best_index_3_0 <= slice2winner1_best_index_3_1 when slice2winner2_best_cost_3_0_is_less else
+        as_number(slice2winner1_best_index_3_0);
+      slice2winner2_best_index_3_1 <= slice2winner1_best_index_3_3 when slice2winner2_best_cost_3_1_is_less else
         slice2winner1_best_index_3_2;
-      slice2winner2_pair_index_3_2 <= slice2winner1_best_index_3_5 when slice2winner2_of_pair_3_4_is_less else
+      slice2winner2_best_index_3_2 <= slice2winner1_best_index_3_5 when slice2winner2_best_cost_3_2_is_less else
         slice2winner1_best_index_3_4;
-      slice2winner2_of_four_0_0 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_0;
-      slice2winner2_of_four_0_1 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_1;
-      slice2winner2_of_four_0_2 <= slice2winner2_of_pair_0_2 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_3 <= slice2winner2_of_pair_0_3 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_4 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_4;
-      slice2winner2_of_four_0_5 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_5;
-      slice2winner2_of_four_0_6 <= slice2winner2_of_pair_0_6 when slice2winner2_of_four_0_4_is_less else 0;
-      slice2winner2_of_four_1_0 <= 0 when slice2winner2_of_four_1_0_is_less else slice2winner2_of_pair_1_0;
-      slice2winner2_of_four_1_1 <= 0 when slice2winner2_of_four_1_0_is_less else slice2winner2_of_pair_1_1;
-      slice2winner2_of_four_1_2 <= slice2winner2_of_pair_1_2 when slice2winner2_of_four_1_0_is_less else 0;
-      slice2winner2_of_four_1_3 <= slice2winner2_of_pair_1_3 when slice2winner2_of_four_1_0_is_less else 0;
-      slice2winner2_of_four_1_4 <= 0 when slice2winner2_of_four_1_4_is_less else slice2winner2_of_pair_1_4;
-      slice2winner2_of_four_1_5 <= 0 when slice2winner2_of_four_1_4_is_less else slice2winner2_of_pair_1_5;
-      slice2winner2_of_four_1_6 <= slice2winner2_of_pair_1_6 when slice2winner2_of_four_1_4_is_less else 0;
-      slice2winner2_of_four_2_0 <= 0 when slice2winner2_of_four_2_0_is_less else slice2winner2_of_pair_2_0;
-      slice2winner2_of_four_2_1 <= 0 when slice2winner2_of_four_2_0_is_less else slice2winner2_of_pair_2_1;
-      slice2winner2_of_four_2_2 <= slice2winner2_of_pair_2_2 when slice2winner2_of_four_2_0_is_less else 0;
-      slice2winner2_of_four_2_3 <= slice2winner2_of_pair_2_3 when slice2winner2_of_four_2_0_is_less else 0;
-      slice2winner2_of_four_2_4 <= 0 when slice2winner2_of_four_2_4_is_less else slice2winner2_of_pair_2_4;
-      slice2winner2_of_four_2_5 <= 0 when slice2winner2_of_four_2_4_is_less else slice2winner2_of_pair_2_5;
-      slice2winner2_of_four_2_6 <= slice2winner2_of_pair_2_6 when slice2winner2_of_four_2_4_is_less else 0;
-      slice2winner2_of_four_3_0 <= 0 when slice2winner2_of_four_3_0_is_less else slice2winner2_of_pair_3_0;
-      slice2winner2_of_four_3_1 <= 0 when slice2winner2_of_four_3_0_is_less else slice2winner2_of_pair_3_1;
-      slice2winner2_of_four_3_2 <= slice2winner2_of_pair_3_2 when slice2winner2_of_four_3_0_is_less else 0;
-      slice2winner2_of_four_3_3 <= slice2winner2_of_pair_3_3 when slice2winner2_of_four_3_0_is_less else 0;
-      slice2winner2_of_four_3_4 <= 0 when slice2winner2_of_four_3_4_is_less else slice2winner2_of_pair_3_4;
-      slice2winner2_of_four_3_5 <= 0 when slice2winner2_of_four_3_4_is_less else slice2winner2_of_pair_3_5;
-      slice2winner2_of_four_3_6 <= slice2winner2_of_pair_3_6 when slice2winner2_of_four_3_4_is_less else 0;
-      slice2winner2_four_index_0_0 <= slice2winner2_pair_index_0_1 when slice2winner2_of_four_0_0_is_less else
-        slice2winner2_pair_index_0_0;
-      slice2winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_0_4_is_less else
-        slice2winner2_pair_index_0_2;
-      slice2winner2_four_index_1_0 <= slice2winner2_pair_index_1_1 when slice2winner2_of_four_1_0_is_less else
-        slice2winner2_pair_index_1_0;
-      slice2winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_1_4_is_less else
-        slice2winner2_pair_index_1_2;
-      slice2winner2_four_index_2_0 <= slice2winner2_pair_index_2_1 when slice2winner2_of_four_2_0_is_less else
-        slice2winner2_pair_index_2_0;
-      slice2winner2_four_index_2_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_2_4_is_less else
-        slice2winner2_pair_index_2_2;
-      slice2winner2_four_index_3_0 <= slice2winner2_pair_index_3_1 when slice2winner2_of_four_3_0_is_less else
-        slice2winner2_pair_index_3_0;
-      slice2winner2_four_index_3_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_3_4_is_less else
-        slice2winner2_pair_index_3_2;
-      slice2winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice2winner2_of_four_0_3, 12)))) or (to_unsigned(slice2winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice2winner2_of_four_0_0, 12))));
-      slice2winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_0_5, 12)) or
-        (to_unsigned(slice2winner2_of_four_0_6, 12)))) or (to_unsigned(slice2winner2_of_four_0_4, 12))));
-      slice2winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_1_2, 12)) or
-        (to_unsigned(slice2winner2_of_four_1_3, 12)))) or (to_unsigned(slice2winner2_of_four_1_1, 12)))) or
-        (to_unsigned(slice2winner2_of_four_1_0, 12))));
-      slice2winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_1_5, 12)) or
-        (to_unsigned(slice2winner2_of_four_1_6, 12)))) or (to_unsigned(slice2winner2_of_four_1_4, 12))));
-      slice2winner2_best_cost_2_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_2_2, 12)) or
-        (to_unsigned(slice2winner2_of_four_2_3, 12)))) or (to_unsigned(slice2winner2_of_four_2_1, 12)))) or
-        (to_unsigned(slice2winner2_of_four_2_0, 12))));
-      slice2winner2_best_cost_2_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_2_5, 12)) or
-        (to_unsigned(slice2winner2_of_four_2_6, 12)))) or (to_unsigned(slice2winner2_of_four_2_4, 12))));
-      slice2winner2_best_cost_3_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_3_2, 12)) or
-        (to_unsigned(slice2winner2_of_four_3_3, 12)))) or (to_unsigned(slice2winner2_of_four_3_1, 12)))) or
-        (to_unsigned(slice2winner2_of_four_3_0, 12))));
-      slice2winner2_best_cost_3_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_3_5, 12)) or
-        (to_unsigned(slice2winner2_of_four_3_6, 12)))) or (to_unsigned(slice2winner2_of_four_3_4, 12))));
-      slice2winner2_best_index_0_0 <= slice2winner2_four_index_0_0;
-      slice2winner2_best_index_0_1 <= slice2winner2_four_index_0_1;
-      slice2winner2_best_index_1_0 <= slice2winner2_four_index_1_0;
-      slice2winner2_best_index_1_1 <= slice2winner2_four_index_1_1;
-      slice2winner2_best_index_2_0 <= slice2winner2_four_index_2_0;
-      slice2winner2_best_index_2_1 <= slice2winner2_four_index_2_1;
-      slice2winner2_best_index_3_0 <= slice2winner2_four_index_3_0;
-      slice2winner2_best_index_3_1 <= slice2winner2_four_index_3_1;
+      slice2winner2_best_index_3_3 <= slice2winner1_best_index_3_7 when slice2winner2_best_cost_3_3_is_less else
+        slice2winner1_best_index_3_6;
+      slice2winner2_best_index_3_4 <= slice2winner1_best_index_3_9 when slice2winner2_best_cost_3_4_is_less else
+        slice2winner1_best_index_3_8;
+      slice2winner2_best_index_3_5 <= slice2winner1_best_index_3_11 when slice2winner2_best_cost_3_5_is_less else
+        slice2winner1_best_index_3_10;
       -- slice2winner3
       slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
+      slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
+      slice2winner3_best_cost_0_2_is_less := (slice2winner2_best_cost_0_5 - slice2winner2_best_cost_0_4) < 0;
       slice2winner3_best_cost_1_0_is_less := (slice2winner2_best_cost_1_1 - slice2winner2_best_cost_1_0) < 0;
+      slice2winner3_best_cost_1_1_is_less := (slice2winner2_best_cost_1_3 - slice2winner2_best_cost_1_2) < 0;
+      slice2winner3_best_cost_1_2_is_less := (slice2winner2_best_cost_1_5 - slice2winner2_best_cost_1_4) < 0;
       slice2winner3_best_cost_2_0_is_less := (slice2winner2_best_cost_2_1 - slice2winner2_best_cost_2_0) < 0;
+      slice2winner3_best_cost_2_1_is_less := (slice2winner2_best_cost_2_3 - slice2winner2_best_cost_2_2) < 0;
+      slice2winner3_best_cost_2_2_is_less := (slice2winner2_best_cost_2_5 - slice2winner2_best_cost_2_4) < 0;
       slice2winner3_best_cost_3_0_is_less := (slice2winner2_best_cost_3_1 - slice2winner2_best_cost_3_0) < 0;
+      slice2winner3_best_cost_3_1_is_less := (slice2winner2_best_cost_3_3 - slice2winner2_best_cost_3_2) < 0;
+      slice2winner3_best_cost_3_2_is_less := (slice2winner2_best_cost_3_5 - slice2winner2_best_cost_3_4) < 0;
       slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_cost_0_2;
+      slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_cost_0_4;
+      slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
       slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_1 when slice2winner3_best_cost_1_0_is_less else
         slice2winner2_best_cost_1_0;
+      slice2winner3_best_cost_1_1 <= slice2winner2_best_cost_1_3 when slice2winner3_best_cost_1_1_is_less else
+        slice2winner2_best_cost_1_2;
+      slice2winner3_best_cost_1_2 <= slice2winner2_best_cost_1_5 when slice2winner3_best_cost_1_2_is_less else
+        slice2winner2_best_cost_1_4;
+      slice2winner3_best_cost_1_3 <= slice2winner2_best_cost_1_6;
       slice2winner3_best_cost_2_0 <= slice2winner2_best_cost_2_1 when slice2winner3_best_cost_2_0_is_less else
         slice2winner2_best_cost_2_0;
+      slice2winner3_best_cost_2_1 <= slice2winner2_best_cost_2_3 when slice2winner3_best_cost_2_1_is_less else
+        slice2winner2_best_cost_2_2;
+      slice2winner3_best_cost_2_2 <= slice2winner2_best_cost_2_5 when slice2winner3_best_cost_2_2_is_less else
+        slice2winner2_best_cost_2_4;
+      slice2winner3_best_cost_2_3 <= slice2winner2_best_cost_2_6;
       slice2winner3_best_cost_3_0 <= slice2winner2_best_cost_3_1 when slice2winner3_best_cost_3_0_is_less else
         slice2winner2_best_cost_3_0;
+      slice2winner3_best_cost_3_1 <= slice2winner2_best_cost_3_3 when slice2winner3_best_cost_3_1_is_less else
+        slice2winner2_best_cost_3_2;
+      slice2winner3_best_cost_3_2 <= slice2winner2_best_cost_3_5 when slice2winner3_best_cost_3_2_is_less else
+        slice2winner2_best_cost_3_4;
+      slice2winner3_best_cost_3_3 <= slice2winner2_best_cost_3_6;
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_index_0_0;
+      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_index_0_2;
+      slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_index_0_4;
       slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_1 when slice2winner3_best_cost_1_0_is_less else
         slice2winner2_best_index_1_0;
+      slice2winner3_best_index_1_1 <= slice2winner2_best_index_1_3 when slice2winner3_best_cost_1_1_is_less else
+        slice2winner2_best_index_1_2;
+      slice2winner3_best_index_1_2 <= slice2winner2_best_index_1_5 when slice2winner3_best_cost_1_2_is_less else
+        slice2winner2_best_index_1_4;
       slice2winner3_best_index_2_0 <= slice2winner2_best_index_2_1 when slice2winner3_best_cost_2_0_is_less else
         slice2winner2_best_index_2_0;
+      slice2winner3_best_index_2_1 <= slice2winner2_best_index_2_3 when slice2winner3_best_cost_2_1_is_less else
+        slice2winner2_best_index_2_2;
+      slice2winner3_best_index_2_2 <= slice2winner2_best_index_2_5 when slice2winner3_best_cost_2_2_is_less else
+        slice2winner2_best_index_2_4;
       slice2winner3_best_index_3_0 <= slice2winner2_best_index_3_1 when slice2winner3_best_cost_3_0_is_less else
         slice2winner2_best_index_3_0;
+      slice2winner3_best_index_3_1 <= slice2winner2_best_index_3_3 when slice2winner3_best_cost_3_1_is_less else
+        slice2winner2_best_index_3_2;
+      slice2winner3_best_index_3_2 <= slice2winner2_best_index_3_5 when slice2winner3_best_cost_3_2_is_less else
+        slice2winner2_best_index_3_4;
+      -- slice2winner4
+      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
+      slice2winner4_best_cost_0_1_is_less := (slice2winner3_best_cost_0_3 - slice2winner3_best_cost_0_2) < 0;
+      slice2winner4_best_cost_1_0_is_less := (slice2winner3_best_cost_1_1 - slice2winner3_best_cost_1_0) < 0;
+      slice2winner4_best_cost_1_1_is_less := (slice2winner3_best_cost_1_3 - slice2winner3_best_cost_1_2) < 0;
+      slice2winner4_best_cost_2_0_is_less := (slice2winner3_best_cost_2_1 - slice2winner3_best_cost_2_0) < 0;
+      slice2winner4_best_cost_2_1_is_less := (slice2winner3_best_cost_2_3 - slice2winner3_best_cost_2_2) < 0;
+      slice2winner4_best_cost_3_0_is_less := (slice2winner3_best_cost_3_1 - slice2winner3_best_cost_3_0) < 0;
+      slice2winner4_best_cost_3_1_is_less := (slice2winner3_best_cost_3_3 - slice2winner3_best_cost_3_2) < 0;
+      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_cost_0_0;
+      slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_cost_0_2;
+      slice2winner4_best_cost_1_0 <= slice2winner3_best_cost_1_1 when slice2winner4_best_cost_1_0_is_less else
+        slice2winner3_best_cost_1_0;
+      slice2winner4_best_cost_1_1 <= slice2winner3_best_cost_1_3 when slice2winner4_best_cost_1_1_is_less else
+        slice2winner3_best_cost_1_2;
+      slice2winner4_best_cost_2_0 <= slice2winner3_best_cost_2_1 when slice2winner4_best_cost_2_0_is_less else
+        slice2winner3_best_cost_2_0;
+      slice2winner4_best_cost_2_1 <= slice2winner3_best_cost_2_3 when slice2winner4_best_cost_2_1_is_less else
+        slice2winner3_best_cost_2_2;
+      slice2winner4_best_cost_3_0 <= slice2winner3_best_cost_3_1 when slice2winner4_best_cost_3_0_is_less else
+        slice2winner3_best_cost_3_0;
+      slice2winner4_best_cost_3_1 <= slice2winner3_best_cost_3_3 when slice2winner4_best_cost_3_1_is_less else
+        slice2winner3_best_cost_3_2;
+      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_index_0_0;
+      slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_index_0_2;
+      slice2winner4_best_index_1_0 <= slice2winner3_best_index_1_1 when slice2winner4_best_cost_1_0_is_less else
+        slice2winner3_best_index_1_0;
+      slice2winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_1_1_is_less else
+        slice2winner3_best_index_1_2;
+      slice2winner4_best_index_2_0 <= slice2winner3_best_index_2_1 when slice2winner4_best_cost_2_0_is_less else
+        slice2winner3_best_index_2_0;
+      slice2winner4_best_index_2_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_2_1_is_less else
+        slice2winner3_best_index_2_2;
+      slice2winner4_best_index_3_0 <= slice2winner3_best_index_3_1 when slice2winner4_best_cost_3_0_is_less else
+        slice2winner3_best_index_3_0;
+      slice2winner4_best_index_3_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_3_1_is_less else
+        slice2winner3_best_index_3_2;
+      -- slice2winner5
+      slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0_1 - slice2winner4_best_cost_0_0) < 0;
+      slice2winner5_best_cost_1_0_is_less := (slice2winner4_best_cost_1_1 - slice2winner4_best_cost_1_0) < 0;
+      slice2winner5_best_cost_2_0_is_less := (slice2winner4_best_cost_2_1 - slice2winner4_best_cost_2_0) < 0;
+      slice2winner5_best_cost_3_0_is_less := (slice2winner4_best_cost_3_1 - slice2winner4_best_cost_3_0) < 0;
+      slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_cost_0_0;
+      slice2winner5_best_cost_1_0 <= slice2winner4_best_cost_1_1 when slice2winner5_best_cost_1_0_is_less else
+        slice2winner4_best_cost_1_0;
+      slice2winner5_best_cost_2_0 <= slice2winner4_best_cost_2_1 when slice2winner5_best_cost_2_0_is_less else
+        slice2winner4_best_cost_2_0;
+      slice2winner5_best_cost_3_0 <= slice2winner4_best_cost_3_1 when slice2winner5_best_cost_3_0_is_less else
+        slice2winner4_best_cost_3_0;
+      slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_index_0_0;
+      slice2winner5_best_index_1_0 <= slice2winner4_best_index_1_1 when slice2winner5_best_cost_1_0_is_less else
+        slice2winner4_best_index_1_0;
+      slice2winner5_best_index_2_0 <= slice2winner4_best_index_2_1 when slice2winner5_best_cost_2_0_is_less else
+        slice2winner4_best_index_2_0;
+      slice2winner5_best_index_3_0 <= slice2winner4_best_index_3_1 when slice2winner5_best_cost_3_0_is_less else
+        slice2winner4_best_index_3_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0;
-      slice2_best_cost_1_0_is_less := (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0;
-      slice2_best_cost_2_0_is_less := (slice1_best_cost_2_0 - slice2winner3_best_cost_2_0) < 0;
-      slice2_best_cost_3_0_is_less := (slice1_best_cost_3_0 - slice2winner3_best_cost_3_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner3_best_cost_0_0;
-      slice2_best_cost_1_0 <= slice1_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice2winner3_best_cost_1_0;
-      slice2_best_cost_2_0 <= slice1_best_cost_2_0 when slice2_best_cost_2_0_is_less else slice2winner3_best_cost_2_0;
-      slice2_best_cost_3_0 <= slice1_best_cost_3_0 when slice2_best_cost_3_0_is_less else slice2winner3_best_cost_3_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
+      slice2_best_cost_1_0_is_less := (slice1_best_cost_1_0 - slice2winner5_best_cost_1_0) < 0;
+      slice2_best_cost_2_0_is_less := (slice1_best_cost_2_0 - slice2winner5_best_cost_2_0) < 0;
+      slice2_best_cost_3_0_is_less := (slice1_best_cost_3_0 - slice2winner5_best_cost_3_0) < 0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner5_best_cost_0_0;
+      slice2_best_cost_1_0 <= slice1_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice2winner5_best_cost_1_0;
+      slice2_best_cost_2_0 <= slice1_best_cost_2_0 when slice2_best_cost_2_0_is_less else slice2winner5_best_cost_2_0;
+      slice2_best_cost_3_0 <= slice1_best_cost_3_0 when slice2_best_cost_3_0_is_less else slice2winner5_best_cost_3_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0 + 25;
+        slice2winner5_best_index_0_0 + 25;
       slice2_best_index_1_0 <= slice1_best_index_1_0 when slice2_best_cost_1_0_is_less else
-        slice2winner3_best_index_1_0 + 25;
+        slice2winner5_best_index_1_0 + 25;
       slice2_best_index_2_0 <= slice1_best_index_2_0 when slice2_best_cost_2_0_is_less else
-        slice2winner3_best_index_2_0 + 25;
+        slice2winner5_best_index_2_0 + 25;
       slice2_best_index_3_0 <= slice1_best_index_3_0 when slice2_best_cost_3_0_is_less else
-        slice2winner3_best_index_3_0 + 25;
+        slice2winner5_best_index_3_0 + 25;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -10501,6 +9511,9 @@ begin
       slice3shift_reference_4 <= slice2shift_reference_4;
       slice3shift_reference_5 <= slice2shift_reference_5;
       -- slice3cost
+      if slice0cost_tag_valid then
+        slice3cost_signs_difference_column <= slice1cost_signs_write_column;
+      end if;
       slice3cost_difference_0_0_choice := slice3shift_reference_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
         slice3shift_search_0_0;
       slice3cost_difference_0_0_choice_2 := slice3shift_search_0_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
@@ -10899,7 +9912,6 @@ begin
       slice3cost_pair_1_23_is_less := slice3cost_difference_3_23 < 0;
       slice3cost_pair_1_24_folded_value := folded(slice3cost_difference_3_24);
       slice3cost_pair_1_24_is_less := slice3cost_difference_3_24 < 0;
-      slice3cost_signs_difference_column <= slice2cost_signs_difference_column;
       slice3cost_signs_ready_words_0 <= to_integer(slice3cost_signs_read_words_0);
       slice3cost_signs_ready_words_1 <= to_integer(slice3cost_signs_read_words_1);
       slice3cost_difference_0_0 <= (slice3cost_difference_0_0_choice - slice3cost_difference_0_0_choice_2) mod 256;
@@ -11618,7 +10630,7 @@ begin
       slice3cost_column_3_24 <= 0 when slice2cost_tag_border_column else slice3cost_pair_1_24 +
         as_number(slice3cost_negative_1_24) + slice3cost_single_5_24;
       if slice0window_tag_valid then
-        slice3cost_signs_write_column <= slice3cost_signs_difference_column;
+        slice3cost_signs_write_column <= slice2cost_signs_write_column;
         slice3cost_signs_write_words_0 <= (as_number(slice3cost_newest_negative_2_23) * 8388608) +
           (as_number(slice3cost_newest_negative_2_24) * 16777216) + (as_number(slice3cost_newest_negative_2_22) *
           4194304) + (as_number(slice3cost_newest_negative_2_21) * 2097152) +
@@ -11649,7 +10661,7 @@ begin
           as_number(slice3cost_newest_negative_3_0) + (as_number(slice3cost_newest_negative_3_1) * 2);
       end if;
       -- slice3window
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice3window_partial_0_0_0 <= slice3cost_column_0_0;
         slice3window_partial_0_0_1 <= slice3cost_column_0_1;
         slice3window_partial_0_0_2 <= slice3cost_column_0_2;
@@ -11682,24 +10694,24 @@ begin
         slice3window_partial_0_1_4 <= slice3cost_column_0_4 + slice3window_partial_0_0_4;
         slice3window_partial_0_1_5 <= slice3cost_column_0_5 + slice3window_partial_0_0_5;
         slice3window_partial_0_1_6 <= slice3cost_column_0_6 + slice3window_partial_0_0_6;
-        slice3window_partial_0_1_7 <= slice3cost_column_0_7 + slice3window_partial_0_0_7;
-        slice3window_partial_0_1_8 <= slice3cost_column_0_8 + slice3window_partial_0_0_8;
-        slice3window_partial_0_1_9 <= slice3cost_column_0_9 + slice3window_partial_0_0_9;
-        slice3window_partial_0_1_10 <= slice3cost_column_0_10 + slice3window_partial_0_0_10;
-        slice3window_partial_0_1_11 <= slice3cost_column_0_11 + slice3window_partial_0_0_11;
-        slice3window_partial_0_1_12 <= slice3cost_column_0_12 + slice3window_partial_0_0_12;
-        slice3window_partial_0_1_13 <= slice3cost_column_0_13 + slice3window_partial_0_0_13;
-        slice3window_partial_0_1_14 <= slice3cost_column_0_14 + slice3window_partial_0_0_14;
-        slice3window_partial_0_1_15 <= slice3cost_column_0_15 + slice3window_partial_0_0_15;
-        slice3window_partial_0_1_16 <= slice3cost_column_0_16 + slice3window_partial_0_0_16;
-        slice3window_partial_0_1_17 <= slice3cost_column_0_17 + slice3window_partial_0_0_17;
-        slice3window_partial_0_1_18 <= slice3cost_column_0_18 + slice3window_partial_0_0_18;
-        slice3window_partial_0_1_19 <= slice3cost_column_0_19 + slice3window_partial_0_0_19;
-        slice3window_partial_0_1_20 <= slice3cost_column_0_20 + slice3window_partial_0_0_20;
-        slice3window_partial_0_1_21 <= slice3cost_column_0_21 + slice3window_partial_0_0_21;
-        slice3window_partial_0_1_22 <= slice3cost_column_0_22 + slice3window_partial_0_0_22;
-        slice3window_partial_0_1_23 <= slice3cost_column_0_23 + slice3window_partial_0_0_23;
-        slice3window_partial_0_1_24 <= slice3cost_column_0_24 + slice3window_partial_0_0_24;
+        slice3window_partial_0_1_7 <= slice3window_partial_0_0_7 + slice3cost_column_0_7;
+        slice3window_partial_0_1_8 <= slice3window_partial_0_0_8 + slice3cost_column_0_8;
+        slice3window_partial_0_1_9 <= slice3window_partial_0_0_9 + slice3cost_column_0_9;
+        slice3window_partial_0_1_10 <= slice3window_partial_0_0_10 + slice3cost_column_0_10;
+        slice3window_partial_0_1_11 <= slice3window_partial_0_0_11 + slice3cost_column_0_11;
+        slice3window_partial_0_1_12 <= slice3window_partial_0_0_12 + slice3cost_column_0_12;
+        slice3window_partial_0_1_13 <= slice3window_partial_0_0_13 + slice3cost_column_0_13;
+        slice3window_partial_0_1_14 <= slice3window_partial_0_0_14 + slice3cost_column_0_14;
+        slice3window_partial_0_1_15 <= slice3window_partial_0_0_15 + slice3cost_column_0_15;
+        slice3window_partial_0_1_16 <= slice3window_partial_0_0_16 + slice3cost_column_0_16;
+        slice3window_partial_0_1_17 <= slice3window_partial_0_0_17 + slice3cost_column_0_17;
+        slice3window_partial_0_1_18 <= slice3window_partial_0_0_18 + slice3cost_column_0_18;
+        slice3window_partial_0_1_19 <= slice3window_partial_0_0_19 + slice3cost_column_0_19;
+        slice3window_partial_0_1_20 <= slice3window_partial_0_0_20 + slice3cost_column_0_20;
+        slice3window_partial_0_1_21 <= slice3window_partial_0_0_21 + slice3cost_column_0_21;
+        slice3window_partial_0_1_22 <= slice3window_partial_0_0_22 + slice3cost_column_0_22;
+        slice3window_partial_0_1_23 <= slice3window_partial_0_0_23 + slice3cost_column_0_23;
+        slice3window_partial_0_1_24 <= slice3window_partial_0_0_24 + slice3cost_column_0_24;
         slice3window_partial_1_0_0 <= slice3cost_column_1_0;
         slice3window_partial_1_0_1 <= slice3cost_column_1_1;
         slice3window_partial_1_0_2 <= slice3cost_column_1_2;
@@ -11725,31 +10737,31 @@ begin
         slice3window_partial_1_0_22 <= slice3cost_column_1_22;
         slice3window_partial_1_0_23 <= slice3cost_column_1_23;
         slice3window_partial_1_0_24 <= slice3cost_column_1_24;
-        slice3window_partial_1_1_0 <= slice3cost_column_1_0 + slice3window_partial_1_0_0;
-        slice3window_partial_1_1_1 <= slice3cost_column_1_1 + slice3window_partial_1_0_1;
-        slice3window_partial_1_1_2 <= slice3cost_column_1_2 + slice3window_partial_1_0_2;
-        slice3window_partial_1_1_3 <= slice3cost_column_1_3 + slice3window_partial_1_0_3;
-        slice3window_partial_1_1_4 <= slice3cost_column_1_4 + slice3window_partial_1_0_4;
-        slice3window_partial_1_1_5 <= slice3cost_column_1_5 + slice3window_partial_1_0_5;
-        slice3window_partial_1_1_6 <= slice3cost_column_1_6 + slice3window_partial_1_0_6;
-        slice3window_partial_1_1_7 <= slice3cost_column_1_7 + slice3window_partial_1_0_7;
-        slice3window_partial_1_1_8 <= slice3cost_column_1_8 + slice3window_partial_1_0_8;
-        slice3window_partial_1_1_9 <= slice3cost_column_1_9 + slice3window_partial_1_0_9;
-        slice3window_partial_1_1_10 <= slice3cost_column_1_10 + slice3window_partial_1_0_10;
-        slice3window_partial_1_1_11 <= slice3cost_column_1_11 + slice3window_partial_1_0_11;
-        slice3window_partial_1_1_12 <= slice3cost_column_1_12 + slice3window_partial_1_0_12;
-        slice3window_partial_1_1_13 <= slice3cost_column_1_13 + slice3window_partial_1_0_13;
-        slice3window_partial_1_1_14 <= slice3cost_column_1_14 + slice3window_partial_1_0_14;
-        slice3window_partial_1_1_15 <= slice3cost_column_1_15 + slice3window_partial_1_0_15;
-        slice3window_partial_1_1_16 <= slice3cost_column_1_16 + slice3window_partial_1_0_16;
-        slice3window_partial_1_1_17 <= slice3cost_column_1_17 + slice3window_partial_1_0_17;
-        slice3window_partial_1_1_18 <= slice3cost_column_1_18 + slice3window_partial_1_0_18;
-        slice3window_partial_1_1_19 <= slice3cost_column_1_19 + slice3window_partial_1_0_19;
-        slice3window_partial_1_1_20 <= slice3cost_column_1_20 + slice3window_partial_1_0_20;
-        slice3window_partial_1_1_21 <= slice3cost_column_1_21 + slice3window_partial_1_0_21;
-        slice3window_partial_1_1_22 <= slice3cost_column_1_22 + slice3window_partial_1_0_22;
-        slice3window_partial_1_1_23 <= slice3cost_column_1_23 + slice3window_partial_1_0_23;
-        slice3window_partial_1_1_24 <= slice3cost_column_1_24 + slice3window_partial_1_0_24;
+        slice3window_partial_1_1_0 <= slice3window_partial_1_0_0 + slice3cost_column_1_0;
+        slice3window_partial_1_1_1 <= slice3window_partial_1_0_1 + slice3cost_column_1_1;
+        slice3window_partial_1_1_2 <= slice3window_partial_1_0_2 + slice3cost_column_1_2;
+        slice3window_partial_1_1_3 <= slice3window_partial_1_0_3 + slice3cost_column_1_3;
+        slice3window_partial_1_1_4 <= slice3window_partial_1_0_4 + slice3cost_column_1_4;
+        slice3window_partial_1_1_5 <= slice3window_partial_1_0_5 + slice3cost_column_1_5;
+        slice3window_partial_1_1_6 <= slice3window_partial_1_0_6 + slice3cost_column_1_6;
+        slice3window_partial_1_1_7 <= slice3window_partial_1_0_7 + slice3cost_column_1_7;
+        slice3window_partial_1_1_8 <= slice3window_partial_1_0_8 + slice3cost_column_1_8;
+        slice3window_partial_1_1_9 <= slice3window_partial_1_0_9 + slice3cost_column_1_9;
+        slice3window_partial_1_1_10 <= slice3window_partial_1_0_10 + slice3cost_column_1_10;
+        slice3window_partial_1_1_11 <= slice3window_partial_1_0_11 + slice3cost_column_1_11;
+        slice3window_partial_1_1_12 <= slice3window_partial_1_0_12 + slice3cost_column_1_12;
+        slice3window_partial_1_1_13 <= slice3window_partial_1_0_13 + slice3cost_column_1_13;
+        slice3window_partial_1_1_14 <= slice3window_partial_1_0_14 + slice3cost_column_1_14;
+        slice3window_partial_1_1_15 <= slice3window_partial_1_0_15 + slice3cost_column_1_15;
+        slice3window_partial_1_1_16 <= slice3window_partial_1_0_16 + slice3cost_column_1_16;
+        slice3window_partial_1_1_17 <= slice3window_partial_1_0_17 + slice3cost_column_1_17;
+        slice3window_partial_1_1_18 <= slice3window_partial_1_0_18 + slice3cost_column_1_18;
+        slice3window_partial_1_1_19 <= slice3window_partial_1_0_19 + slice3cost_column_1_19;
+        slice3window_partial_1_1_20 <= slice3window_partial_1_0_20 + slice3cost_column_1_20;
+        slice3window_partial_1_1_21 <= slice3window_partial_1_0_21 + slice3cost_column_1_21;
+        slice3window_partial_1_1_22 <= slice3window_partial_1_0_22 + slice3cost_column_1_22;
+        slice3window_partial_1_1_23 <= slice3window_partial_1_0_23 + slice3cost_column_1_23;
+        slice3window_partial_1_1_24 <= slice3window_partial_1_0_24 + slice3cost_column_1_24;
         slice3window_partial_2_0_0 <= slice3cost_column_2_0;
         slice3window_partial_2_0_1 <= slice3cost_column_2_1;
         slice3window_partial_2_0_2 <= slice3cost_column_2_2;
@@ -11775,31 +10787,31 @@ begin
         slice3window_partial_2_0_22 <= slice3cost_column_2_22;
         slice3window_partial_2_0_23 <= slice3cost_column_2_23;
         slice3window_partial_2_0_24 <= slice3cost_column_2_24;
-        slice3window_partial_2_1_0 <= slice3cost_column_2_0 + slice3window_partial_2_0_0;
-        slice3window_partial_2_1_1 <= slice3cost_column_2_1 + slice3window_partial_2_0_1;
-        slice3window_partial_2_1_2 <= slice3cost_column_2_2 + slice3window_partial_2_0_2;
-        slice3window_partial_2_1_3 <= slice3cost_column_2_3 + slice3window_partial_2_0_3;
-        slice3window_partial_2_1_4 <= slice3cost_column_2_4 + slice3window_partial_2_0_4;
-        slice3window_partial_2_1_5 <= slice3cost_column_2_5 + slice3window_partial_2_0_5;
-        slice3window_partial_2_1_6 <= slice3cost_column_2_6 + slice3window_partial_2_0_6;
-        slice3window_partial_2_1_7 <= slice3cost_column_2_7 + slice3window_partial_2_0_7;
-        slice3window_partial_2_1_8 <= slice3cost_column_2_8 + slice3window_partial_2_0_8;
-        slice3window_partial_2_1_9 <= slice3cost_column_2_9 + slice3window_partial_2_0_9;
-        slice3window_partial_2_1_10 <= slice3cost_column_2_10 + slice3window_partial_2_0_10;
-        slice3window_partial_2_1_11 <= slice3cost_column_2_11 + slice3window_partial_2_0_11;
-        slice3window_partial_2_1_12 <= slice3cost_column_2_12 + slice3window_partial_2_0_12;
-        slice3window_partial_2_1_13 <= slice3cost_column_2_13 + slice3window_partial_2_0_13;
-        slice3window_partial_2_1_14 <= slice3cost_column_2_14 + slice3window_partial_2_0_14;
-        slice3window_partial_2_1_15 <= slice3cost_column_2_15 + slice3window_partial_2_0_15;
-        slice3window_partial_2_1_16 <= slice3cost_column_2_16 + slice3window_partial_2_0_16;
-        slice3window_partial_2_1_17 <= slice3cost_column_2_17 + slice3window_partial_2_0_17;
-        slice3window_partial_2_1_18 <= slice3cost_column_2_18 + slice3window_partial_2_0_18;
-        slice3window_partial_2_1_19 <= slice3cost_column_2_19 + slice3window_partial_2_0_19;
-        slice3window_partial_2_1_20 <= slice3cost_column_2_20 + slice3window_partial_2_0_20;
-        slice3window_partial_2_1_21 <= slice3cost_column_2_21 + slice3window_partial_2_0_21;
-        slice3window_partial_2_1_22 <= slice3cost_column_2_22 + slice3window_partial_2_0_22;
-        slice3window_partial_2_1_23 <= slice3cost_column_2_23 + slice3window_partial_2_0_23;
-        slice3window_partial_2_1_24 <= slice3cost_column_2_24 + slice3window_partial_2_0_24;
+        slice3window_partial_2_1_0 <= slice3window_partial_2_0_0 + slice3cost_column_2_0;
+        slice3window_partial_2_1_1 <= slice3window_partial_2_0_1 + slice3cost_column_2_1;
+        slice3window_partial_2_1_2 <= slice3window_partial_2_0_2 + slice3cost_column_2_2;
+        slice3window_partial_2_1_3 <= slice3window_partial_2_0_3 + slice3cost_column_2_3;
+        slice3window_partial_2_1_4 <= slice3window_partial_2_0_4 + slice3cost_column_2_4;
+        slice3window_partial_2_1_5 <= slice3window_partial_2_0_5 + slice3cost_column_2_5;
+        slice3window_partial_2_1_6 <= slice3window_partial_2_0_6 + slice3cost_column_2_6;
+        slice3window_partial_2_1_7 <= slice3window_partial_2_0_7 + slice3cost_column_2_7;
+        slice3window_partial_2_1_8 <= slice3window_partial_2_0_8 + slice3cost_column_2_8;
+        slice3window_partial_2_1_9 <= slice3window_partial_2_0_9 + slice3cost_column_2_9;
+        slice3window_partial_2_1_10 <= slice3window_partial_2_0_10 + slice3cost_column_2_10;
+        slice3window_partial_2_1_11 <= slice3window_partial_2_0_11 + slice3cost_column_2_11;
+        slice3window_partial_2_1_12 <= slice3window_partial_2_0_12 + slice3cost_column_2_12;
+        slice3window_partial_2_1_13 <= slice3window_partial_2_0_13 + slice3cost_column_2_13;
+        slice3window_partial_2_1_14 <= slice3window_partial_2_0_14 + slice3cost_column_2_14;
+        slice3window_partial_2_1_15 <= slice3window_partial_2_0_15 + slice3cost_column_2_15;
+        slice3window_partial_2_1_16 <= slice3window_partial_2_0_16 + slice3cost_column_2_16;
+        slice3window_partial_2_1_17 <= slice3window_partial_2_0_17 + slice3cost_column_2_17;
+        slice3window_partial_2_1_18 <= slice3window_partial_2_0_18 + slice3cost_column_2_18;
+        slice3window_partial_2_1_19 <= slice3window_partial_2_0_19 + slice3cost_column_2_19;
+        slice3window_partial_2_1_20 <= slice3window_partial_2_0_20 + slice3cost_column_2_20;
+        slice3window_partial_2_1_21 <= slice3window_partial_2_0_21 + slice3cost_column_2_21;
+        slice3window_partial_2_1_22 <= slice3window_partial_2_0_22 + slice3cost_column_2_22;
+        slice3window_partial_2_1_23 <= slice3window_partial_2_0_23 + slice3cost_column_2_23;
+        slice3window_partial_2_1_24 <= slice3window_partial_2_0_24 + slice3cost_column_2_24;
         slice3window_partial_3_0_0 <= slice3cost_column_3_0;
         slice3window_partial_3_0_1 <= slice3cost_column_3_1;
         slice3window_partial_3_0_2 <= slice3cost_column_3_2;
@@ -11825,836 +10837,590 @@ begin
         slice3window_partial_3_0_22 <= slice3cost_column_3_22;
         slice3window_partial_3_0_23 <= slice3cost_column_3_23;
         slice3window_partial_3_0_24 <= slice3cost_column_3_24;
-        slice3window_partial_3_1_0 <= slice3cost_column_3_0 + slice3window_partial_3_0_0;
-        slice3window_partial_3_1_1 <= slice3cost_column_3_1 + slice3window_partial_3_0_1;
-        slice3window_partial_3_1_2 <= slice3cost_column_3_2 + slice3window_partial_3_0_2;
-        slice3window_partial_3_1_3 <= slice3cost_column_3_3 + slice3window_partial_3_0_3;
-        slice3window_partial_3_1_4 <= slice3cost_column_3_4 + slice3window_partial_3_0_4;
-        slice3window_partial_3_1_5 <= slice3cost_column_3_5 + slice3window_partial_3_0_5;
-        slice3window_partial_3_1_6 <= slice3cost_column_3_6 + slice3window_partial_3_0_6;
-        slice3window_partial_3_1_7 <= slice3cost_column_3_7 + slice3window_partial_3_0_7;
-        slice3window_partial_3_1_8 <= slice3cost_column_3_8 + slice3window_partial_3_0_8;
-        slice3window_partial_3_1_9 <= slice3cost_column_3_9 + slice3window_partial_3_0_9;
-        slice3window_partial_3_1_10 <= slice3cost_column_3_10 + slice3window_partial_3_0_10;
-        slice3window_partial_3_1_11 <= slice3cost_column_3_11 + slice3window_partial_3_0_11;
-        slice3window_partial_3_1_12 <= slice3cost_column_3_12 + slice3window_partial_3_0_12;
-        slice3window_partial_3_1_13 <= slice3cost_column_3_13 + slice3window_partial_3_0_13;
-        slice3window_partial_3_1_14 <= slice3cost_column_3_14 + slice3window_partial_3_0_14;
-        slice3window_partial_3_1_15 <= slice3cost_column_3_15 + slice3window_partial_3_0_15;
-        slice3window_partial_3_1_16 <= slice3cost_column_3_16 + slice3window_partial_3_0_16;
-        slice3window_partial_3_1_17 <= slice3cost_column_3_17 + slice3window_partial_3_0_17;
-        slice3window_partial_3_1_18 <= slice3cost_column_3_18 + slice3window_partial_3_0_18;
-        slice3window_partial_3_1_19 <= slice3cost_column_3_19 + slice3window_partial_3_0_19;
-        slice3window_partial_3_1_20 <= slice3cost_column_3_20 + slice3window_partial_3_0_20;
-        slice3window_partial_3_1_21 <= slice3cost_column_3_21 + slice3window_partial_3_0_21;
-        slice3window_partial_3_1_22 <= slice3cost_column_3_22 + slice3window_partial_3_0_22;
-        slice3window_partial_3_1_23 <= slice3cost_column_3_23 + slice3window_partial_3_0_23;
-        slice3window_partial_3_1_24 <= slice3cost_column_3_24 + slice3window_partial_3_0_24;
+        slice3window_partial_3_1_0 <= slice3window_partial_3_0_0 + slice3cost_column_3_0;
+        slice3window_partial_3_1_1 <= slice3window_partial_3_0_1 + slice3cost_column_3_1;
+        slice3window_partial_3_1_2 <= slice3window_partial_3_0_2 + slice3cost_column_3_2;
+        slice3window_partial_3_1_3 <= slice3window_partial_3_0_3 + slice3cost_column_3_3;
+        slice3window_partial_3_1_4 <= slice3window_partial_3_0_4 + slice3cost_column_3_4;
+        slice3window_partial_3_1_5 <= slice3window_partial_3_0_5 + slice3cost_column_3_5;
+        slice3window_partial_3_1_6 <= slice3window_partial_3_0_6 + slice3cost_column_3_6;
+        slice3window_partial_3_1_7 <= slice3window_partial_3_0_7 + slice3cost_column_3_7;
+        slice3window_partial_3_1_8 <= slice3window_partial_3_0_8 + slice3cost_column_3_8;
+        slice3window_partial_3_1_9 <= slice3window_partial_3_0_9 + slice3cost_column_3_9;
+        slice3window_partial_3_1_10 <= slice3window_partial_3_0_10 + slice3cost_column_3_10;
+        slice3window_partial_3_1_11 <= slice3window_partial_3_0_11 + slice3cost_column_3_11;
+        slice3window_partial_3_1_12 <= slice3window_partial_3_0_12 + slice3cost_column_3_12;
+        slice3window_partial_3_1_13 <= slice3window_partial_3_0_13 + slice3cost_column_3_13;
+        slice3window_partial_3_1_14 <= slice3window_partial_3_0_14 + slice3cost_column_3_14;
+        slice3window_partial_3_1_15 <= slice3window_partial_3_0_15 + slice3cost_column_3_15;
+        slice3window_partial_3_1_16 <= slice3window_partial_3_0_16 + slice3cost_column_3_16;
+        slice3window_partial_3_1_17 <= slice3window_partial_3_0_17 + slice3cost_column_3_17;
+        slice3window_partial_3_1_18 <= slice3window_partial_3_0_18 + slice3cost_column_3_18;
+        slice3window_partial_3_1_19 <= slice3window_partial_3_0_19 + slice3cost_column_3_19;
+        slice3window_partial_3_1_20 <= slice3window_partial_3_0_20 + slice3cost_column_3_20;
+        slice3window_partial_3_1_21 <= slice3window_partial_3_0_21 + slice3cost_column_3_21;
+        slice3window_partial_3_1_22 <= slice3window_partial_3_0_22 + slice3cost_column_3_22;
+        slice3window_partial_3_1_23 <= slice3window_partial_3_0_23 + slice3cost_column_3_23;
+        slice3window_partial_3_1_24 <= slice3window_partial_3_0_24 + slice3cost_column_3_24;
       end if;
-      slice3window_sum_0_0 <= slice3cost_column_0_0 + slice3window_partial_0_1_0;
-      slice3window_sum_0_1 <= slice3cost_column_0_1 + slice3window_partial_0_1_1;
-      slice3window_sum_0_2 <= slice3cost_column_0_2 + slice3window_partial_0_1_2;
-      slice3window_sum_0_3 <= slice3cost_column_0_3 + slice3window_partial_0_1_3;
-      slice3window_sum_0_4 <= slice3cost_column_0_4 + slice3window_partial_0_1_4;
-      slice3window_sum_0_5 <= slice3cost_column_0_5 + slice3window_partial_0_1_5;
-      slice3window_sum_0_6 <= slice3cost_column_0_6 + slice3window_partial_0_1_6;
-      slice3window_sum_0_7 <= slice3cost_column_0_7 + slice3window_partial_0_1_7;
-      slice3window_sum_0_8 <= slice3cost_column_0_8 + slice3window_partial_0_1_8;
-      slice3window_sum_0_9 <= slice3cost_column_0_9 + slice3window_partial_0_1_9;
-      slice3window_sum_0_10 <= slice3cost_column_0_10 + slice3window_partial_0_1_10;
-      slice3window_sum_0_11 <= slice3cost_column_0_11 + slice3window_partial_0_1_11;
-      slice3window_sum_0_12 <= slice3cost_column_0_12 + slice3window_partial_0_1_12;
-      slice3window_sum_0_13 <= slice3cost_column_0_13 + slice3window_partial_0_1_13;
-      slice3window_sum_0_14 <= slice3cost_column_0_14 + slice3window_partial_0_1_14;
-      slice3window_sum_0_15 <= slice3cost_column_0_15 + slice3window_partial_0_1_15;
-      slice3window_sum_0_16 <= slice3cost_column_0_16 + slice3window_partial_0_1_16;
-      slice3window_sum_0_17 <= slice3cost_column_0_17 + slice3window_partial_0_1_17;
-      slice3window_sum_0_18 <= slice3cost_column_0_18 + slice3window_partial_0_1_18;
-      slice3window_sum_0_19 <= slice3cost_column_0_19 + slice3window_partial_0_1_19;
-      slice3window_sum_0_20 <= slice3cost_column_0_20 + slice3window_partial_0_1_20;
-      slice3window_sum_0_21 <= slice3cost_column_0_21 + slice3window_partial_0_1_21;
-      slice3window_sum_0_22 <= slice3cost_column_0_22 + slice3window_partial_0_1_22;
-      slice3window_sum_0_23 <= slice3cost_column_0_23 + slice3window_partial_0_1_23;
-      slice3window_sum_0_24 <= slice3cost_column_0_24 + slice3window_partial_0_1_24;
-      slice3window_sum_1_0 <= slice3cost_column_1_0 + slice3window_partial_1_1_0;
-      slice3window_sum_1_1 <= slice3cost_column_1_1 + slice3window_partial_1_1_1;
-      slice3window_sum_1_2 <= slice3cost_column_1_2 + slice3window_partial_1_1_2;
-      slice3window_sum_1_3 <= slice3cost_column_1_3 + slice3window_partial_1_1_3;
-      slice3window_sum_1_4 <= slice3cost_column_1_4 + slice3window_partial_1_1_4;
-      slice3window_sum_1_5 <= slice3cost_column_1_5 + slice3window_partial_1_1_5;
-      slice3window_sum_1_6 <= slice3cost_column_1_6 + slice3window_partial_1_1_6;
-      slice3window_sum_1_7 <= slice3cost_column_1_7 + slice3window_partial_1_1_7;
-      slice3window_sum_1_8 <= slice3cost_column_1_8 + slice3window_partial_1_1_8;
-      slice3window_sum_1_9 <= slice3cost_column_1_9 + slice3window_partial_1_1_9;
-      slice3window_sum_1_10 <= slice3cost_column_1_10 + slice3window_partial_1_1_10;
-      slice3window_sum_1_11 <= slice3cost_column_1_11 + slice3window_partial_1_1_11;
-      slice3window_sum_1_12 <= slice3cost_column_1_12 + slice3window_partial_1_1_12;
-      slice3window_sum_1_13 <= slice3cost_column_1_13 + slice3window_partial_1_1_13;
-      slice3window_sum_1_14 <= slice3cost_column_1_14 + slice3window_partial_1_1_14;
-      slice3window_sum_1_15 <= slice3cost_column_1_15 + slice3window_partial_1_1_15;
-      slice3window_sum_1_16 <= slice3cost_column_1_16 + slice3window_partial_1_1_16;
-      slice3window_sum_1_17 <= slice3cost_column_1_17 + slice3window_partial_1_1_17;
-      slice3window_sum_1_18 <= slice3cost_column_1_18 + slice3window_partial_1_1_18;
-      slice3window_sum_1_19 <= slice3cost_column_1_19 + slice3window_partial_1_1_19;
-      slice3window_sum_1_20 <= slice3cost_column_1_20 + slice3window_partial_1_1_20;
-      slice3window_sum_1_21 <= slice3cost_column_1_21 + slice3window_partial_1_1_21;
-      slice3window_sum_1_22 <= slice3cost_column_1_22 + slice3window_partial_1_1_22;
-      slice3window_sum_1_23 <= slice3cost_column_1_23 + slice3window_partial_1_1_23;
-      slice3window_sum_1_24 <= slice3cost_column_1_24 + slice3window_partial_1_1_24;
-      slice3window_sum_2_0 <= slice3cost_column_2_0 + slice3window_partial_2_1_0;
-      slice3window_sum_2_1 <= slice3cost_column_2_1 + slice3window_partial_2_1_1;
-      slice3window_sum_2_2 <= slice3cost_column_2_2 + slice3window_partial_2_1_2;
-      slice3window_sum_2_3 <= slice3cost_column_2_3 + slice3window_partial_2_1_3;
-      slice3window_sum_2_4 <= slice3cost_column_2_4 + slice3window_partial_2_1_4;
-      slice3window_sum_2_5 <= slice3cost_column_2_5 + slice3window_partial_2_1_5;
-      slice3window_sum_2_6 <= slice3cost_column_2_6 + slice3window_partial_2_1_6;
-      slice3window_sum_2_7 <= slice3cost_column_2_7 + slice3window_partial_2_1_7;
-      slice3window_sum_2_8 <= slice3cost_column_2_8 + slice3window_partial_2_1_8;
-      slice3window_sum_2_9 <= slice3cost_column_2_9 + slice3window_partial_2_1_9;
-      slice3window_sum_2_10 <= slice3cost_column_2_10 + slice3window_partial_2_1_10;
-      slice3window_sum_2_11 <= slice3cost_column_2_11 + slice3window_partial_2_1_11;
-      slice3window_sum_2_12 <= slice3cost_column_2_12 + slice3window_partial_2_1_12;
-      slice3window_sum_2_13 <= slice3cost_column_2_13 + slice3window_partial_2_1_13;
-      slice3window_sum_2_14 <= slice3cost_column_2_14 + slice3window_partial_2_1_14;
-      slice3window_sum_2_15 <= slice3cost_column_2_15 + slice3window_partial_2_1_15;
-      slice3window_sum_2_16 <= slice3cost_column_2_16 + slice3window_partial_2_1_16;
-      slice3window_sum_2_17 <= slice3cost_column_2_17 + slice3window_partial_2_1_17;
-      slice3window_sum_2_18 <= slice3cost_column_2_18 + slice3window_partial_2_1_18;
-      slice3window_sum_2_19 <= slice3cost_column_2_19 + slice3window_partial_2_1_19;
-      slice3window_sum_2_20 <= slice3cost_column_2_20 + slice3window_partial_2_1_20;
-      slice3window_sum_2_21 <= slice3cost_column_2_21 + slice3window_partial_2_1_21;
-      slice3window_sum_2_22 <= slice3cost_column_2_22 + slice3window_partial_2_1_22;
-      slice3window_sum_2_23 <= slice3cost_column_2_23 + slice3window_partial_2_1_23;
-      slice3window_sum_2_24 <= slice3cost_column_2_24 + slice3window_partial_2_1_24;
-      slice3window_sum_3_0 <= slice3cost_column_3_0 + slice3window_partial_3_1_0;
-      slice3window_sum_3_1 <= slice3cost_column_3_1 + slice3window_partial_3_1_1;
-      slice3window_sum_3_2 <= slice3cost_column_3_2 + slice3window_partial_3_1_2;
-      slice3window_sum_3_3 <= slice3cost_column_3_3 + slice3window_partial_3_1_3;
-      slice3window_sum_3_4 <= slice3cost_column_3_4 + slice3window_partial_3_1_4;
-      slice3window_sum_3_5 <= slice3cost_column_3_5 + slice3window_partial_3_1_5;
-      slice3window_sum_3_6 <= slice3cost_column_3_6 + slice3window_partial_3_1_6;
-      slice3window_sum_3_7 <= slice3cost_column_3_7 + slice3window_partial_3_1_7;
-      slice3window_sum_3_8 <= slice3cost_column_3_8 + slice3window_partial_3_1_8;
-      slice3window_sum_3_9 <= slice3cost_column_3_9 + slice3window_partial_3_1_9;
-      slice3window_sum_3_10 <= slice3cost_column_3_10 + slice3window_partial_3_1_10;
-      slice3window_sum_3_11 <= slice3cost_column_3_11 + slice3window_partial_3_1_11;
-      slice3window_sum_3_12 <= slice3cost_column_3_12 + slice3window_partial_3_1_12;
-      slice3window_sum_3_13 <= slice3cost_column_3_13 + slice3window_partial_3_1_13;
-      slice3window_sum_3_14 <= slice3cost_column_3_14 + slice3window_partial_3_1_14;
-      slice3window_sum_3_15 <= slice3cost_column_3_15 + slice3window_partial_3_1_15;
-      slice3window_sum_3_16 <= slice3cost_column_3_16 + slice3window_partial_3_1_16;
-      slice3window_sum_3_17 <= slice3cost_column_3_17 + slice3window_partial_3_1_17;
-      slice3window_sum_3_18 <= slice3cost_column_3_18 + slice3window_partial_3_1_18;
-      slice3window_sum_3_19 <= slice3cost_column_3_19 + slice3window_partial_3_1_19;
-      slice3window_sum_3_20 <= slice3cost_column_3_20 + slice3window_partial_3_1_20;
-      slice3window_sum_3_21 <= slice3cost_column_3_21 + slice3window_partial_3_1_21;
-      slice3window_sum_3_22 <= slice3cost_column_3_22 + slice3window_partial_3_1_22;
-      slice3window_sum_3_23 <= slice3cost_column_3_23 + slice3window_partial_3_1_23;
-      slice3window_sum_3_24 <= slice3cost_column_3_24 + slice3window_partial_3_1_24;
+      slice3window_sum_0_0 <= slice3window_partial_0_1_0 + slice3cost_column_0_0;
+      slice3window_sum_0_1 <= slice3window_partial_0_1_1 + slice3cost_column_0_1;
+      slice3window_sum_0_2 <= slice3window_partial_0_1_2 + slice3cost_column_0_2;
+      slice3window_sum_0_3 <= slice3window_partial_0_1_3 + slice3cost_column_0_3;
+      slice3window_sum_0_4 <= slice3window_partial_0_1_4 + slice3cost_column_0_4;
+      slice3window_sum_0_5 <= slice3window_partial_0_1_5 + slice3cost_column_0_5;
+      slice3window_sum_0_6 <= slice3window_partial_0_1_6 + slice3cost_column_0_6;
+      slice3window_sum_0_7 <= slice3window_partial_0_1_7 + slice3cost_column_0_7;
+      slice3window_sum_0_8 <= slice3window_partial_0_1_8 + slice3cost_column_0_8;
+      slice3window_sum_0_9 <= slice3window_partial_0_1_9 + slice3cost_column_0_9;
+      slice3window_sum_0_10 <= slice3window_partial_0_1_10 + slice3cost_column_0_10;
+      slice3window_sum_0_11 <= slice3window_partial_0_1_11 + slice3cost_column_0_11;
+      slice3window_sum_0_12 <= slice3window_partial_0_1_12 + slice3cost_column_0_12;
+      slice3window_sum_0_13 <= slice3window_partial_0_1_13 + slice3cost_column_0_13;
+      slice3window_sum_0_14 <= slice3window_partial_0_1_14 + slice3cost_column_0_14;
+      slice3window_sum_0_15 <= slice3window_partial_0_1_15 + slice3cost_column_0_15;
+      slice3window_sum_0_16 <= slice3window_partial_0_1_16 + slice3cost_column_0_16;
+      slice3window_sum_0_17 <= slice3window_partial_0_1_17 + slice3cost_column_0_17;
+      slice3window_sum_0_18 <= slice3window_partial_0_1_18 + slice3cost_column_0_18;
+      slice3window_sum_0_19 <= slice3window_partial_0_1_19 + slice3cost_column_0_19;
+      slice3window_sum_0_20 <= slice3window_partial_0_1_20 + slice3cost_column_0_20;
+      slice3window_sum_0_21 <= slice3window_partial_0_1_21 + slice3cost_column_0_21;
+      slice3window_sum_0_22 <= slice3window_partial_0_1_22 + slice3cost_column_0_22;
+      slice3window_sum_0_23 <= slice3window_partial_0_1_23 + slice3cost_column_0_23;
+      slice3window_sum_0_24 <= slice3window_partial_0_1_24 + slice3cost_column_0_24;
+      slice3window_sum_1_0 <= slice3window_partial_1_1_0 + slice3cost_column_1_0;
+      slice3window_sum_1_1 <= slice3window_partial_1_1_1 + slice3cost_column_1_1;
+      slice3window_sum_1_2 <= slice3window_partial_1_1_2 + slice3cost_column_1_2;
+      slice3window_sum_1_3 <= slice3window_partial_1_1_3 + slice3cost_column_1_3;
+      slice3window_sum_1_4 <= slice3window_partial_1_1_4 + slice3cost_column_1_4;
+      slice3window_sum_1_5 <= slice3window_partial_1_1_5 + slice3cost_column_1_5;
+      slice3window_sum_1_6 <= slice3window_partial_1_1_6 + slice3cost_column_1_6;
+      slice3window_sum_1_7 <= slice3window_partial_1_1_7 + slice3cost_column_1_7;
+      slice3window_sum_1_8 <= slice3window_partial_1_1_8 + slice3cost_column_1_8;
+      slice3window_sum_1_9 <= slice3window_partial_1_1_9 + slice3cost_column_1_9;
+      slice3window_sum_1_10 <= slice3window_partial_1_1_10 + slice3cost_column_1_10;
+      slice3window_sum_1_11 <= slice3window_partial_1_1_11 + slice3cost_column_1_11;
+      slice3window_sum_1_12 <= slice3window_partial_1_1_12 + slice3cost_column_1_12;
+      slice3window_sum_1_13 <= slice3window_partial_1_1_13 + slice3cost_column_1_13;
+      slice3window_sum_1_14 <= slice3window_partial_1_1_14 + slice3cost_column_1_14;
+      slice3window_sum_1_15 <= slice3window_partial_1_1_15 + slice3cost_column_1_15;
+      slice3window_sum_1_16 <= slice3window_partial_1_1_16 + slice3cost_column_1_16;
+      slice3window_sum_1_17 <= slice3window_partial_1_1_17 + slice3cost_column_1_17;
+      slice3window_sum_1_18 <= slice3window_partial_1_1_18 + slice3cost_column_1_18;
+      slice3window_sum_1_19 <= slice3window_partial_1_1_19 + slice3cost_column_1_19;
+      slice3window_sum_1_20 <= slice3window_partial_1_1_20 + slice3cost_column_1_20;
+      slice3window_sum_1_21 <= slice3window_partial_1_1_21 + slice3cost_column_1_21;
+      slice3window_sum_1_22 <= slice3window_partial_1_1_22 + slice3cost_column_1_22;
+      slice3window_sum_1_23 <= slice3window_partial_1_1_23 + slice3cost_column_1_23;
+      slice3window_sum_1_24 <= slice3window_partial_1_1_24 + slice3cost_column_1_24;
+      slice3window_sum_2_0 <= slice3window_partial_2_1_0 + slice3cost_column_2_0;
+      slice3window_sum_2_1 <= slice3window_partial_2_1_1 + slice3cost_column_2_1;
+      slice3window_sum_2_2 <= slice3window_partial_2_1_2 + slice3cost_column_2_2;
+      slice3window_sum_2_3 <= slice3window_partial_2_1_3 + slice3cost_column_2_3;
+      slice3window_sum_2_4 <= slice3window_partial_2_1_4 + slice3cost_column_2_4;
+      slice3window_sum_2_5 <= slice3window_partial_2_1_5 + slice3cost_column_2_5;
+      slice3window_sum_2_6 <= slice3window_partial_2_1_6 + slice3cost_column_2_6;
+      slice3window_sum_2_7 <= slice3window_partial_2_1_7 + slice3cost_column_2_7;
+      slice3window_sum_2_8 <= slice3window_partial_2_1_8 + slice3cost_column_2_8;
+      slice3window_sum_2_9 <= slice3window_partial_2_1_9 + slice3cost_column_2_9;
+      slice3window_sum_2_10 <= slice3window_partial_2_1_10 + slice3cost_column_2_10;
+      slice3window_sum_2_11 <= slice3window_partial_2_1_11 + slice3cost_column_2_11;
+      slice3window_sum_2_12 <= slice3window_partial_2_1_12 + slice3cost_column_2_12;
+      slice3window_sum_2_13 <= slice3window_partial_2_1_13 + slice3cost_column_2_13;
+      slice3window_sum_2_14 <= slice3window_partial_2_1_14 + slice3cost_column_2_14;
+      slice3window_sum_2_15 <= slice3window_partial_2_1_15 + slice3cost_column_2_15;
+      slice3window_sum_2_16 <= slice3window_partial_2_1_16 + slice3cost_column_2_16;
+      slice3window_sum_2_17 <= slice3window_partial_2_1_17 + slice3cost_column_2_17;
+      slice3window_sum_2_18 <= slice3window_partial_2_1_18 + slice3cost_column_2_18;
+      slice3window_sum_2_19 <= slice3window_partial_2_1_19 + slice3cost_column_2_19;
+      slice3window_sum_2_20 <= slice3window_partial_2_1_20 + slice3cost_column_2_20;
+      slice3window_sum_2_21 <= slice3window_partial_2_1_21 + slice3cost_column_2_21;
+      slice3window_sum_2_22 <= slice3window_partial_2_1_22 + slice3cost_column_2_22;
+      slice3window_sum_2_23 <= slice3window_partial_2_1_23 + slice3cost_column_2_23;
+      slice3window_sum_2_24 <= slice3window_partial_2_1_24 + slice3cost_column_2_24;
+      slice3window_sum_3_0 <= slice3window_partial_3_1_0 + slice3cost_column_3_0;
+      slice3window_sum_3_1 <= slice3window_partial_3_1_1 + slice3cost_column_3_1;
+      slice3window_sum_3_2 <= slice3window_partial_3_1_2 + slice3cost_column_3_2;
+      slice3window_sum_3_3 <= slice3window_partial_3_1_3 + slice3cost_column_3_3;
+      slice3window_sum_3_4 <= slice3window_partial_3_1_4 + slice3cost_column_3_4;
+      slice3window_sum_3_5 <= slice3window_partial_3_1_5 + slice3cost_column_3_5;
+      slice3window_sum_3_6 <= slice3window_partial_3_1_6 + slice3cost_column_3_6;
+      slice3window_sum_3_7 <= slice3window_partial_3_1_7 + slice3cost_column_3_7;
+      slice3window_sum_3_8 <= slice3window_partial_3_1_8 + slice3cost_column_3_8;
+      slice3window_sum_3_9 <= slice3window_partial_3_1_9 + slice3cost_column_3_9;
+      slice3window_sum_3_10 <= slice3window_partial_3_1_10 + slice3cost_column_3_10;
+      slice3window_sum_3_11 <= slice3window_partial_3_1_11 + slice3cost_column_3_11;
+      slice3window_sum_3_12 <= slice3window_partial_3_1_12 + slice3cost_column_3_12;
+      slice3window_sum_3_13 <= slice3window_partial_3_1_13 + slice3cost_column_3_13;
+      slice3window_sum_3_14 <= slice3window_partial_3_1_14 + slice3cost_column_3_14;
+      slice3window_sum_3_15 <= slice3window_partial_3_1_15 + slice3cost_column_3_15;
+      slice3window_sum_3_16 <= slice3window_partial_3_1_16 + slice3cost_column_3_16;
+      slice3window_sum_3_17 <= slice3window_partial_3_1_17 + slice3cost_column_3_17;
+      slice3window_sum_3_18 <= slice3window_partial_3_1_18 + slice3cost_column_3_18;
+      slice3window_sum_3_19 <= slice3window_partial_3_1_19 + slice3cost_column_3_19;
+      slice3window_sum_3_20 <= slice3window_partial_3_1_20 + slice3cost_column_3_20;
+      slice3window_sum_3_21 <= slice3window_partial_3_1_21 + slice3cost_column_3_21;
+      slice3window_sum_3_22 <= slice3window_partial_3_1_22 + slice3cost_column_3_22;
+      slice3window_sum_3_23 <= slice3window_partial_3_1_23 + slice3cost_column_3_23;
+      slice3window_sum_3_24 <= slice3window_partial_3_1_24 + slice3cost_column_3_24;
       -- slice3winner1
-      slice3winner1_of_pair_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
-      slice3winner1_of_pair_0_2_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
-      slice3winner1_of_pair_0_4_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
-      slice3winner1_of_pair_0_6_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
-      slice3winner1_of_pair_0_8_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
-      slice3winner1_of_pair_0_10_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
-      slice3winner1_of_pair_0_12_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
-      slice3winner1_of_pair_0_14_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
-      slice3winner1_of_pair_0_16_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
-      slice3winner1_of_pair_0_18_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
-      slice3winner1_of_pair_0_20_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
-      slice3winner1_of_pair_0_22_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
-      slice3winner1_of_pair_1_0_is_less := (slice3window_sum_1_1 - slice3window_sum_1_0) < 0;
-      slice3winner1_of_pair_1_2_is_less := (slice3window_sum_1_3 - slice3window_sum_1_2) < 0;
-      slice3winner1_of_pair_1_4_is_less := (slice3window_sum_1_5 - slice3window_sum_1_4) < 0;
-      slice3winner1_of_pair_1_6_is_less := (slice3window_sum_1_7 - slice3window_sum_1_6) < 0;
-      slice3winner1_of_pair_1_8_is_less := (slice3window_sum_1_9 - slice3window_sum_1_8) < 0;
-      slice3winner1_of_pair_1_10_is_less := (slice3window_sum_1_11 - slice3window_sum_1_10) < 0;
-      slice3winner1_of_pair_1_12_is_less := (slice3window_sum_1_13 - slice3window_sum_1_12) < 0;
-      slice3winner1_of_pair_1_14_is_less := (slice3window_sum_1_15 - slice3window_sum_1_14) < 0;
-      slice3winner1_of_pair_1_16_is_less := (slice3window_sum_1_17 - slice3window_sum_1_16) < 0;
-      slice3winner1_of_pair_1_18_is_less := (slice3window_sum_1_19 - slice3window_sum_1_18) < 0;
-      slice3winner1_of_pair_1_20_is_less := (slice3window_sum_1_21 - slice3window_sum_1_20) < 0;
-      slice3winner1_of_pair_1_22_is_less := (slice3window_sum_1_23 - slice3window_sum_1_22) < 0;
-      slice3winner1_of_pair_2_0_is_less := (slice3window_sum_2_1 - slice3window_sum_2_0) < 0;
-      slice3winner1_of_pair_2_2_is_less := (slice3window_sum_2_3 - slice3window_sum_2_2) < 0;
-      slice3winner1_of_pair_2_4_is_less := (slice3window_sum_2_5 - slice3window_sum_2_4) < 0;
-      slice3winner1_of_pair_2_6_is_less := (slice3window_sum_2_7 - slice3window_sum_2_6) < 0;
-      slice3winner1_of_pair_2_8_is_less := (slice3window_sum_2_9 - slice3window_sum_2_8) < 0;
-      slice3winner1_of_pair_2_10_is_less := (slice3window_sum_2_11 - slice3window_sum_2_10) < 0;
-      slice3winner1_of_pair_2_12_is_less := (slice3window_sum_2_13 - slice3window_sum_2_12) < 0;
-      slice3winner1_of_pair_2_14_is_less := (slice3window_sum_2_15 - slice3window_sum_2_14) < 0;
-      slice3winner1_of_pair_2_16_is_less := (slice3window_sum_2_17 - slice3window_sum_2_16) < 0;
-      slice3winner1_of_pair_2_18_is_less := (slice3window_sum_2_19 - slice3window_sum_2_18) < 0;
-      slice3winner1_of_pair_2_20_is_less := (slice3window_sum_2_21 - slice3window_sum_2_20) < 0;
-      slice3winner1_of_pair_2_22_is_less := (slice3window_sum_2_23 - slice3window_sum_2_22) < 0;
-      slice3winner1_of_pair_3_0_is_less := (slice3window_sum_3_1 - slice3window_sum_3_0) < 0;
-      slice3winner1_of_pair_3_2_is_less := (slice3window_sum_3_3 - slice3window_sum_3_2) < 0;
-      slice3winner1_of_pair_3_4_is_less := (slice3window_sum_3_5 - slice3window_sum_3_4) < 0;
-      slice3winner1_of_pair_3_6_is_less := (slice3window_sum_3_7 - slice3window_sum_3_6) < 0;
-      slice3winner1_of_pair_3_8_is_less := (slice3window_sum_3_9 - slice3window_sum_3_8) < 0;
-      slice3winner1_of_pair_3_10_is_less := (slice3window_sum_3_11 - slice3window_sum_3_10) < 0;
-      slice3winner1_of_pair_3_12_is_less := (slice3window_sum_3_13 - slice3window_sum_3_12) < 0;
-      slice3winner1_of_pair_3_14_is_less := (slice3window_sum_3_15 - slice3window_sum_3_14) < 0;
-      slice3winner1_of_pair_3_16_is_less := (slice3window_sum_3_17 - slice3window_sum_3_16) < 0;
-      slice3winner1_of_pair_3_18_is_less := (slice3window_sum_3_19 - slice3window_sum_3_18) < 0;
-      slice3winner1_of_pair_3_20_is_less := (slice3window_sum_3_21 - slice3window_sum_3_20) < 0;
-      slice3winner1_of_pair_3_22_is_less := (slice3window_sum_3_23 - slice3window_sum_3_22) < 0;
-      slice3winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_1, 12))))) < 0;
-      slice3winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_5, 12))))) < 0;
-      slice3winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_9, 12))))) < 0;
-      slice3winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_14, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_12, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_13, 12))))) < 0;
-      slice3winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_18, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_16, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_17, 12))))) < 0;
-      slice3winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_22, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_20, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_21, 12))))) < 0;
-      slice3winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_2, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_0, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_1, 12))))) < 0;
-      slice3winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_6, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_4, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_5, 12))))) < 0;
-      slice3winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_10, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_8, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_9, 12))))) < 0;
-      slice3winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_14, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_12, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_13, 12))))) < 0;
-      slice3winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_18, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_16, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_17, 12))))) < 0;
-      slice3winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_22, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_20, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_21, 12))))) < 0;
-      slice3winner1_of_four_2_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_2_2, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_3, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_2_0, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_1, 12))))) < 0;
-      slice3winner1_of_four_2_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_2_6, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_7, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_2_4, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_5, 12))))) < 0;
-      slice3winner1_of_four_2_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_2_10, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_11, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_2_8, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_9, 12))))) < 0;
-      slice3winner1_of_four_2_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_2_14, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_15, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_2_12, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_13, 12))))) < 0;
-      slice3winner1_of_four_2_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_2_18, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_19, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_2_16, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_17, 12))))) < 0;
-      slice3winner1_of_four_2_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_2_22, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_23, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_2_20, 12)) or
-        (to_unsigned(slice3winner1_of_pair_2_21, 12))))) < 0;
-      slice3winner1_of_four_3_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_3_2, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_3, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_3_0, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_1, 12))))) < 0;
-      slice3winner1_of_four_3_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_3_6, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_7, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_3_4, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_5, 12))))) < 0;
-      slice3winner1_of_four_3_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_3_10, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_11, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_3_8, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_9, 12))))) < 0;
-      slice3winner1_of_four_3_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_3_14, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_15, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_3_12, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_13, 12))))) < 0;
-      slice3winner1_of_four_3_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_3_18, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_19, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_3_16, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_17, 12))))) < 0;
-      slice3winner1_of_four_3_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_3_22, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_23, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_3_20, 12)) or
-        (to_unsigned(slice3winner1_of_pair_3_21, 12))))) < 0;
-      slice3winner1_of_pair_0_0 <= 0 when slice3winner1_of_pair_0_0_is_less else slice3window_sum_0_0;
-      slice3winner1_of_pair_0_1 <= slice3window_sum_0_1 when slice3winner1_of_pair_0_0_is_less else 0;
-      slice3winner1_of_pair_0_2 <= 0 when slice3winner1_of_pair_0_2_is_less else slice3window_sum_0_2;
-      slice3winner1_of_pair_0_3 <= slice3window_sum_0_3 when slice3winner1_of_pair_0_2_is_less else 0;
-      slice3winner1_of_pair_0_4 <= 0 when slice3winner1_of_pair_0_4_is_less else slice3window_sum_0_4;
-      slice3winner1_of_pair_0_5 <= slice3window_sum_0_5 when slice3winner1_of_pair_0_4_is_less else 0;
-      slice3winner1_of_pair_0_6 <= 0 when slice3winner1_of_pair_0_6_is_less else slice3window_sum_0_6;
-      slice3winner1_of_pair_0_7 <= slice3window_sum_0_7 when slice3winner1_of_pair_0_6_is_less else 0;
-      slice3winner1_of_pair_0_8 <= 0 when slice3winner1_of_pair_0_8_is_less else slice3window_sum_0_8;
-      slice3winner1_of_pair_0_9 <= slice3window_sum_0_9 when slice3winner1_of_pair_0_8_is_less else 0;
-      slice3winner1_of_pair_0_10 <= 0 when slice3winner1_of_pair_0_10_is_less else slice3window_sum_0_10;
-      slice3winner1_of_pair_0_11 <= slice3window_sum_0_11 when slice3winner1_of_pair_0_10_is_less else 0;
-      slice3winner1_of_pair_0_12 <= 0 when slice3winner1_of_pair_0_12_is_less else slice3window_sum_0_12;
-      slice3winner1_of_pair_0_13 <= slice3window_sum_0_13 when slice3winner1_of_pair_0_12_is_less else 0;
-      slice3winner1_of_pair_0_14 <= 0 when slice3winner1_of_pair_0_14_is_less else slice3window_sum_0_14;
-      slice3winner1_of_pair_0_15 <= slice3window_sum_0_15 when slice3winner1_of_pair_0_14_is_less else 0;
-      slice3winner1_of_pair_0_16 <= 0 when slice3winner1_of_pair_0_16_is_less else slice3window_sum_0_16;
-      slice3winner1_of_pair_0_17 <= slice3window_sum_0_17 when slice3winner1_of_pair_0_16_is_less else 0;
-      slice3winner1_of_pair_0_18 <= 0 when slice3winner1_of_pair_0_18_is_less else slice3window_sum_0_18;
-      slice3winner1_of_pair_0_19 <= slice3window_sum_0_19 when slice3winner1_of_pair_0_18_is_less else 0;
-      slice3winner1_of_pair_0_20 <= 0 when slice3winner1_of_pair_0_20_is_less else slice3window_sum_0_20;
-      slice3winner1_of_pair_0_21 <= slice3window_sum_0_21 when slice3winner1_of_pair_0_20_is_less else 0;
-      slice3winner1_of_pair_0_22 <= 0 when slice3winner1_of_pair_0_22_is_less else slice3window_sum_0_22;
-      slice3winner1_of_pair_0_23 <= slice3window_sum_0_23 when slice3winner1_of_pair_0_22_is_less else 0;
-      slice3winner1_of_pair_0_24 <= slice3window_sum_0_24;
-      slice3winner1_of_pair_1_0 <= 0 when slice3winner1_of_pair_1_0_is_less else slice3window_sum_1_0;
-      slice3winner1_of_pair_1_1 <= slice3window_sum_1_1 when slice3winner1_of_pair_1_0_is_less else 0;
-      slice3winner1_of_pair_1_2 <= 0 when slice3winner1_of_pair_1_2_is_less else slice3window_sum_1_2;
-      slice3winner1_of_pair_1_3 <= slice3window_sum_1_3 when slice3winner1_of_pair_1_2_is_less else 0;
-      slice3winner1_of_pair_1_4 <= 0 when slice3winner1_of_pair_1_4_is_less else slice3window_sum_1_4;
-      slice3winner1_of_pair_1_5 <= slice3window_sum_1_5 when slice3winner1_of_pair_1_4_is_less else 0;
-      slice3winner1_of_pair_1_6 <= 0 when slice3winner1_of_pair_1_6_is_less else slice3window_sum_1_6;
-      slice3winner1_of_pair_1_7 <= slice3window_sum_1_7 when slice3winner1_of_pair_1_6_is_less else 0;
-      slice3winner1_of_pair_1_8 <= 0 when slice3winner1_of_pair_1_8_is_less else slice3window_sum_1_8;
-      slice3winner1_of_pair_1_9 <= slice3window_sum_1_9 when slice3winner1_of_pair_1_8_is_less else 0;
-      slice3winner1_of_pair_1_10 <= 0 when slice3winner1_of_pair_1_10_is_less else slice3window_sum_1_10;
-      slice3winner1_of_pair_1_11 <= slice3window_sum_1_11 when slice3winner1_of_pair_1_10_is_less else 0;
-      slice3winner1_of_pair_1_12 <= 0 when slice3winner1_of_pair_1_12_is_less else slice3window_sum_1_12;
-      slice3winner1_of_pair_1_13 <= slice3window_sum_1_13 when slice3winner1_of_pair_1_12_is_less else 0;
-      slice3winner1_of_pair_1_14 <= 0 when slice3winner1_of_pair_1_14_is_less else slice3window_sum_1_14;
-      slice3winner1_of_pair_1_15 <= slice3window_sum_1_15 when slice3winner1_of_pair_1_14_is_less else 0;
-      slice3winner1_of_pair_1_16 <= 0 when slice3winner1_of_pair_1_16_is_less else slice3window_sum_1_16;
-      slice3winner1_of_pair_1_17 <= slice3window_sum_1_17 when slice3winner1_of_pair_1_16_is_less else 0;
-      slice3winner1_of_pair_1_18 <= 0 when slice3winner1_of_pair_1_18_is_less else slice3window_sum_1_18;
-      slice3winner1_of_pair_1_19 <= slice3window_sum_1_19 when slice3winner1_of_pair_1_18_is_less else 0;
-      slice3winner1_of_pair_1_20 <= 0 when slice3winner1_of_pair_1_20_is_less else slice3window_sum_1_20;
-      slice3winner1_of_pair_1_21 <= slice3window_sum_1_21 when slice3winner1_of_pair_1_20_is_less else 0;
-      slice3winner1_of_pair_1_22 <= 0 when slice3winner1_of_pair_1_22_is_less else slice3window_sum_1_22;
-      slice3winner1_of_pair_1_23 <= slice3window_sum_1_23 when slice3winner1_of_pair_1_22_is_less else 0;
-      slice3winner1_of_pair_1_24 <= slice3window_sum_1_24;
-      slice3winner1_of_pair_2_0 <= 0 when slice3winner1_of_pair_2_0_is_less else slice3window_sum_2_0;
-      slice3winner1_of_pair_2_1 <= slice3window_sum_2_1 when slice3winner1_of_pair_2_0_is_less else 0;
-      slice3winner1_of_pair_2_2 <= 0 when slice3winner1_of_pair_2_2_is_less else slice3window_sum_2_2;
-      slice3winner1_of_pair_2_3 <= slice3window_sum_2_3 when slice3winner1_of_pair_2_2_is_less else 0;
-      slice3winner1_of_pair_2_4 <= 0 when slice3winner1_of_pair_2_4_is_less else slice3window_sum_2_4;
-      slice3winner1_of_pair_2_5 <= slice3window_sum_2_5 when slice3winner1_of_pair_2_4_is_less else 0;
-      slice3winner1_of_pair_2_6 <= 0 when slice3winner1_of_pair_2_6_is_less else slice3window_sum_2_6;
-      slice3winner1_of_pair_2_7 <= slice3window_sum_2_7 when slice3winner1_of_pair_2_6_is_less else 0;
-      slice3winner1_of_pair_2_8 <= 0 when slice3winner1_of_pair_2_8_is_less else slice3window_sum_2_8;
-      slice3winner1_of_pair_2_9 <= slice3window_sum_2_9 when slice3winner1_of_pair_2_8_is_less else 0;
-      slice3winner1_of_pair_2_10 <= 0 when slice3winner1_of_pair_2_10_is_less else slice3window_sum_2_10;
-      slice3winner1_of_pair_2_11 <= slice3window_sum_2_11 when slice3winner1_of_pair_2_10_is_less else 0;
-      slice3winner1_of_pair_2_12 <= 0 when slice3winner1_of_pair_2_12_is_less else slice3window_sum_2_12;
-      slice3winner1_of_pair_2_13 <= slice3window_sum_2_13 when slice3winner1_of_pair_2_12_is_less else 0;
-      slice3winner1_of_pair_2_14 <= 0 when slice3winner1_of_pair_2_14_is_less else slice3window_sum_2_14;
-      slice3winner1_of_pair_2_15 <= slice3window_sum_2_15 when slice3winner1_of_pair_2_14_is_less else 0;
-      slice3winner1_of_pair_2_16 <= 0 when slice3winner1_of_pair_2_16_is_less else slice3window_sum_2_16;
-      slice3winner1_of_pair_2_17 <= slice3window_sum_2_17 when slice3winner1_of_pair_2_16_is_less else 0;
-      slice3winner1_of_pair_2_18 <= 0 when slice3winner1_of_pair_2_18_is_less else slice3window_sum_2_18;
-      slice3winner1_of_pair_2_19 <= slice3window_sum_2_19 when slice3winner1_of_pair_2_18_is_less else 0;
-      slice3winner1_of_pair_2_20 <= 0 when slice3winner1_of_pair_2_20_is_less else slice3window_sum_2_20;
-      slice3winner1_of_pair_2_21 <= slice3window_sum_2_21 when slice3winner1_of_pair_2_20_is_less else 0;
-      slice3winner1_of_pair_2_22 <= 0 when slice3winner1_of_pair_2_22_is_less else slice3window_sum_2_22;
-      slice3winner1_of_pair_2_23 <= slice3window_sum_2_23 when slice3winner1_of_pair_2_22_is_less else 0;
-      slice3winner1_of_pair_2_24 <= slice3window_sum_2_24;
-      slice3winner1_of_pair_3_0 <= 0 when slice3winner1_of_pair_3_0_is_less else slice3window_sum_3_0;
-      slice3winner1_of_pair_3_1 <= slice3window_sum_3_1 when slice3winner1_of_pair_3_0_is_less else 0;
-      slice3winner1_of_pair_3_2 <= 0 when slice3winner1_of_pair_3_2_is_less else slice3window_sum_3_2;
-      slice3winner1_of_pair_3_3 <= slice3window_sum_3_3 when slice3winner1_of_pair_3_2_is_less else 0;
-      slice3winner1_of_pair_3_4 <= 0 when slice3winner1_of_pair_3_4_is_less else slice3window_sum_3_4;
-      slice3winner1_of_pair_3_5 <= slice3window_sum_3_5 when slice3winner1_of_pair_3_4_is_less else 0;
-      slice3winner1_of_pair_3_6 <= 0 when slice3winner1_of_pair_3_6_is_less else slice3window_sum_3_6;
-      slice3winner1_of_pair_3_7 <= slice3window_sum_3_7 when slice3winner1_of_pair_3_6_is_less else 0;
-      slice3winner1_of_pair_3_8 <= 0 when slice3winner1_of_pair_3_8_is_less else slice3window_sum_3_8;
-      slice3winner1_of_pair_3_9 <= slice3window_sum_3_9 when slice3winner1_of_pair_3_8_is_less else 0;
-      slice3winner1_of_pair_3_10 <= 0 when slice3winner1_of_pair_3_10_is_less else slice3window_sum_3_10;
-      slice3winner1_of_pair_3_11 <= slice3window_sum_3_11 when slice3winner1_of_pair_3_10_is_less else 0;
-      slice3winner1_of_pair_3_12 <= 0 when slice3winner1_of_pair_3_12_is_less else slice3window_sum_3_12;
-      slice3winner1_of_pair_3_13 <= slice3window_sum_3_13 when slice3winner1_of_pair_3_12_is_less else 0;
-      slice3winner1_of_pair_3_14 <= 0 when slice3winner1_of_pair_3_14_is_less else slice3window_sum_3_14;
-      slice3winner1_of_pair_3_15 <= slice3window_sum_3_15 when slice3winner1_of_pair_3_14_is_less else 0;
-      slice3winner1_of_pair_3_16 <= 0 when slice3winner1_of_pair_3_16_is_less else slice3window_sum_3_16;
-      slice3winner1_of_pair_3_17 <= slice3window_sum_3_17 when slice3winner1_of_pair_3_16_is_less else 0;
-      slice3winner1_of_pair_3_18 <= 0 when slice3winner1_of_pair_3_18_is_less else slice3window_sum_3_18;
-      slice3winner1_of_pair_3_19 <= slice3window_sum_3_19 when slice3winner1_of_pair_3_18_is_less else 0;
-      slice3winner1_of_pair_3_20 <= 0 when slice3winner1_of_pair_3_20_is_less else slice3window_sum_3_20;
-      slice3winner1_of_pair_3_21 <= slice3window_sum_3_21 when slice3winner1_of_pair_3_20_is_less else 0;
-      slice3winner1_of_pair_3_22 <= 0 when slice3winner1_of_pair_3_22_is_less else slice3window_sum_3_22;
-      slice3winner1_of_pair_3_23 <= slice3window_sum_3_23 when slice3winner1_of_pair_3_22_is_less else 0;
-      slice3winner1_of_pair_3_24 <= slice3window_sum_3_24;
-      slice3winner1_pair_index_0_0 <= slice3winner1_of_pair_0_0_is_less;
-      slice3winner1_pair_index_0_1 <= 3 when slice3winner1_of_pair_0_2_is_less else 2;
-      slice3winner1_pair_index_0_2 <= 5 when slice3winner1_of_pair_0_4_is_less else 4;
-      slice3winner1_pair_index_0_3 <= 7 when slice3winner1_of_pair_0_6_is_less else 6;
-      slice3winner1_pair_index_0_4 <= 9 when slice3winner1_of_pair_0_8_is_less else 8;
-      slice3winner1_pair_index_0_5 <= 11 when slice3winner1_of_pair_0_10_is_less else 10;
-      slice3winner1_pair_index_0_6 <= 13 when slice3winner1_of_pair_0_12_is_less else 12;
-      slice3winner1_pair_index_0_7 <= 15 when slice3winner1_of_pair_0_14_is_less else 14;
-      slice3winner1_pair_index_0_8 <= 17 when slice3winner1_of_pair_0_16_is_less else 16;
-      slice3winner1_pair_index_0_9 <= 19 when slice3winner1_of_pair_0_18_is_less else 18;
-      slice3winner1_pair_index_0_10 <= 21 when slice3winner1_of_pair_0_20_is_less else 20;
-      slice3winner1_pair_index_0_11 <= 23 when slice3winner1_of_pair_0_22_is_less else 22;
-      slice3winner1_pair_index_1_0 <= slice3winner1_of_pair_1_0_is_less;
-      slice3winner1_pair_index_1_1 <= 3 when slice3winner1_of_pair_1_2_is_less else 2;
-      slice3winner1_pair_index_1_2 <= 5 when slice3winner1_of_pair_1_4_is_less else 4;
-      slice3winner1_pair_index_1_3 <= 7 when slice3winner1_of_pair_1_6_is_less else 6;
-      slice3winner1_pair_index_1_4 <= 9 when slice3winner1_of_pair_1_8_is_less else 8;
-      slice3winner1_pair_index_1_5 <= 11 when slice3winner1_of_pair_1_10_is_less else 10;
-      slice3winner1_pair_index_1_6 <= 13 when slice3winner1_of_pair_1_12_is_less else 12;
-      slice3winner1_pair_index_1_7 <= 15 when slice3winner1_of_pair_1_14_is_less else 14;
-      slice3winner1_pair_index_1_8 <= 17 when slice3winner1_of_pair_1_16_is_less else 16;
-      slice3winner1_pair_index_1_9 <= 19 when slice3winner1_of_pair_1_18_is_less else 18;
-      slice3winner1_pair_index_1_10 <= 21 when slice3winner1_of_pair_1_20_is_less else 20;
-      slice3winner1_pair_index_1_11 <= 23 when slice3winner1_of_pair_1_22_is_less else 22;
-      slice3winner1_pair_index_2_0 <= slice3winner1_of_pair_2_0_is_less;
-      slice3winner1_pair_index_2_1 <= 3 when slice3winner1_of_pair_2_2_is_less else 2;
-      slice3winner1_pair_index_2_2 <= 5 when slice3winner1_of_pair_2_4_is_less else 4;
-      slice3winner1_pair_index_2_3 <= 7 when slice3winner1_of_pair_2_6_is_less else 6;
-      slice3winner1_pair_index_2_4 <= 9 when slice3winner1_of_pair_2_8_is_less else 8;
-      slice3winner1_pair_index_2_5 <= 11 when slice3winner1_of_pair_2_10_is_less else 10;
-      slice3winner1_pair_index_2_6 <= 13 when slice3winner1_of_pair_2_12_is_less else 12;
-      slice3winner1_pair_index_2_7 <= 15 when slice3winner1_of_pair_2_14_is_less else 14;
-      slice3winner1_pair_index_2_8 <= 17 when slice3winner1_of_pair_2_16_is_less else 16;
-      slice3winner1_pair_index_2_9 <= 19 when slice3winner1_of_pair_2_18_is_less else 18;
-      slice3winner1_pair_index_2_10 <= 21 when slice3winner1_of_pair_2_20_is_less else 20;
-      slice3winner1_pair_index_2_11 <= 23 when slice3winner1_of_pair_2_22_is_less else 22;
-      slice3winner1_pair_index_3_0 <= slice3winner1_of_pair_3_0_is_less;
-      slice3winner1_pair_index_3_1 <= 3 when slice3winner1_of_pair_3_2_is_less else 2;
-      slice3winner1_pair_index_3_2 <= 5 when slice3winner1_of_pair_3_4_is_less else 4;
-      slice3winner1_pair_index_3_3 <= 7 when slice3winner1_of_pair_3_6_is_less else 6;
-      slice3winner1_pair_index_3_4 <= 9 when slice3winner1_of_pair_3_8_is_less else 8;
-      slice3winner1_pair_index_3_5 <= 11 when slice3winner1_of_pair_3_10_is_less else 10;
-      slice3winner1_pair_index_3_6 <= 13 when slice3winner1_of_pair_3_12_is_less else 12;
-      slice3winner1_pair_index_3_7 <= 15 when slice3winner1_of_pair_3_14_is_less else 14;
-      slice3winner1_pair_index_3_8 <= 17 when slice3winner1_of_pair_3_16_is_less else 16;
-      slice3winner1_pair_index_3_9 <= 19 when slice3winner1_of_pair_3_18_is_less else 18;
-      slice3winner1_pair_index_3_10 <= 21 when slice3winner1_of_pair_3_20_is_less else 20;
-      slice3winner1_pair_index_3_11 <= 23 when slice3winner1_of_pair_3_22_is_less else 22;
-      slice3winner1_of_four_0_0 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_0;
-      slice3winner1_of_four_0_1 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_1;
-      slice3winner1_of_four_0_2 <= slice3winner1_of_pair_0_2 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_3 <= slice3winner1_of_pair_0_3 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_4 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_4;
-      slice3winner1_of_four_0_5 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_5;
-      slice3winner1_of_four_0_6 <= slice3winner1_of_pair_0_6 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_7 <= slice3winner1_of_pair_0_7 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_8 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_8;
-      slice3winner1_of_four_0_9 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_9;
-      slice3winner1_of_four_0_10 <= slice3winner1_of_pair_0_10 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_11 <= slice3winner1_of_pair_0_11 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_12 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_12;
-      slice3winner1_of_four_0_13 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_13;
-      slice3winner1_of_four_0_14 <= slice3winner1_of_pair_0_14 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_of_four_0_15 <= slice3winner1_of_pair_0_15 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_of_four_0_16 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_16;
-      slice3winner1_of_four_0_17 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_17;
-      slice3winner1_of_four_0_18 <= slice3winner1_of_pair_0_18 when slice3winner1_of_four_0_16_is_less else 0;
-      slice3winner1_of_four_0_19 <= slice3winner1_of_pair_0_19 when slice3winner1_of_four_0_16_is_less else 0;
-      slice3winner1_of_four_0_20 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_20;
-      slice3winner1_of_four_0_21 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_21;
-      slice3winner1_of_four_0_22 <= slice3winner1_of_pair_0_22 when slice3winner1_of_four_0_20_is_less else 0;
-      slice3winner1_of_four_0_23 <= slice3winner1_of_pair_0_23 when slice3winner1_of_four_0_20_is_less else 0;
-      slice3winner1_of_four_0_24 <= slice3winner1_of_pair_0_24;
-      slice3winner1_of_four_1_0 <= 0 when slice3winner1_of_four_1_0_is_less else slice3winner1_of_pair_1_0;
-      slice3winner1_of_four_1_1 <= 0 when slice3winner1_of_four_1_0_is_less else slice3winner1_of_pair_1_1;
-      slice3winner1_of_four_1_2 <= slice3winner1_of_pair_1_2 when slice3winner1_of_four_1_0_is_less else 0;
-      slice3winner1_of_four_1_3 <= slice3winner1_of_pair_1_3 when slice3winner1_of_four_1_0_is_less else 0;
-      slice3winner1_of_four_1_4 <= 0 when slice3winner1_of_four_1_4_is_less else slice3winner1_of_pair_1_4;
-      slice3winner1_of_four_1_5 <= 0 when slice3winner1_of_four_1_4_is_less else slice3winner1_of_pair_1_5;
-      slice3winner1_of_four_1_6 <= slice3winner1_of_pair_1_6 when slice3winner1_of_four_1_4_is_less else 0;
-      slice3winner1_of_four_1_7 <= slice3winner1_of_pair_1_7 when slice3winner1_of_four_1_4_is_less else 0;
-      slice3winner1_of_four_1_8 <= 0 when slice3winner1_of_four_1_8_is_less else slice3winner1_of_pair_1_8;
-      slice3winner1_of_four_1_9 <= 0 when slice3winner1_of_four_1_8_is_less else slice3winner1_of_pair_1_9;
-      slice3winner1_of_four_1_10 <= slice3winner1_of_pair_1_10 when slice3winner1_of_four_1_8_is_less else 0;
-      slice3winner1_of_four_1_11 <= slice3winner1_of_pair_1_11 when slice3winner1_of_four_1_8_is_less else 0;
-      slice3winner1_of_four_1_12 <= 0 when slice3winner1_of_four_1_12_is_less else slice3winner1_of_pair_1_12;
-      slice3winner1_of_four_1_13 <= 0 when slice3winner1_of_four_1_12_is_less else slice3winner1_of_pair_1_13;
-      slice3winner1_of_four_1_14 <= slice3winner1_of_pair_1_14 when slice3winner1_of_four_1_12_is_less else 0;
-      slice3winner1_of_four_1_15 <= slice3winner1_of_pair_1_15 when slice3winner1_of_four_1_12_is_less else 0;
-      slice3winner1_of_four_1_16 <= 0 when slice3winner1_of_four_1_16_is_less else slice3winner1_of_pair_1_16;
-      slice3winner1_of_four_1_17 <= 0 when slice3winner1_of_four_1_16_is_less else slice3winner1_of_pair_1_17;
-      slice3winner1_of_four_1_18 <= slice3winner1_of_pair_1_18 when slice3winner1_of_four_1_16_is_less else 0;
-      slice3winner1_of_four_1_19 <= slice3winner1_of_pair_1_19 when slice3winner1_of_four_1_16_is_less else 0;
-      slice3winner1_of_four_1_20 <= 0 when slice3winner1_of_four_1_20_is_less else slice3winner1_of_pair_1_20;
-      slice3winner1_of_four_1_21 <= 0 when slice3winner1_of_four_1_20_is_less else slice3winner1_of_pair_1_21;
-      slice3winner1_of_four_1_22 <= slice3winner1_of_pair_1_22 when slice3winner1_of_four_1_20_is_less else 0;
-      slice3winner1_of_four_1_23 <= slice3winner1_of_pair_1_23 when slice3winner1_of_four_1_20_is_less else 0;
-      slice3winner1_of_four_1_24 <= slice3winner1_of_pair_1_24;
-      slice3winner1_of_four_2_0 <= 0 when slice3winner1_of_four_2_0_is_less else slice3winner1_of_pair_2_0;
-      slice3winner1_of_four_2_1 <= 0 when slice3winner1_of_four_2_0_is_less else slice3winner1_of_pair_2_1;
-      slice3winner1_of_four_2_2 <= slice3winner1_of_pair_2_2 when slice3winner1_of_four_2_0_is_less else 0;
-      slice3winner1_of_four_2_3 <= slice3winner1_of_pair_2_3 when slice3winner1_of_four_2_0_is_less else 0;
-      slice3winner1_of_four_2_4 <= 0 when slice3winner1_of_four_2_4_is_less else slice3winner1_of_pair_2_4;
-      slice3winner1_of_four_2_5 <= 0 when slice3winner1_of_four_2_4_is_less else slice3winner1_of_pair_2_5;
-      slice3winner1_of_four_2_6 <= slice3winner1_of_pair_2_6 when slice3winner1_of_four_2_4_is_less else 0;
-      slice3winner1_of_four_2_7 <= slice3winner1_of_pair_2_7 when slice3winner1_of_four_2_4_is_less else 0;
-      slice3winner1_of_four_2_8 <= 0 when slice3winner1_of_four_2_8_is_less else slice3winner1_of_pair_2_8;
-      slice3winner1_of_four_2_9 <= 0 when slice3winner1_of_four_2_8_is_less else slice3winner1_of_pair_2_9;
-      slice3winner1_of_four_2_10 <= slice3winner1_of_pair_2_10 when slice3winner1_of_four_2_8_is_less else 0;
-      slice3winner1_of_four_2_11 <= slice3winner1_of_pair_2_11 when slice3winner1_of_four_2_8_is_less else 0;
-      slice3winner1_of_four_2_12 <= 0 when slice3winner1_of_four_2_12_is_less else slice3winner1_of_pair_2_12;
-      slice3winner1_of_four_2_13 <= 0 when slice3winner1_of_four_2_12_is_less else slice3winner1_of_pair_2_13;
-      slice3winner1_of_four_2_14 <= slice3winner1_of_pair_2_14 when slice3winner1_of_four_2_12_is_less else 0;
-      slice3winner1_of_four_2_15 <= slice3winner1_of_pair_2_15 when slice3winner1_of_four_2_12_is_less else 0;
-      slice3winner1_of_four_2_16 <= 0 when slice3winner1_of_four_2_16_is_less else slice3winner1_of_pair_2_16;
-      slice3winner1_of_four_2_17 <= 0 when slice3winner1_of_four_2_16_is_less else slice3winner1_of_pair_2_17;
-      slice3winner1_of_four_2_18 <= slice3winner1_of_pair_2_18 when slice3winner1_of_four_2_16_is_less else 0;
-      slice3winner1_of_four_2_19 <= slice3winner1_of_pair_2_19 when slice3winner1_of_four_2_16_is_less else 0;
-      slice3winner1_of_four_2_20 <= 0 when slice3winner1_of_four_2_20_is_less else slice3winner1_of_pair_2_20;
-      slice3winner1_of_four_2_21 <= 0 when slice3winner1_of_four_2_20_is_less else slice3winner1_of_pair_2_21;
-      slice3winner1_of_four_2_22 <= slice3winner1_of_pair_2_22 when slice3winner1_of_four_2_20_is_less else 0;
-      slice3winner1_of_four_2_23 <= slice3winner1_of_pair_2_23 when slice3winner1_of_four_2_20_is_less else 0;
-      slice3winner1_of_four_2_24 <= slice3winner1_of_pair_2_24;
-      slice3winner1_of_four_3_0 <= 0 when slice3winner1_of_four_3_0_is_less else slice3winner1_of_pair_3_0;
-      slice3winner1_of_four_3_1 <= 0 when slice3winner1_of_four_3_0_is_less else slice3winner1_of_pair_3_1;
-      slice3winner1_of_four_3_2 <= slice3winner1_of_pair_3_2 when slice3winner1_of_four_3_0_is_less else 0;
-      slice3winner1_of_four_3_3 <= slice3winner1_of_pair_3_3 when slice3winner1_of_four_3_0_is_less else 0;
-      slice3winner1_of_four_3_4 <= 0 when slice3winner1_of_four_3_4_is_less else slice3winner1_of_pair_3_4;
-      slice3winner1_of_four_3_5 <= 0 when slice3winner1_of_four_3_4_is_less else slice3winner1_of_pair_3_5;
-      slice3winner1_of_four_3_6 <= slice3winner1_of_pair_3_6 when slice3winner1_of_four_3_4_is_less else 0;
-      slice3winner1_of_four_3_7 <= slice3winner1_of_pair_3_7 when slice3winner1_of_four_3_4_is_less else 0;
-      slice3winner1_of_four_3_8 <= 0 when slice3winner1_of_four_3_8_is_less else slice3winner1_of_pair_3_8;
-      slice3winner1_of_four_3_9 <= 0 when slice3winner1_of_four_3_8_is_less else slice3winner1_of_pair_3_9;
-      slice3winner1_of_four_3_10 <= slice3winner1_of_pair_3_10 when slice3winner1_of_four_3_8_is_less else 0;
-      slice3winner1_of_four_3_11 <= slice3winner1_of_pair_3_11 when slice3winner1_of_four_3_8_is_less else 0;
-      slice3winner1_of_four_3_12 <= 0 when slice3winner1_of_four_3_12_is_less else slice3winner1_of_pair_3_12;
-      slice3winner1_of_four_3_13 <= 0 when slice3winner1_of_four_3_12_is_less else slice3winner1_of_pair_3_13;
-      slice3winner1_of_four_3_14 <= slice3winner1_of_pair_3_14 when slice3winner1_of_four_3_12_is_less else 0;
-      slice3winner1_of_four_3_15 <= slice3winner1_of_pair_3_15 when slice3winner1_of_four_3_12_is_less else 0;
-      slice3winner1_of_four_3_16 <= 0 when slice3winner1_of_four_3_16_is_less else slice3winner1_of_pair_3_16;
-      slice3winner1_of_four_3_17 <= 0 when slice3winner1_of_four_3_16_is_less else slice3winner1_of_pair_3_17;
-      slice3winner1_of_four_3_18 <= slice3winner1_of_pair_3_18 when slice3winner1_of_four_3_16_is_less else 0;
-      slice3winner1_of_four_3_19 <= slice3winner1_of_pair_3_19 when slice3winner1_of_four_3_16_is_less else 0;
-      slice3winner1_of_four_3_20 <= 0 when slice3winner1_of_four_3_20_is_less else slice3winner1_of_pair_3_20;
-      slice3winner1_of_four_3_21 <= 0 when slice3winner1_of_four_3_20_is_less else slice3winner1_of_pair_3_21;
-      slice3winner1_of_four_3_22 <= slice3winner1_of_pair_3_22 when slice3winner1_of_four_3_20_is_less else 0;
-      slice3winner1_of_four_3_23 <= slice3winner1_of_pair_3_23 when slice3winner1_of_four_3_20_is_less else 0;
-      slice3winner1_of_four_3_24 <= slice3winner1_of_pair_3_24;
-      slice3winner1_four_index_0_0 <= slice3winner1_pair_index_0_1 when slice3winner1_of_four_0_0_is_less else
-        as_number(slice3winner1_pair_index_0_0);
-      slice3winner1_four_index_0_1 <= slice3winner1_pair_index_0_3 when slice3winner1_of_four_0_4_is_less else
-        slice3winner1_pair_index_0_2;
-      slice3winner1_four_index_0_2 <= slice3winner1_pair_index_0_5 when slice3winner1_of_four_0_8_is_less else
-        slice3winner1_pair_index_0_4;
-      slice3winner1_four_index_0_3 <= slice3winner1_pair_index_0_7 when slice3winner1_of_four_0_12_is_less else
-        slice3winner1_pair_index_0_6;
-      slice3winner1_four_index_0_4 <= slice3winner1_pair_index_0_9 when slice3winner1_of_four_0_16_is_less else
-        slice3winner1_pair_index_0_8;
-      slice3winner1_four_index_0_5 <= slice3winner1_pair_index_0_11 when slice3winner1_of_four_0_20_is_less else
-        slice3winner1_pair_index_0_10;
-      slice3winner1_four_index_1_0 <= slice3winner1_pair_index_1_1 when slice3winner1_of_four_1_0_is_less else
-        as_number(slice3winner1_pair_index_1_0);
-      slice3winner1_four_index_1_1 <= slice3winner1_pair_index_1_3 when slice3winner1_of_four_1_4_is_less else
-        slice3winner1_pair_index_1_2;
-      slice3winner1_four_index_1_2 <= slice3winner1_pair_index_1_5 when slice3winner1_of_four_1_8_is_less else
-        slice3winner1_pair_index_1_4;
-      slice3winner1_four_index_1_3 <= slice3winner1_pair_index_1_7 when slice3winner1_of_four_1_12_is_less else
-        slice3winner1_pair_index_1_6;
-      slice3winner1_four_index_1_4 <= slice3winner1_pair_index_1_9 when slice3winner1_of_four_1_16_is_less else
-        slice3winner1_pair_index_1_8;
-      slice3winner1_four_index_1_5 <= slice3winner1_pair_index_1_11 when slice3winner1_of_four_1_20_is_less else
-        slice3winner1_pair_index_1_10;
-      slice3winner1_four_index_2_0 <= slice3winner1_pair_index_2_1 when slice3winner1_of_four_2_0_is_less else
-        as_number(slice3winner1_pair_index_2_0);
-      slice3winner1_four_index_2_1 <= slice3winner1_pair_index_2_3 when slice3winner1_of_four_2_4_is_less else
-        slice3winner1_pair_index_2_2;
-      slice3winner1_four_index_2_2 <= slice3winner1_pair_index_2_5 when slice3winner1_of_four_2_8_is_less else
-        slice3winner1_pair_index_2_4;
-      slice3winner1_four_index_2_3 <= slice3winner1_pair_index_2_7 when slice3winner1_of_four_2_12_is_less else
-        slice3winner1_pair_index_2_6;
-      slice3winner1_four_index_2_4 <= slice3winner1_pair_index_2_9 when slice3winner1_of_four_2_16_is_less else
-        slice3winner1_pair_index_2_8;
-      slice3winner1_four_index_2_5 <= slice3winner1_pair_index_2_11 when slice3winner1_of_four_2_20_is_less else
-        slice3winner1_pair_index_2_10;
-      slice3winner1_four_index_3_0 <= slice3winner1_pair_index_3_1 when slice3winner1_of_four_3_0_is_less else
-        as_number(slice3winner1_pair_index_3_0);
-      slice3winner1_four_index_3_1 <= slice3winner1_pair_index_3_3 when slice3winner1_of_four_3_4_is_less else
-        slice3winner1_pair_index_3_2;
-      slice3winner1_four_index_3_2 <= slice3winner1_pair_index_3_5 when slice3winner1_of_four_3_8_is_less else
-        slice3winner1_pair_index_3_4;
-      slice3winner1_four_index_3_3 <= slice3winner1_pair_index_3_7 when slice3winner1_of_four_3_12_is_less else
-        slice3winner1_pair_index_3_6;
-      slice3winner1_four_index_3_4 <= slice3winner1_pair_index_3_9 when slice3winner1_of_four_3_16_is_less else
-        slice3winner1_pair_index_3_8;
-      slice3winner1_four_index_3_5 <= slice3winner1_pair_index_3_11 when slice3winner1_of_four_3_20_is_less else
-        slice3winner1_pair_index_3_10;
-      slice3winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_3, 12)))) or (to_unsigned(slice3winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_0, 12))));
-      slice3winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_7, 12)))) or (to_unsigned(slice3winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_4, 12))));
-      slice3winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_11, 12)))) or (to_unsigned(slice3winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_8, 12))));
-      slice3winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_14, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_15, 12)))) or (to_unsigned(slice3winner1_of_four_0_13, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_12, 12))));
-      slice3winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_18, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_19, 12)))) or (to_unsigned(slice3winner1_of_four_0_17, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_16, 12))));
-      slice3winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_22, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_23, 12)))) or (to_unsigned(slice3winner1_of_four_0_21, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_20, 12))));
-      slice3winner1_best_cost_0_6 <= slice3winner1_of_four_0_24;
-      slice3winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_2, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_3, 12)))) or (to_unsigned(slice3winner1_of_four_1_1, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_0, 12))));
-      slice3winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_6, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_7, 12)))) or (to_unsigned(slice3winner1_of_four_1_5, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_4, 12))));
-      slice3winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_10, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_11, 12)))) or (to_unsigned(slice3winner1_of_four_1_9, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_8, 12))));
-      slice3winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_14, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_15, 12)))) or (to_unsigned(slice3winner1_of_four_1_13, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_12, 12))));
-      slice3winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_18, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_19, 12)))) or (to_unsigned(slice3winner1_of_four_1_17, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_16, 12))));
-      slice3winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_22, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_23, 12)))) or (to_unsigned(slice3winner1_of_four_1_21, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_20, 12))));
-      slice3winner1_best_cost_1_6 <= slice3winner1_of_four_1_24;
-      slice3winner1_best_cost_2_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_2_2, 12)) or
-        (to_unsigned(slice3winner1_of_four_2_3, 12)))) or (to_unsigned(slice3winner1_of_four_2_1, 12)))) or
-        (to_unsigned(slice3winner1_of_four_2_0, 12))));
-      slice3winner1_best_cost_2_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_2_6, 12)) or
-        (to_unsigned(slice3winner1_of_four_2_7, 12)))) or (to_unsigned(slice3winner1_of_four_2_5, 12)))) or
-        (to_unsigned(slice3winner1_of_four_2_4, 12))));
-      slice3winner1_best_cost_2_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_2_10, 12)) or
-        (to_unsigned(slice3winner1_of_four_2_11, 12)))) or (to_unsigned(slice3winner1_of_four_2_9, 12)))) or
-        (to_unsigned(slice3winner1_of_four_2_8, 12))));
-      slice3winner1_best_cost_2_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_2_14, 12)) or
-        (to_unsigned(slice3winner1_of_four_2_15, 12)))) or (to_unsigned(slice3winner1_of_four_2_13, 12)))) or
-        (to_unsigned(slice3winner1_of_four_2_12, 12))));
-      slice3winner1_best_cost_2_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_2_18, 12)) or
-        (to_unsigned(slice3winner1_of_four_2_19, 12)))) or (to_unsigned(slice3winner1_of_four_2_17, 12)))) or
-        (to_unsigned(slice3winner1_of_four_2_16, 12))));
-      slice3winner1_best_cost_2_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_2_22, 12)) or
-        (to_unsigned(slice3winner1_of_four_2_23, 12)))) or (to_unsigned(slice3winner1_of_four_2_21, 12)))) or
-        (to_unsigned(slice3winner1_of_four_2_20, 12))));
-      slice3winner1_best_cost_2_6 <= slice3winner1_of_four_2_24;
-      slice3winner1_best_cost_3_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_3_2, 12)) or
-        (to_unsigned(slice3winner1_of_four_3_3, 12)))) or (to_unsigned(slice3winner1_of_four_3_1, 12)))) or
-        (to_unsigned(slice3winner1_of_four_3_0, 12))));
-      slice3winner1_best_cost_3_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_3_6, 12)) or
-        (to_unsigned(slice3winner1_of_four_3_7, 12)))) or (to_unsigned(slice3winner1_of_four_3_5, 12)))) or
-        (to_unsigned(slice3winner1_of_four_3_4, 12))));
-      slice3winner1_best_cost_3_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_3_10, 12)) or
-        (to_unsigned(slice3winner1_of_four_3_11, 12)))) or (to_unsigned(slice3winner1_of_four_3_9, 12)))) or
-        (to_unsigned(slice3winner1_of_four_3_8, 12))));
-      slice3winner1_best_cost_3_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_3_14, 12)) or
-        (to_unsigned(slice3winner1_of_four_3_15, 12)))) or (to_unsigned(slice3winner1_of_four_3_13, 12)))) or
-        (to_unsigned(slice3winner1_of_four_3_12, 12))));
-      slice3winner1_best_cost_3_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_3_18, 12)) or
-        (to_unsigned(slice3winner1_of_four_3_19, 12)))) or (to_unsigned(slice3winner1_of_four_3_17, 12)))) or
-        (to_unsigned(slice3winner1_of_four_3_16, 12))));
-      slice3winner1_best_cost_3_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_3_22, 12)) or
-        (to_unsigned(slice3winner1_of_four_3_23, 12)))) or (to_unsigned(slice3winner1_of_four_3_21, 12)))) or
-        (to_unsigned(slice3winner1_of_four_3_20, 12))));
-      slice3winner1_best_cost_3_6 <= slice3winner1_of_four_3_24;
-      slice3winner1_best_index_0_0 <= slice3winner1_four_index_0_0;
-      slice3winner1_best_index_0_1 <= slice3winner1_four_index_0_1;
-      slice3winner1_best_index_0_2 <= slice3winner1_four_index_0_2;
-      slice3winner1_best_index_0_3 <= slice3winner1_four_index_0_3;
-      slice3winner1_best_index_0_4 <= slice3winner1_four_index_0_4;
-      slice3winner1_best_index_0_5 <= slice3winner1_four_index_0_5;
-      slice3winner1_best_index_1_0 <= slice3winner1_four_index_1_0;
-      slice3winner1_best_index_1_1 <= slice3winner1_four_index_1_1;
-      slice3winner1_best_index_1_2 <= slice3winner1_four_index_1_2;
-      slice3winner1_best_index_1_3 <= slice3winner1_four_index_1_3;
-      slice3winner1_best_index_1_4 <= slice3winner1_four_index_1_4;
-      slice3winner1_best_index_1_5 <= slice3winner1_four_index_1_5;
-      slice3winner1_best_index_2_0 <= slice3winner1_four_index_2_0;
-      slice3winner1_best_index_2_1 <= slice3winner1_four_index_2_1;
-      slice3winner1_best_index_2_2 <= slice3winner1_four_index_2_2;
-      slice3winner1_best_index_2_3 <= slice3winner1_four_index_2_3;
-      slice3winner1_best_index_2_4 <= slice3winner1_four_index_2_4;
-      slice3winner1_best_index_2_5 <= slice3winner1_four_index_2_5;
-      slice3winner1_best_index_3_0 <= slice3winner1_four_index_3_0;
-      slice3winner1_best_index_3_1 <= slice3winner1_four_index_3_1;
-      slice3winner1_best_index_3_2 <= slice3winner1_four_index_3_2;
-      slice3winner1_best_index_3_3 <= slice3winner1_four_index_3_3;
-      slice3winner1_best_index_3_4 <= slice3winner1_four_index_3_4;
-      slice3winner1_best_index_3_5 <= slice3winner1_four_index_3_5;
+      slice3winner1_best_cost_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
+      slice3winner1_best_cost_0_1_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
+      slice3winner1_best_cost_0_2_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
+      slice3winner1_best_cost_0_3_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
+      slice3winner1_best_cost_0_4_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
+      slice3winner1_best_cost_0_5_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
+      slice3winner1_best_cost_0_6_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
+      slice3winner1_best_cost_0_7_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
+      slice3winner1_best_cost_0_8_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
+      slice3winner1_best_cost_0_9_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
+      slice3winner1_best_cost_0_10_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
+      slice3winner1_best_cost_0_11_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
+      slice3winner1_best_cost_1_0_is_less := (slice3window_sum_1_1 - slice3window_sum_1_0) < 0;
+      slice3winner1_best_cost_1_1_is_less := (slice3window_sum_1_3 - slice3window_sum_1_2) < 0;
+      slice3winner1_best_cost_1_2_is_less := (slice3window_sum_1_5 - slice3window_sum_1_4) < 0;
+      slice3winner1_best_cost_1_3_is_less := (slice3window_sum_1_7 - slice3window_sum_1_6) < 0;
+      slice3winner1_best_cost_1_4_is_less := (slice3window_sum_1_9 - slice3window_sum_1_8) < 0;
+      slice3winner1_best_cost_1_5_is_less := (slice3window_sum_1_11 - slice3window_sum_1_10) < 0;
+      slice3winner1_best_cost_1_6_is_less := (slice3window_sum_1_13 - slice3window_sum_1_12) < 0;
+      slice3winner1_best_cost_1_7_is_less := (slice3window_sum_1_15 - slice3window_sum_1_14) < 0;
+      slice3winner1_best_cost_1_8_is_less := (slice3window_sum_1_17 - slice3window_sum_1_16) < 0;
+      slice3winner1_best_cost_1_9_is_less := (slice3window_sum_1_19 - slice3window_sum_1_18) < 0;
+      slice3winner1_best_cost_1_10_is_less := (slice3window_sum_1_21 - slice3window_sum_1_20) < 0;
+      slice3winner1_best_cost_1_11_is_less := (slice3window_sum_1_23 - slice3window_sum_1_22) < 0;
+      slice3winner1_best_cost_2_0_is_less := (slice3window_sum_2_1 - slice3window_sum_2_0) < 0;
+      slice3winner1_best_cost_2_1_is_less := (slice3window_sum_2_3 - slice3window_sum_2_2) < 0;
+      slice3winner1_best_cost_2_2_is_less := (slice3window_sum_2_5 - slice3window_sum_2_4) < 0;
+      slice3winner1_best_cost_2_3_is_less := (slice3window_sum_2_7 - slice3window_sum_2_6) < 0;
+      slice3winner1_best_cost_2_4_is_less := (slice3window_sum_2_9 - slice3window_sum_2_8) < 0;
+      slice3winner1_best_cost_2_5_is_less := (slice3window_sum_2_11 - slice3window_sum_2_10) < 0;
+      slice3winner1_best_cost_2_6_is_less := (slice3window_sum_2_13 - slice3window_sum_2_12) < 0;
+      slice3winner1_best_cost_2_7_is_less := (slice3window_sum_2_15 - slice3window_sum_2_14) < 0;
+      slice3winner1_best_cost_2_8_is_less := (slice3window_sum_2_17 - slice3window_sum_2_16) < 0;
+      slice3winner1_best_cost_2_9_is_less := (slice3window_sum_2_19 - slice3window_sum_2_18) < 0;
+      slice3winner1_best_cost_2_10_is_less := (slice3window_sum_2_21 - slice3window_sum_2_20) < 0;
+      slice3winner1_best_cost_2_11_is_less := (slice3window_sum_2_23 - slice3window_sum_2_22) < 0;
+      slice3winner1_best_cost_3_0_is_less := (slice3window_sum_3_1 - slice3window_sum_3_0) < 0;
+      slice3winner1_best_cost_3_1_is_less := (slice3window_sum_3_3 - slice3window_sum_3_2) < 0;
+      slice3winner1_best_cost_3_2_is_less := (slice3window_sum_3_5 - slice3window_sum_3_4) < 0;
+      slice3winner1_best_cost_3_3_is_less := (slice3window_sum_3_7 - slice3window_sum_3_6) < 0;
+      slice3winner1_best_cost_3_4_is_less := (slice3window_sum_3_9 - slice3window_sum_3_8) < 0;
+      slice3winner1_best_cost_3_5_is_less := (slice3window_sum_3_11 - slice3window_sum_3_10) < 0;
+      slice3winner1_best_cost_3_6_is_less := (slice3window_sum_3_13 - slice3window_sum_3_12) < 0;
+      slice3winner1_best_cost_3_7_is_less := (slice3window_sum_3_15 - slice3window_sum_3_14) < 0;
+      slice3winner1_best_cost_3_8_is_less := (slice3window_sum_3_17 - slice3window_sum_3_16) < 0;
+      slice3winner1_best_cost_3_9_is_less := (slice3window_sum_3_19 - slice3window_sum_3_18) < 0;
+      slice3winner1_best_cost_3_10_is_less := (slice3window_sum_3_21 - slice3window_sum_3_20) < 0;
+      slice3winner1_best_cost_3_11_is_less := (slice3window_sum_3_23 - slice3window_sum_3_22) < 0;
+      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
+        slice3window_sum_0_0;
+      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
+        slice3window_sum_0_2;
+      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
+        slice3window_sum_0_4;
+      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
+        slice3window_sum_0_6;
+      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
+        slice3window_sum_0_8;
+      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
+        slice3window_sum_0_10;
+      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
+        slice3window_sum_0_12;
+      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
+        slice3window_sum_0_14;
+      slice3winner1_best_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_best_cost_0_8_is_less else
+        slice3window_sum_0_16;
+      slice3winner1_best_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_best_cost_0_9_is_less else
+        slice3window_sum_0_18;
+      slice3winner1_best_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_best_cost_0_10_is_less else
+        slice3window_sum_0_20;
+      slice3winner1_best_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_best_cost_0_11_is_less else
+        slice3window_sum_0_22;
+      slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
+      slice3winner1_best_cost_1_0 <= slice3window_sum_1_1 when slice3winner1_best_cost_1_0_is_less else
+        slice3window_sum_1_0;
+      slice3winner1_best_cost_1_1 <= slice3window_sum_1_3 when slice3winner1_best_cost_1_1_is_less else
+        slice3window_sum_1_2;
+      slice3winner1_best_cost_1_2 <= slice3window_sum_1_5 when slice3winner1_best_cost_1_2_is_less else
+        slice3window_sum_1_4;
+      slice3winner1_best_cost_1_3 <= slice3window_sum_1_7 when slice3winner1_best_cost_1_3_is_less else
+        slice3window_sum_1_6;
+      slice3winner1_best_cost_1_4 <= slice3window_sum_1_9 when slice3winner1_best_cost_1_4_is_less else
+        slice3window_sum_1_8;
+      slice3winner1_best_cost_1_5 <= slice3window_sum_1_11 when slice3winner1_best_cost_1_5_is_less else
+        slice3window_sum_1_10;
+      slice3winner1_best_cost_1_6 <= slice3window_sum_1_13 when slice3winner1_best_cost_1_6_is_less else
+        slice3window_sum_1_12;
+      slice3winner1_best_cost_1_7 <= slice3window_sum_1_15 when slice3winner1_best_cost_1_7_is_less else
+        slice3window_sum_1_14;
+      slice3winner1_best_cost_1_8 <= slice3window_sum_1_17 when slice3winner1_best_cost_1_8_is_less else
+        slice3window_sum_1_16;
+      slice3winner1_best_cost_1_9 <= slice3window_sum_1_19 when slice3winner1_best_cost_1_9_is_less else
+        slice3window_sum_1_18;
+      slice3winner1_best_cost_1_10 <= slice3window_sum_1_21 when slice3winner1_best_cost_1_10_is_less else
+        slice3window_sum_1_20;
+      slice3winner1_best_cost_1_11 <= slice3window_sum_1_23 when slice3winner1_best_cost_1_11_is_less else
+        slice3window_sum_1_22;
+      slice3winner1_best_cost_1_12 <= slice3window_sum_1_24;
+      slice3winner1_best_cost_2_0 <= slice3window_sum_2_1 when slice3winner1_best_cost_2_0_is_less else
+        slice3window_sum_2_0;
+      slice3winner1_best_cost_2_1 <= slice3window_sum_2_3 when slice3winner1_best_cost_2_1_is_less else
+        slice3window_sum_2_2;
+      slice3winner1_best_cost_2_2 <= slice3window_sum_2_5 when slice3winner1_best_cost_2_2_is_less else
+        slice3window_sum_2_4;
+      slice3winner1_best_cost_2_3 <= slice3window_sum_2_7 when slice3winner1_best_cost_2_3_is_less else
+        slice3window_sum_2_6;
+      slice3winner1_best_cost_2_4 <= slice3window_sum_2_9 when slice3winner1_best_cost_2_4_is_less else
+        slice3window_sum_2_8;
+      slice3winner1_best_cost_2_5 <= slice3window_sum_2_11 when slice3winner1_best_cost_2_5_is_less else
+        slice3window_sum_2_10;
+      slice3winner1_best_cost_2_6 <= slice3window_sum_2_13 when slice3winner1_best_cost_2_6_is_less else
+        slice3window_sum_2_12;
+      slice3winner1_best_cost_2_7 <= slice3window_sum_2_15 when slice3winner1_best_cost_2_7_is_less else
+        slice3window_sum_2_14;
+      slice3winner1_best_cost_2_8 <= slice3window_sum_2_17 when slice3winner1_best_cost_2_8_is_less else
+        slice3window_sum_2_16;
+      slice3winner1_best_cost_2_9 <= slice3window_sum_2_19 when slice3winner1_best_cost_2_9_is_less else
+        slice3window_sum_2_18;
+      slice3winner1_best_cost_2_10 <= slice3window_sum_2_21 when slice3winner1_best_cost_2_10_is_less else
+        slice3window_sum_2_20;
+      slice3winner1_best_cost_2_11 <= slice3window_sum_2_23 when slice3winner1_best_cost_2_11_is_less else
+        slice3window_sum_2_22;
+      slice3winner1_best_cost_2_12 <= slice3window_sum_2_24;
+      slice3winner1_best_cost_3_0 <= slice3window_sum_3_1 when slice3winner1_best_cost_3_0_is_less else
+        slice3window_sum_3_0;
+      slice3winner1_best_cost_3_1 <= slice3window_sum_3_3 when slice3winner1_best_cost_3_1_is_less else
+        slice3window_sum_3_2;
+      slice3winner1_best_cost_3_2 <= slice3window_sum_3_5 when slice3winner1_best_cost_3_2_is_less else
+        slice3window_sum_3_4;
+      slice3winner1_best_cost_3_3 <= slice3window_sum_3_7 when slice3winner1_best_cost_3_3_is_less else
+        slice3window_sum_3_6;
+      slice3winner1_best_cost_3_4 <= slice3window_sum_3_9 when slice3winner1_best_cost_3_4_is_less else
+        slice3window_sum_3_8;
+      slice3winner1_best_cost_3_5 <= slice3window_sum_3_11 when slice3winner1_best_cost_3_5_is_less else
+        slice3window_sum_3_10;
+      slice3winner1_best_cost_3_6 <= slice3window_sum_3_13 when slice3winner1_best_cost_3_6_is_less else
+        slice3window_sum_3_12;
+      slice3winner1_best_cost_3_7 <= slice3window_sum_3_15 when slice3winner1_best_cost_3_7_is_less else
+        slice3window_sum_3_14;
+      slice3winner1_best_cost_3_8 <= slice3window_sum_3_17 when slice3winner1_best_cost_3_8_is_less else
+        slice3window_sum_3_16;
+      slice3winner1_best_cost_3_9 <= slice3window_sum_3_19 when slice3winner1_best_cost_3_9_is_less else
+        slice3window_sum_3_18;
+      slice3winner1_best_cost_3_10 <= slice3window_sum_3_21 when slice3winner1_best_cost_3_10_is_less else
+        slice3window_sum_3_20;
+      slice3winner1_best_cost_3_11 <= slice3window_sum_3_23 when slice3winner1_best_cost_3_11_is_less else
+        slice3window_sum_3_22;
+      slice3winner1_best_cost_3_12 <= slice3window_sum_3_24;
+      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
+      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
+      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
+      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
+      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
+      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
+      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
+      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
+      slice3winner1_best_index_0_8 <= 17 when slice3winner1_best_cost_0_8_is_less else 16;
+      slice3winner1_best_index_0_9 <= 19 when slice3winner1_best_cost_0_9_is_less else 18;
+      slice3winner1_best_index_0_10 <= 21 when slice3winner1_best_cost_0_10_is_less else 20;
+      slice3winner1_best_index_0_11 <= 23 when slice3winner1_best_cost_0_11_is_less else 22;
+      slice3winner1_best_index_1_0 <= slice3winner1_best_cost_1_0_is_less;
+      slice3winner1_best_index_1_1 <= 3 when slice3winner1_best_cost_1_1_is_less else 2;
+      slice3winner1_best_index_1_2 <= 5 when slice3winner1_best_cost_1_2_is_less else 4;
+      slice3winner1_best_index_1_3 <= 7 when slice3winner1_best_cost_1_3_is_less else 6;
+      slice3winner1_best_index_1_4 <= 9 when slice3winner1_best_cost_1_4_is_less else 8;
+      slice3winner1_best_index_1_5 <= 11 when slice3winner1_best_cost_1_5_is_less else 10;
+      slice3winner1_best_index_1_6 <= 13 when slice3winner1_best_cost_1_6_is_less else 12;
+      slice3winner1_best_index_1_7 <= 15 when slice3winner1_best_cost_1_7_is_less else 14;
+      slice3winner1_best_index_1_8 <= 17 when slice3winner1_best_cost_1_8_is_less else 16;
+      slice3winner1_best_index_1_9 <= 19 when slice3winner1_best_cost_1_9_is_less else 18;
+      slice3winner1_best_index_1_10 <= 21 when slice3winner1_best_cost_1_10_is_less else 20;
+      slice3winner1_best_index_1_11 <= 23 when slice3winner1_best_cost_1_11_is_less else 22;
+      slice3winner1_best_index_2_0 <= slice3winner1_best_cost_2_0_is_less;
+      slice3winner1_best_index_2_1 <= 3 when slice3winner1_best_cost_2_1_is_less else 2;
+      slice3winner1_best_index_2_2 <= 5 when slice3winner1_best_cost_2_2_is_less else 4;
+      slice3winner1_best_index_2_3 <= 7 when slice3winner1_best_cost_2_3_is_less else 6;
+      slice3winner1_best_index_2_4 <= 9 when slice3winner1_best_cost_2_4_is_less else 8;
+      slice3winner1_best_index_2_5 <= 11 when slice3winner1_best_cost_2_5_is_less else 10;
+      slice3winner1_best_index_2_6 <= 13 when slice3winner1_best_cost_2_6_is_less else 12;
+      slice3winner1_best_index_2_7 <= 15 when slice3winner1_best_cost_2_7_is_less else 14;
+      slice3winner1_best_index_2_8 <= 17 when slice3winner1_best_cost_2_8_is_less else 16;
+      slice3winner1_best_index_2_9 <= 19 when slice3winner1_best_cost_2_9_is_less else 18;
+      slice3winner1_best_index_2_10 <= 21 when slice3winner1_best_cost_2_10_is_less else 20;
+      slice3winner1_best_index_2_11 <= 23 when slice3winner1_best_cost_2_11_is_less else 22;
+      slice3winner1_best_index_3_0 <= slice3winner1_best_cost_3_0_is_less;
+      slice3winner1_best_index_3_1 <= 3 when slice3winner1_best_cost_3_1_is_less else 2;
+      slice3winner1_best_index_3_2 <= 5 when slice3winner1_best_cost_3_2_is_less else 4;
+      slice3winner1_best_index_3_3 <= 7 when slice3winner1_best_cost_3_3_is_less else 6;
+      slice3winner1_best_index_3_4 <= 9 when slice3winner1_best_cost_3_4_is_less else 8;
+      slice3winner1_best_index_3_5 <= 11 when slice3winner1_best_cost_3_5_is_less else 10;
+      slice3winner1_best_index_3_6 <= 13 when slice3winner1_best_cost_3_6_is_less else 12;
+      slice3winner1_best_index_3_7 <= 15 when slice3winner1_best_cost_3_7_is_less else 14;
+      slice3winner1_best_index_3_8 <= 17 when slice3winner1_best_cost_3_8_is_less else 16;
+      slice3winner1_best_index_3_9 <= 19 when slice3winner1_best_cost_3_9_is_less else 18;
+      slice3winner1_best_index_3_10 <= 21 when slice3winner1_best_cost_3_10_is_less else 20;
+      slice3winner1_best_index_3_11 <= 23 when slice3winner1_best_cost_3_11_is_less else 22;
       -- slice3winner2
-      slice3winner2_of_pair_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
-      slice3winner2_of_pair_0_2_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
-      slice3winner2_of_pair_0_4_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
-      slice3winner2_of_pair_1_0_is_less := (slice3winner1_best_cost_1_1 - slice3winner1_best_cost_1_0) < 0;
-      slice3winner2_of_pair_1_2_is_less := (slice3winner1_best_cost_1_3 - slice3winner1_best_cost_1_2) < 0;
-      slice3winner2_of_pair_1_4_is_less := (slice3winner1_best_cost_1_5 - slice3winner1_best_cost_1_4) < 0;
-      slice3winner2_of_pair_2_0_is_less := (slice3winner1_best_cost_2_1 - slice3winner1_best_cost_2_0) < 0;
-      slice3winner2_of_pair_2_2_is_less := (slice3winner1_best_cost_2_3 - slice3winner1_best_cost_2_2) < 0;
-      slice3winner2_of_pair_2_4_is_less := (slice3winner1_best_cost_2_5 - slice3winner1_best_cost_2_4) < 0;
-      slice3winner2_of_pair_3_0_is_less := (slice3winner1_best_cost_3_1 - slice3winner1_best_cost_3_0) < 0;
-      slice3winner2_of_pair_3_2_is_less := (slice3winner1_best_cost_3_3 - slice3winner1_best_cost_3_2) < 0;
-      slice3winner2_of_pair_3_4_is_less := (slice3winner1_best_cost_3_5 - slice3winner1_best_cost_3_4) < 0;
-      slice3winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_0_3, 12)) or
-        (to_unsigned(slice3winner2_of_pair_0_2, 12)))) - to_integer(((to_unsigned(slice3winner2_of_pair_0_1, 12)) or
-        (to_unsigned(slice3winner2_of_pair_0_0, 12))))) < 0;
-      slice3winner2_of_four_0_4_is_less := (slice3winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice3winner2_of_pair_0_5, 12)) or (to_unsigned(slice3winner2_of_pair_0_4, 12))))) < 0;
-      slice3winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_1_3, 12)) or
-        (to_unsigned(slice3winner2_of_pair_1_2, 12)))) - to_integer(((to_unsigned(slice3winner2_of_pair_1_1, 12)) or
-        (to_unsigned(slice3winner2_of_pair_1_0, 12))))) < 0;
-      slice3winner2_of_four_1_4_is_less := (slice3winner2_of_pair_1_6 -
-        to_integer(((to_unsigned(slice3winner2_of_pair_1_5, 12)) or (to_unsigned(slice3winner2_of_pair_1_4, 12))))) < 0;
-      slice3winner2_of_four_2_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_2_3, 12)) or
-        (to_unsigned(slice3winner2_of_pair_2_2, 12)))) - to_integer(((to_unsigned(slice3winner2_of_pair_2_1, 12)) or
-        (to_unsigned(slice3winner2_of_pair_2_0, 12))))) < 0;
-      slice3winner2_of_four_2_4_is_less := (slice3winner2_of_pair_2_6 -
-        to_integer(((to_unsigned(slice3winner2_of_pair_2_5, 12)) or (to_unsigned(slice3winner2_of_pair_2_4, 12))))) < 0;
-      slice3winner2_of_four_3_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_3_3, 12)) or
-        (to_unsigned(slice3winner2_of_pair_3_2, 12)))) - to_integer(((to_unsigned(slice3winner2_of_pair_3_1, 12)) or
-        (to_unsigned(slice3winner2_of_pair_3_0, 12))))) < 0;
-      slice3winner2_of_four_3_4_is_less := (slice3winner2_of_pair_3_6 -
-        to_integer(((to_unsigned(slice3winner2_of_pair_3_5, 12)) or (to_unsigned(slice3winner2_of_pair_3_4, 12))))) < 0;
-      slice3winner2_of_pair_0_0 <= 0 when slice3winner2_of_pair_0_0_is_less else slice3winner1_best_cost_0_0;
-      slice3winner2_of_pair_0_1 <= slice3winner1_best_cost_0_1 when slice3winner2_of_pair_0_0_is_less else 0;
-      slice3winner2_of_pair_0_2 <= 0 when slice3winner2_of_pair_0_2_is_less else slice3winner1_best_cost_0_2;
-      slice3winner2_of_pair_0_3 <= slice3winner1_best_cost_0_3 when slice3winner2_of_pair_0_2_is_less else 0;
-      slice3winner2_of_pair_0_4 <= 0 when slice3winner2_of_pair_0_4_is_less else slice3winner1_best_cost_0_4;
-      slice3winner2_of_pair_0_5 <= slice3winner1_best_cost_0_5 when slice3winner2_of_pair_0_4_is_less else 0;
-      slice3winner2_of_pair_0_6 <= slice3winner1_best_cost_0_6;
-      slice3winner2_of_pair_1_0 <= 0 when slice3winner2_of_pair_1_0_is_less else slice3winner1_best_cost_1_0;
-      slice3winner2_of_pair_1_1 <= slice3winner1_best_cost_1_1 when slice3winner2_of_pair_1_0_is_less else 0;
-      slice3winner2_of_pair_1_2 <= 0 when slice3winner2_of_pair_1_2_is_less else slice3winner1_best_cost_1_2;
-      slice3winner2_of_pair_1_3 <= slice3winner1_best_cost_1_3 when slice3winner2_of_pair_1_2_is_less else 0;
-      slice3winner2_of_pair_1_4 <= 0 when slice3winner2_of_pair_1_4_is_less else slice3winner1_best_cost_1_4;
-      slice3winner2_of_pair_1_5 <= slice3winner1_best_cost_1_5 when slice3winner2_of_pair_1_4_is_less else 0;
-      slice3winner2_of_pair_1_6 <= slice3winner1_best_cost_1_6;
-      slice3winner2_of_pair_2_0 <= 0 when slice3winner2_of_pair_2_0_is_less else slice3winner1_best_cost_2_0;
-      slice3winner2_of_pair_2_1 <= slice3winner1_best_cost_2_1 when slice3winner2_of_pair_2_0_is_less else 0;
-      slice3winner2_of_pair_2_2 <= 0 when slice3winner2_of_pair_2_2_is_less else slice3winner1_best_cost_2_2;
-      slice3winner2_of_pair_2_3 <= slice3winner1_best_cost_2_3 when slice3winner2_of_pair_2_2_is_less else 0;
-      slice3winner2_of_pair_2_4 <= 0 when slice3winner2_of_pair_2_4_is_less else slice3winner1_best_cost_2_4;
-      slice3winner2_of_pair_2_5 <= slice3winner1_best_cost_2_5 when slice3winner2_of_pair_2_4_is_less else 0;
-      slice3winner2_of_pair_2_6 <= slice3winner1_best_cost_2_6;
-      slice3winner2_of_pair_3_0 <= 0 when slice3winner2_of_pair_3_0_is_less else slice3winner1_best_cost_3_0;
-      slice3winner2_of_pair_3_1 <= slice3winner1_best_cost_3_1 when slice3winner2_of_pair_3_0_is_less else 0;
-      slice3winner2_of_pair_3_2 <= 0 when slice3winner2_of_pair_3_2_is_less else slice3winner1_best_cost_3_2;
-      slice3winner2_of_pair_3_3 <= slice3winner1_best_cost_3_3 when slice3winner2_of_pair_3_2_is_less else 0;
-      slice3winner2_of_pair_3_4 <= 0 when slice3winner2_of_pair_3_4_is_less else slice3winner1_best_cost_3_4;
-      slice3winner2_of_pair_3_5 <= slice3winner1_best_cost_3_5 when slice3winner2_of_pair_3_4_is_less else 0;
-      slice3winner2_of_pair_3_6 <= slice3winner1_best_cost_3_6;
-      slice3winner2_pair_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_of_pair_0_0_is_less else
-        slice3winner1_best_index_0_0;
-      slice3winner2_pair_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_of_pair_0_2_is_less else
+      slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
+      slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
+      slice3winner2_best_cost_0_2_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
+      slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
+      slice3winner2_best_cost_0_4_is_less := (slice3winner1_best_cost_0_9 - slice3winner1_best_cost_0_8) < 0;
+      slice3winner2_best_cost_0_5_is_less := (slice3winner1_best_cost_0_11 - slice3winner1_best_cost_0_10) < 0;
+      slice3winner2_best_cost_1_0_is_less := (slice3winner1_best_cost_1_1 - slice3winner1_best_cost_1_0) < 0;
+      slice3winner2_best_cost_1_1_is_less := (slice3winner1_best_cost_1_3 - slice3winner1_best_cost_1_2) < 0;
+      slice3winner2_best_cost_1_2_is_less := (slice3winner1_best_cost_1_5 - slice3winner1_best_cost_1_4) < 0;
+      slice3winner2_best_cost_1_3_is_less := (slice3winner1_best_cost_1_7 - slice3winner1_best_cost_1_6) < 0;
+      slice3winner2_best_cost_1_4_is_less := (slice3winner1_best_cost_1_9 - slice3winner1_best_cost_1_8) < 0;
+      slice3winner2_best_cost_1_5_is_less := (slice3winner1_best_cost_1_11 - slice3winner1_best_cost_1_10) < 0;
+      slice3winner2_best_cost_2_0_is_less := (slice3winner1_best_cost_2_1 - slice3winner1_best_cost_2_0) < 0;
+      slice3winner2_best_cost_2_1_is_less := (slice3winner1_best_cost_2_3 - slice3winner1_best_cost_2_2) < 0;
+      slice3winner2_best_cost_2_2_is_less := (slice3winner1_best_cost_2_5 - slice3winner1_best_cost_2_4) < 0;
+      slice3winner2_best_cost_2_3_is_less := (slice3winner1_best_cost_2_7 - slice3winner1_best_cost_2_6) < 0;
+      slice3winner2_best_cost_2_4_is_less := (slice3winner1_best_cost_2_9 - slice3winner1_best_cost_2_8) < 0;
+      slice3winner2_best_cost_2_5_is_less := (slice3winner1_best_cost_2_11 - slice3winner1_best_cost_2_10) < 0;
+      slice3winner2_best_cost_3_0_is_less := (slice3winner1_best_cost_3_1 - slice3winner1_best_cost_3_0) < 0;
+      slice3winner2_best_cost_3_1_is_less := (slice3winner1_best_cost_3_3 - slice3winner1_best_cost_3_2) < 0;
+      slice3winner2_best_cost_3_2_is_less := (slice3winner1_best_cost_3_5 - slice3winner1_best_cost_3_4) < 0;
+      slice3winner2_best_cost_3_3_is_less := (slice3winner1_best_cost_3_7 - slice3winner1_best_cost_3_6) < 0;
+      slice3winner2_best_cost_3_4_is_less := (slice3winner1_best_cost_3_9 - slice3winner1_best_cost_3_8) < 0;
+      slice3winner2_best_cost_3_5_is_less := (slice3winner1_best_cost_3_11 - slice3winner1_best_cost_3_10) < 0;
+      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
+        slice3winner1_best_cost_0_0;
+      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
+        slice3winner1_best_cost_0_2;
+      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_cost_0_4;
+      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_cost_0_6;
+      slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_cost_0_8;
+      slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_cost_0_10;
+      slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
+      slice3winner2_best_cost_1_0 <= slice3winner1_best_cost_1_1 when slice3winner2_best_cost_1_0_is_less else
+        slice3winner1_best_cost_1_0;
+      slice3winner2_best_cost_1_1 <= slice3winner1_best_cost_1_3 when slice3winner2_best_cost_1_1_is_less else
+        slice3winner1_best_cost_1_2;
+      slice3winner2_best_cost_1_2 <= slice3winner1_best_cost_1_5 when slice3winner2_best_cost_1_2_is_less else
+        slice3winner1_best_cost_1_4;
+      slice3winner2_best_cost_1_3 <= slice3winner1_best_cost_1_7 when slice3winner2_best_cost_1_3_is_less else
+        slice3winner1_best_cost_1_6;
+      slice3winner2_best_cost_1_4 <= slice3winner1_best_cost_1_9 when slice3winner2_best_cost_1_4_is_less else
+        slice3winner1_best_cost_1_8;
+      slice3winner2_best_cost_1_5 <= slice3winner1_best_cost_1_11 when slice3winner2_best_cost_1_5_is_less else
+        slice3winner1_best_cost_1_10;
+      slice3winner2_best_cost_1_6 <= slice3winner1_best_cost_1_12;
+      slice3winner2_best_cost_2_0 <= slice3winner1_best_cost_2_1 when slice3winner2_best_cost_2_0_is_less else
+        slice3winner1_best_cost_2_0;
+      slice3winner2_best_cost_2_1 <= slice3winner1_best_cost_2_3 when slice3winner2_best_cost_2_1_is_less else
+        slice3winner1_best_cost_2_2;
+      slice3winner2_best_cost_2_2 <= slice3winner1_best_cost_2_5 when slice3winner2_best_cost_2_2_is_less else
+        slice3winner1_best_cost_2_4;
+      slice3winner2_best_cost_2_3 <= slice3winner1_best_cost_2_7 when slice3winner2_best_cost_2_3_is_less else
+        slice3winner1_best_cost_2_6;
+      slice3winner2_best_cost_2_4 <= slice3winner1_best_cost_2_9 when slice3winner2_best_cost_2_4_is_less else
+        slice3winner1_best_cost_2_8;
+      slice3winner2_best_cost_2_5 <= slice3winner1_best_cost_2_11 when slice3winner2_best_cost_2_5_is_less else
+        slice3winner1_best_cost_2_10;
+      slice3winner2_best_cost_2_6 <= slice3winner1_best_cost_2_12;
+      slice3winner2_best_cost_3_0 <= slice3winner1_best_cost_3_1 when slice3winner2_best_cost_3_0_is_less else
+        slice3winner1_best_cost_3_0;
+      slice3winner2_best_cost_3_1 <= slice3winner1_best_cost_3_3 when slice3winner2_best_cost_3_1_is_less else
+        slice3winner1_best_cost_3_2;
+      slice3winner2_best_cost_3_2 <= slice3winner1_best_cost_3_5 when slice3winner2_best_cost_3_2_is_less else
+        slice3winner1_best_cost_3_4;
+      slice3winner2_best_cost_3_3 <= slice3winner1_best_cost_3_7 when slice3winner2_best_cost_3_3_is_less else
+        slice3winner1_best_cost_3_6;
+      slice3winner2_best_cost_3_4 <= slice3winner1_best_cost_3_9 when slice3winner2_best_cost_3_4_is_less else
+        slice3winner1_best_cost_3_8;
+      slice3winner2_best_cost_3_5 <= slice3winner1_best_cost_3_11 when slice3winner2_best_cost_3_5_is_less else
+        slice3winner1_best_cost_3_10;
+      slice3winner2_best_cost_3_6 <= slice3winner1_best_cost_3_12;
+      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
+        as_number(slice3winner1_best_index_0_0);
+      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
         slice3winner1_best_index_0_2;
-      slice3winner2_pair_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_of_pair_0_4_is_less else
+      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
         slice3winner1_best_index_0_4;
-      slice3winner2_pair_index_1_0 <= slice3winner1_best_index_1_1 when slice3winner2_of_pair_1_0_is_less else
-        slice3winner1_best_index_1_0;
-      slice3winner2_pair_index_1_1 <= slice3winner1_best_index_1_3 when slice3winner2_of_pair_1_2_is_less else
+      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_index_0_6;
+      slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_index_0_8;
+      slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_index_0_10;
+      slice3winner2_best_index_1_0 <= slice3winner1_best_index_1_1 when slice3winner2_best_cost_1_0_is_less else
+        as_number(slice3winner1_best_index_1_0);
+      slice3winner2_best_index_1_1 <= slice3winner1_best_index_1_3 when slice3winner2_best_cost_1_1_is_less else
         slice3winner1_best_index_1_2;
-      slice3winner2_pair_index_1_2 <= slice3winner1_best_index_1_5 when slice3winner2_of_pair_1_4_is_less else
+      slice3winner2_best_index_1_2 <= slice3winner1_best_index_1_5 when slice3winner2_best_cost_1_2_is_less else
         slice3winner1_best_index_1_4;
-      slice3winner2_pair_index_2_0 <= slice3winner1_best_index_2_1 when slice3winner2_of_pair_2_0_is_less else
-        slice3winner1_best_index_2_0;
-      slice3winner2_pair_index_2_1 <= slice3winner1_best_index_2_3 when slice3winner2_of_pair_2_2_is_less else
+      slice3winner2_best_index_1_3 <= slice3winner1_best_index_1_7 when slice3winner2_best_cost_1_3_is_less else
+        slice3winner1_best_index_1_6;
+      slice3winner2_best_index_1_4 <= slice3winner1_best_index_1_9 when slice3winner2_best_cost_1_4_is_less else
+        slice3winner1_best_index_1_8;
+      slice3winner2_best_index_1_5 <= slice3winner1_best_index_1_11 when slice3winner2_best_cost_1_5_is_less else
+        slice3winner1_best_index_1_10;
+      slice3winner2_best_index_2_0 <= slice3winner1_best_index_2_1 when slice3winner2_best_cost_2_0_is_less else
+        as_number(slice3winner1_best_index_2_0);
+      slice3winner2_best_index_2_1 <= slice3winner1_best_index_2_3 when slice3winner2_best_cost_2_1_is_less else
         slice3winner1_best_index_2_2;
-      slice3winner2_pair_index_2_2 <= slice3winner1_best_index_2_5 when slice3winner2_of_pair_2_4_is_less else
+      slice3winner2_best_index_2_2 <= slice3winner1_best_index_2_5 when slice3winner2_best_cost_2_2_is_less else
         slice3winner1_best_index_2_4;
-      slice3winner2_pair_index_3_0 <= slice3winner1_best_index_3_1 when slice3winner2_of_pair_3_0_is_less else
-        slice3winner1_best_index_3_0;
-      slice3winner2_pair_index_3_1 <= slice3winner1_best_index_3_3 when slice3winner2_of_pair_3_2_is_less else
+      slice3winner2_best_index_2_3 <= slice3winner1_best_index_2_7 when slice3winner2_best_cost_2_3_is_less else
+        slice3winner1_best_index_2_6;
+      slice3winner2_best_index_2_4 <= slice3winner1_best_index_2_9 when slice3winner2_best_cost_2_4_is_less else
+        slice3winner1_best_index_2_8;
+      slice3winner2_best_index_2_5 <= slice3winner1_best_index_2_11 when slice3winner2_best_cost_2_5_is_less else
+        slice3winner1_best_index_2_10;
+      slice3winner2_best_index_3_0 <= slice3winner1_best_index_3_1 when slice3winner2_best_cost_3_0_is_less else
+        as_number(slice3winner1_best_index_3_0);
+      slice3winner2_best_index_3_1 <= slice3winner1_best_index_3_3 when slice3winner2_best_cost_3_1_is_less else
         slice3winner1_best_index_3_2;
-      slice3winner2_pair_index_3_2 <= slice3winner1_best_index_3_5 when slice3winner2_of_pair_3_4_is_less else
+      slice3winner2_best_index_3_2 <= slice3winner1_best_index_3_5 when slice3winner2_best_cost_3_2_is_less else
         slice3winner1_best_index_3_4;
-      slice3winner2_of_four_0_0 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_0;
-      slice3winner2_of_four_0_1 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_1;
-      slice3winner2_of_four_0_2 <= slice3winner2_of_pair_0_2 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_3 <= slice3winner2_of_pair_0_3 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_4 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_4;
-      slice3winner2_of_four_0_5 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_5;
-      slice3winner2_of_four_0_6 <= slice3winner2_of_pair_0_6 when slice3winner2_of_four_0_4_is_less else 0;
-      slice3winner2_of_four_1_0 <= 0 when slice3winner2_of_four_1_0_is_less else slice3winner2_of_pair_1_0;
-      slice3winner2_of_four_1_1 <= 0 when slice3winner2_of_four_1_0_is_less else slice3winner2_of_pair_1_1;
-      slice3winner2_of_four_1_2 <= slice3winner2_of_pair_1_2 when slice3winner2_of_four_1_0_is_less else 0;
-      slice3winner2_of_four_1_3 <= slice3winner2_of_pair_1_3 when slice3winner2_of_four_1_0_is_less else 0;
-      slice3winner2_of_four_1_4 <= 0 when slice3winner2_of_four_1_4_is_less else slice3winner2_of_pair_1_4;
-      slice3winner2_of_four_1_5 <= 0 when slice3winner2_of_four_1_4_is_less else slice3winner2_of_pair_1_5;
-      slice3winner2_of_four_1_6 <= slice3winner2_of_pair_1_6 when slice3winner2_of_four_1_4_is_less else 0;
-      slice3winner2_of_four_2_0 <= 0 when slice3winner2_of_four_2_0_is_less else slice3winner2_of_pair_2_0;
-      slice3winner2_of_four_2_1 <= 0 when slice3winner2_of_four_2_0_is_less else slice3winner2_of_pair_2_1;
-      slice3winner2_of_four_2_2 <= slice3winner2_of_pair_2_2 when slice3winner2_of_four_2_0_is_less else 0;
-      slice3winner2_of_four_2_3 <= slice3winner2_of_pair_2_3 when slice3winner2_of_four_2_0_is_less else 0;
-      slice3winner2_of_four_2_4 <= 0 when slice3winner2_of_four_2_4_is_less else slice3winner2_of_pair_2_4;
-      slice3winner2_of_four_2_5 <= 0 when slice3winner2_of_four_2_4_is_less else slice3winner2_of_pair_2_5;
-      slice3winner2_of_four_2_6 <= slice3winner2_of_pair_2_6 when slice3winner2_of_four_2_4_is_less else 0;
-      slice3winner2_of_four_3_0 <= 0 when slice3winner2_of_four_3_0_is_less else slice3winner2_of_pair_3_0;
-      slice3winner2_of_four_3_1 <= 0 when slice3winner2_of_four_3_0_is_less else slice3winner2_of_pair_3_1;
-      slice3winner2_of_four_3_2 <= slice3winner2_of_pair_3_2 when slice3winner2_of_four_3_0_is_less else 0;
-      slice3winner2_of_four_3_3 <= slice3winner2_of_pair_3_3 when slice3winner2_of_four_3_0_is_less else 0;
-      slice3winner2_of_four_3_4 <= 0 when slice3winner2_of_four_3_4_is_less else slice3winner2_of_pair_3_4;
-      slice3winner2_of_four_3_5 <= 0 when slice3winner2_of_four_3_4_is_less else slice3winner2_of_pair_3_5;
-      slice3winner2_of_four_3_6 <= slice3winner2_of_pair_3_6 when slice3winner2_of_four_3_4_is_less else 0;
-      slice3winner2_four_index_0_0 <= slice3winner2_pair_index_0_1 when slice3winner2_of_four_0_0_is_less else
-        slice3winner2_pair_index_0_0;
-      slice3winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_0_4_is_less else
-        slice3winner2_pair_index_0_2;
-      slice3winner2_four_index_1_0 <= slice3winner2_pair_index_1_1 when slice3winner2_of_four_1_0_is_less else
-        slice3winner2_pair_index_1_0;
-      slice3winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_1_4_is_less else
-        slice3winner2_pair_index_1_2;
-      slice3winner2_four_index_2_0 <= slice3winner2_pair_index_2_1 when slice3winner2_of_four_2_0_is_less else
-        slice3winner2_pair_index_2_0;
-      slice3winner2_four_index_2_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_2_4_is_less else
-        slice3winner2_pair_index_2_2;
-      slice3winner2_four_index_3_0 <= slice3winner2_pair_index_3_1 when slice3winner2_of_four_3_0_is_less else
-        slice3winner2_pair_index_3_0;
-      slice3winner2_four_index_3_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_3_4_is_less else
-        slice3winner2_pair_index_3_2;
-      slice3winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_0_1, 12)) or
-        (to_unsigned(slice3winner2_of_four_0_0, 12)))) or (to_unsigned(slice3winner2_of_four_0_2, 12)))) or
-        (to_unsigned(slice3winner2_of_four_0_3, 12))));
-      slice3winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_0_5, 12)) or
-        (to_unsigned(slice3winner2_of_four_0_4, 12)))) or (to_unsigned(slice3winner2_of_four_0_6, 12))));
-      slice3winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_1_1, 12)) or
-        (to_unsigned(slice3winner2_of_four_1_0, 12)))) or (to_unsigned(slice3winner2_of_four_1_2, 12)))) or
-        (to_unsigned(slice3winner2_of_four_1_3, 12))));
-      slice3winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_1_5, 12)) or
-        (to_unsigned(slice3winner2_of_four_1_4, 12)))) or (to_unsigned(slice3winner2_of_four_1_6, 12))));
-      slice3winner2_best_cost_2_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_2_1, 12)) or
-        (to_unsigned(slice3winner2_of_four_2_0, 12)))) or (to_unsigned(slice3winner2_of_four_2_2, 12)))) or
-        (to_unsigned(slice3winner2_of_four_2_3, 12))));
-      slice3winner2_best_cost_2_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_2_5, 12)) or
-        (to_unsigned(slice3winner2_of_four_2_4, 12)))) or (to_unsigned(slice3winner2_of_four_2_6, 12))));
-      slice3winner2_best_cost_3_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_3_1, 12)) or
-        (to_unsigned(slice3winner2_of_four_3_0, 12)))) or (to_unsigned(slice3winner2_of_four_3_2, 12)))) or
-        (to_unsigned(slice3winner2_of_four_3_3, 12))));
-      slice3winner2_best_cost_3_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_3_5, 12)) or
-        (to_unsigned(slice3winner2_of_four_3_4, 12)))) or (to_unsigned(slice3winner2_of_four_3_6, 12))));
-      slice3winner2_best_index_0_0 <= slice3winner2_four_index_0_0;
-      slice3winner2_best_index_0_1 <= slice3winner2_four_index_0_1;
-      slice3winner2_best_index_1_0 <= slice3winner2_four_index_1_0;
-      slice3winner2_best_index_1_1 <= slice3winner2_four_index_1_1;
-      slice3winner2_best_index_2_0 <= slice3winner2_four_index_2_0;
-      slice3winner2_best_index_2_1 <= slice3winner2_four_index_2_1;
-      slice3winner2_best_index_3_0 <= slice3winner2_four_index_3_0;
-      slice3winner2_best_index_3_1 <= slice3winner2_four_index_3_1;
+      slice3winner2_best_index_3_3 <= slice3winner1_best_index_3_7 when slice3winner2_best_cost_3_3_is_less else
+        slice3winner1_best_index_3_6;
+      slice3winner2_best_index_3_4 <= slice3winner1_best_index_3_9 when slice3winner2_best_cost_3_4_is_less else
+        slice3winner1_best_index_3_8;
+      slice3winner2_best_index_3_5 <= slice3winner1_best_index_3_11 when slice3winner2_best_cost_3_5_is_less else
+        slice3winner1_best_index_3_10;
       -- slice3winner3
       slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
+      slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
+      slice3winner3_best_cost_0_2_is_less := (slice3winner2_best_cost_0_5 - slice3winner2_best_cost_0_4) < 0;
       slice3winner3_best_cost_1_0_is_less := (slice3winner2_best_cost_1_1 - slice3winner2_best_cost_1_0) < 0;
+      slice3winner3_best_cost_1_1_is_less := (slice3winner2_best_cost_1_3 - slice3winner2_best_cost_1_2) < 0;
+      slice3winner3_best_cost_1_2_is_less := (slice3winner2_best_cost_1_5 - slice3winner2_best_cost_1_4) < 0;
       slice3winner3_best_cost_2_0_is_less := (slice3winner2_best_cost_2_1 - slice3winner2_best_cost_2_0) < 0;
+      slice3winner3_best_cost_2_1_is_less := (slice3winner2_best_cost_2_3 - slice3winner2_best_cost_2_2) < 0;
+      slice3winner3_best_cost_2_2_is_less := (slice3winner2_best_cost_2_5 - slice3winner2_best_cost_2_4) < 0;
       slice3winner3_best_cost_3_0_is_less := (slice3winner2_best_cost_3_1 - slice3winner2_best_cost_3_0) < 0;
+      slice3winner3_best_cost_3_1_is_less := (slice3winner2_best_cost_3_3 - slice3winner2_best_cost_3_2) < 0;
+      slice3winner3_best_cost_3_2_is_less := (slice3winner2_best_cost_3_5 - slice3winner2_best_cost_3_4) < 0;
       slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_cost_0_0;
+      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_cost_0_2;
+      slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_cost_0_4;
+      slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
       slice3winner3_best_cost_1_0 <= slice3winner2_best_cost_1_1 when slice3winner3_best_cost_1_0_is_less else
         slice3winner2_best_cost_1_0;
+      slice3winner3_best_cost_1_1 <= slice3winner2_best_cost_1_3 when slice3winner3_best_cost_1_1_is_less else
+        slice3winner2_best_cost_1_2;
+      slice3winner3_best_cost_1_2 <= slice3winner2_best_cost_1_5 when slice3winner3_best_cost_1_2_is_less else
+        slice3winner2_best_cost_1_4;
+      slice3winner3_best_cost_1_3 <= slice3winner2_best_cost_1_6;
       slice3winner3_best_cost_2_0 <= slice3winner2_best_cost_2_1 when slice3winner3_best_cost_2_0_is_less else
         slice3winner2_best_cost_2_0;
+      slice3winner3_best_cost_2_1 <= slice3winner2_best_cost_2_3 when slice3winner3_best_cost_2_1_is_less else
+        slice3winner2_best_cost_2_2;
+      slice3winner3_best_cost_2_2 <= slice3winner2_best_cost_2_5 when slice3winner3_best_cost_2_2_is_less else
+        slice3winner2_best_cost_2_4;
+      slice3winner3_best_cost_2_3 <= slice3winner2_best_cost_2_6;
       slice3winner3_best_cost_3_0 <= slice3winner2_best_cost_3_1 when slice3winner3_best_cost_3_0_is_less else
         slice3winner2_best_cost_3_0;
+      slice3winner3_best_cost_3_1 <= slice3winner2_best_cost_3_3 when slice3winner3_best_cost_3_1_is_less else
+        slice3winner2_best_cost_3_2;
+      slice3winner3_best_cost_3_2 <= slice3winner2_best_cost_3_5 when slice3winner3_best_cost_3_2_is_less else
+        slice3winner2_best_cost_3_4;
+      slice3winner3_best_cost_3_3 <= slice3winner2_best_cost_3_6;
       slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_index_0_0;
+      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_index_0_2;
+      slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_index_0_4;
       slice3winner3_best_index_1_0 <= slice3winner2_best_index_1_1 when slice3winner3_best_cost_1_0_is_less else
         slice3winner2_best_index_1_0;
+      slice3winner3_best_index_1_1 <= slice3winner2_best_index_1_3 when slice3winner3_best_cost_1_1_is_less else
+        slice3winner2_best_index_1_2;
+      slice3winner3_best_index_1_2 <= slice3winner2_best_index_1_5 when slice3winner3_best_cost_1_2_is_less else
+        slice3winner2_best_index_1_4;
       slice3winner3_best_index_2_0 <= slice3winner2_best_index_2_1 when slice3winner3_best_cost_2_0_is_less else
         slice3winner2_best_index_2_0;
+      slice3winner3_best_index_2_1 <= slice3winner2_best_index_2_3 when slice3winner3_best_cost_2_1_is_less else
+        slice3winner2_best_index_2_2;
+      slice3winner3_best_index_2_2 <= slice3winner2_best_index_2_5 when slice3winner3_best_cost_2_2_is_less else
+        slice3winner2_best_index_2_4;
       slice3winner3_best_index_3_0 <= slice3winner2_best_index_3_1 when slice3winner3_best_cost_3_0_is_less else
         slice3winner2_best_index_3_0;
-      -- slice3
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner3_best_cost_0_0) < 0 else
+      slice3winner3_best_index_3_1 <= slice3winner2_best_index_3_3 when slice3winner3_best_cost_3_1_is_less else
+        slice3winner2_best_index_3_2;
+      slice3winner3_best_index_3_2 <= slice3winner2_best_index_3_5 when slice3winner3_best_cost_3_2_is_less else
+        slice3winner2_best_index_3_4;
+      -- slice3winner4
+      slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
+      slice3winner4_best_cost_0_1_is_less := (slice3winner3_best_cost_0_3 - slice3winner3_best_cost_0_2) < 0;
+      slice3winner4_best_cost_1_0_is_less := (slice3winner3_best_cost_1_1 - slice3winner3_best_cost_1_0) < 0;
+      slice3winner4_best_cost_1_1_is_less := (slice3winner3_best_cost_1_3 - slice3winner3_best_cost_1_2) < 0;
+      slice3winner4_best_cost_2_0_is_less := (slice3winner3_best_cost_2_1 - slice3winner3_best_cost_2_0) < 0;
+      slice3winner4_best_cost_2_1_is_less := (slice3winner3_best_cost_2_3 - slice3winner3_best_cost_2_2) < 0;
+      slice3winner4_best_cost_3_0_is_less := (slice3winner3_best_cost_3_1 - slice3winner3_best_cost_3_0) < 0;
+      slice3winner4_best_cost_3_1_is_less := (slice3winner3_best_cost_3_3 - slice3winner3_best_cost_3_2) < 0;
+      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_cost_0_0;
+      slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_cost_0_2;
+      slice3winner4_best_cost_1_0 <= slice3winner3_best_cost_1_1 when slice3winner4_best_cost_1_0_is_less else
+        slice3winner3_best_cost_1_0;
+      slice3winner4_best_cost_1_1 <= slice3winner3_best_cost_1_3 when slice3winner4_best_cost_1_1_is_less else
+        slice3winner3_best_cost_1_2;
+      slice3winner4_best_cost_2_0 <= slice3winner3_best_cost_2_1 when slice3winner4_best_cost_2_0_is_less else
+        slice3winner3_best_cost_2_0;
+      slice3winner4_best_cost_2_1 <= slice3winner3_best_cost_2_3 when slice3winner4_best_cost_2_1_is_less else
+        slice3winner3_best_cost_2_2;
+      slice3winner4_best_cost_3_0 <= slice3winner3_best_cost_3_1 when slice3winner4_best_cost_3_0_is_less else
+        slice3winner3_best_cost_3_0;
+      slice3winner4_best_cost_3_1 <= slice3winner3_best_cost_3_3 when slice3winner4_best_cost_3_1_is_less else
+        slice3winner3_best_cost_3_2;
+      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
         slice3winner3_best_index_0_0;
-      slice3_best_index_1_0 <= slice2_best_index_1_0 when (slice2_best_cost_1_0 - slice3winner3_best_cost_1_0) < 0 else
+      slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_index_0_2;
+      slice3winner4_best_index_1_0 <= slice3winner3_best_index_1_1 when slice3winner4_best_cost_1_0_is_less else
         slice3winner3_best_index_1_0;
-      slice3_best_index_2_0 <= slice2_best_index_2_0 when (slice2_best_cost_2_0 - slice3winner3_best_cost_2_0) < 0 else
+      slice3winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_1_1_is_less else
+        slice3winner3_best_index_1_2;
+      slice3winner4_best_index_2_0 <= slice3winner3_best_index_2_1 when slice3winner4_best_cost_2_0_is_less else
         slice3winner3_best_index_2_0;
-      slice3_best_index_3_0 <= slice2_best_index_3_0 when (slice2_best_cost_3_0 - slice3winner3_best_cost_3_0) < 0 else
+      slice3winner4_best_index_2_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_2_1_is_less else
+        slice3winner3_best_index_2_2;
+      slice3winner4_best_index_3_0 <= slice3winner3_best_index_3_1 when slice3winner4_best_cost_3_0_is_less else
         slice3winner3_best_index_3_0;
+      slice3winner4_best_index_3_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_3_1_is_less else
+        slice3winner3_best_index_3_2;
+      -- slice3winner5
+      slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0_1 - slice3winner4_best_cost_0_0) < 0;
+      slice3winner5_best_cost_1_0_is_less := (slice3winner4_best_cost_1_1 - slice3winner4_best_cost_1_0) < 0;
+      slice3winner5_best_cost_2_0_is_less := (slice3winner4_best_cost_2_1 - slice3winner4_best_cost_2_0) < 0;
+      slice3winner5_best_cost_3_0_is_less := (slice3winner4_best_cost_3_1 - slice3winner4_best_cost_3_0) < 0;
+      slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_cost_0_0;
+      slice3winner5_best_cost_1_0 <= slice3winner4_best_cost_1_1 when slice3winner5_best_cost_1_0_is_less else
+        slice3winner4_best_cost_1_0;
+      slice3winner5_best_cost_2_0 <= slice3winner4_best_cost_2_1 when slice3winner5_best_cost_2_0_is_less else
+        slice3winner4_best_cost_2_0;
+      slice3winner5_best_cost_3_0 <= slice3winner4_best_cost_3_1 when slice3winner5_best_cost_3_0_is_less else
+        slice3winner4_best_cost_3_0;
+      slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_index_0_0;
+      slice3winner5_best_index_1_0 <= slice3winner4_best_index_1_1 when slice3winner5_best_cost_1_0_is_less else
+        slice3winner4_best_index_1_0;
+      slice3winner5_best_index_2_0 <= slice3winner4_best_index_2_1 when slice3winner5_best_cost_2_0_is_less else
+        slice3winner4_best_index_2_0;
+      slice3winner5_best_index_3_0 <= slice3winner4_best_index_3_1 when slice3winner5_best_cost_3_0_is_less else
+        slice3winner4_best_index_3_0;
+      -- slice3
+      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0 else
+        slice3winner5_best_index_0_0;
+      slice3_best_index_1_0 <= slice2_best_index_1_0 when (slice2_best_cost_1_0 - slice3winner5_best_cost_1_0) < 0 else
+        slice3winner5_best_index_1_0;
+      slice3_best_index_2_0 <= slice2_best_index_2_0 when (slice2_best_cost_2_0 - slice3winner5_best_cost_2_0) < 0 else
+        slice3winner5_best_index_2_0;
+      slice3_best_index_3_0 <= slice2_best_index_3_0 when (slice2_best_cost_3_0 - slice3winner5_best_cost_3_0) < 0 else
+        slice3winner5_best_index_3_0;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -12713,26 +11479,10 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_end_of_line <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_pair_tag_valid <= false;
-        slice0winner2_pair_tag_output_column <= false;
-        slice0winner2_pair_tag_start_of_frame <= false;
-        slice0winner2_pair_tag_end_of_line <= false;
-        slice0winner2_four_tag_valid <= false;
-        slice0winner2_four_tag_output_column <= false;
-        slice0winner2_four_tag_start_of_frame <= false;
-        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
@@ -12741,6 +11491,14 @@ begin
         slice0winner3_tag_output_column <= false;
         slice0winner3_tag_start_of_frame <= false;
         slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
+        slice0winner5_tag_valid <= false;
+        slice0winner5_tag_output_column <= false;
+        slice0winner5_tag_start_of_frame <= false;
+        slice0winner5_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 16,
+      latency_clocks => 15,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"a7d954e0",
+      core_id => x"4dcf63a6",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 16,
+      latency_clocks => 15,
       flush_groups => 32,
       gap_groups => 0)
     port map (

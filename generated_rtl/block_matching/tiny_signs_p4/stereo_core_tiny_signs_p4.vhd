@@ -17,7 +17,7 @@ entity stereo_core_tiny_signs_p4 is
     pixels_per_clock : positive := 4;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 16;
+    latency_clocks : positive := 15;
     flush_groups : positive := 32;
     gap_groups : natural := 0
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 4 report "stereo_core_tiny_signs_p4: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 4" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_signs_p4: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_signs_p4: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 16 report "stereo_core_tiny_signs_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 16" severity failure;
+  assert latency_clocks = 15 report "stereo_core_tiny_signs_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 15" severity failure;
   assert flush_groups = 32 report "stereo_core_tiny_signs_p4: flush_groups is " & integer'image(flush_groups) & " but this core has 32" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_signs_p4: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -195,30 +195,25 @@ architecture rtl of stereo_core_tiny_signs_p4 is
   signal slice0window_sum_2_0, slice0window_sum_2_1, slice0window_sum_2_2 : natural range 0 to 2301;
   signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 2301;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_2_0, slice0winner1_of_pair_2_1, slice0winner1_of_pair_2_2 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_3_0, slice0winner1_of_pair_3_1, slice0winner1_of_pair_3_2 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 2301;
-  signal slice0winner1_of_four_2_0, slice0winner1_of_four_2_1, slice0winner1_of_four_2_2 : natural range 0 to 2301;
-  signal slice0winner1_of_four_3_0, slice0winner1_of_four_3_1, slice0winner1_of_four_3_2 : natural range 0 to 2301;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_index_2_0 : boolean;
-  signal slice0winner1_pair_index_3_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
-  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
-  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
-  signal slice0winner1_four_index_1_0, slice0winner1_four_index_2_0 : natural range 0 to 2;
-  signal slice0winner1_four_index_3_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
-  signal slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : natural range 0 to 2;
-  signal slice0winner1_best_index_3_0 : natural range 0 to 2;
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_3_0 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 2301;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : boolean;
+  signal slice0winner1_best_index_3_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_2_0 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_3_0 : natural range 0 to 2301;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 2;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 4095;
-  signal slice0_best_cost_3_0 : natural range 0 to 4095;
+  signal slice0_best_cost_0_0 : natural range 0 to 2298;
+  signal slice0_best_cost_1_0, slice0_best_cost_2_0, slice0_best_cost_3_0 : natural range 0 to 2301;
   signal slice0_best_index_0_0, slice0_best_index_1_0, slice0_best_index_2_0 : natural range 0 to 7;
   signal slice0_best_index_3_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
@@ -274,25 +269,21 @@ architecture rtl of stereo_core_tiny_signs_p4 is
   signal slice1window_sum_2_0, slice1window_sum_2_1, slice1window_sum_2_2 : natural range 0 to 2301;
   signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 2301;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_2_0, slice1winner1_of_pair_2_1, slice1winner1_of_pair_2_2 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_3_0, slice1winner1_of_pair_3_1, slice1winner1_of_pair_3_2 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 2301;
-  signal slice1winner1_of_four_2_0, slice1winner1_of_four_2_1, slice1winner1_of_four_2_2 : natural range 0 to 2301;
-  signal slice1winner1_of_four_3_0, slice1winner1_of_four_3_1, slice1winner1_of_four_3_2 : natural range 0 to 2301;
-  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0, slice1winner1_pair_index_2_0 : boolean;
-  signal slice1winner1_pair_index_3_0 : boolean;
-  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
-  signal slice1winner1_four_index_2_0, slice1winner1_four_index_3_0 : natural range 0 to 2;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
-  signal slice1winner1_best_index_2_0, slice1winner1_best_index_3_0 : natural range 0 to 2;
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_3_0 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 2301;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0, slice1winner1_best_index_2_0 : boolean;
+  signal slice1winner1_best_index_3_0 : boolean;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_1_0, slice1winner2_best_cost_2_0 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_3_0 : natural range 0 to 2301;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 2;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 4095;
-  signal slice1_best_cost_3_0 : natural range 0 to 4095;
+  signal slice1_best_cost_0_0 : natural range 0 to 2298;
+  signal slice1_best_cost_1_0, slice1_best_cost_2_0, slice1_best_cost_3_0 : natural range 0 to 2301;
   signal slice1_best_index_0_0, slice1_best_index_1_0, slice1_best_index_2_0 : natural range 0 to 7;
   signal slice1_best_index_3_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -345,12 +336,6 @@ architecture rtl of stereo_core_tiny_signs_p4 is
   signal slice2winner2_best_cost_3_0 : natural range 0 to 2301;
   signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0, slice2winner2_best_index_2_0 : boolean;
   signal slice2winner2_best_index_3_0 : boolean;
-  -- slice2winner3
-  signal slice2winner3_best_cost_0_0 : natural range 0 to 2298;
-  signal slice2winner3_best_cost_1_0, slice2winner3_best_cost_2_0 : natural range 0 to 2301;
-  signal slice2winner3_best_cost_3_0 : natural range 0 to 2301;
-  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0, slice2winner3_best_index_2_0 : boolean;
-  signal slice2winner3_best_index_3_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0, slice2_best_index_2_0 : natural range 0 to 7;
   signal slice2_best_index_3_0 : natural range 0 to 7;
@@ -401,7 +386,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_write_column, read_data => slice1cost_signs_read_words_1,
-      write_address => slice2cost_signs_difference_column, write_data => slice1cost_signs_read_words_1_memory_write_data);
+      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_1_memory_write_data);
 
   slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words_0, 3);
   slice1cost_signs_read_words_0_memory : entity work.line_memory
@@ -409,7 +394,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_write_column, read_data => slice1cost_signs_read_words_0,
-      write_address => slice2cost_signs_difference_column, write_data => slice1cost_signs_read_words_0_memory_write_data);
+      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_0_memory_write_data);
 
   slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words_1, 3);
   slice0cost_signs_read_words_1_memory : entity work.line_memory
@@ -417,7 +402,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_ready_column, read_data => slice0cost_signs_read_words_1,
-      write_address => slice1cost_signs_difference_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
+      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
 
   slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words_0, 3);
   slice0cost_signs_read_words_0_memory : entity work.line_memory
@@ -425,7 +410,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_ready_column, read_data => slice0cost_signs_read_words_0,
-      write_address => slice1cost_signs_difference_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
+      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 8);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -470,23 +455,23 @@ begin
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
     variable raster_place_group_all_2, raster_place_column_choice, raster_place_next_frame_choice : boolean;
-    variable delay_row_inside_0_is_equal, delay_row_inside_0_value, delay_tag_newest_inside_is_equal : boolean;
+    variable delay_row_inside_0_is_equal, delay_row_inside_1_choice, delay_tag_newest_inside_is_equal : boolean;
     variable delay_tag_newest_inside_choice, slice0cost_difference_0_1_value, slice0cost_difference_1_1_value : boolean;
     variable slice0cost_difference_3_0_value, slice0cost_difference_4_0_value, slice0cost_pair_0_0_is_less : boolean;
     variable slice0cost_pair_0_1_is_less, slice0cost_pair_0_2_is_less, slice0cost_pair_1_0_is_less : boolean;
-    variable slice0cost_pair_1_1_is_less, slice0cost_pair_1_2_is_less, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_pair_2_0_is_less : boolean;
-    variable slice0winner1_of_pair_3_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_1_0_is_less, slice0winner1_of_four_2_0_is_less : boolean;
-    variable slice0winner1_of_four_3_0_is_less, slice1cost_difference_0_1_value : boolean;
+    variable slice0cost_pair_1_1_is_less, slice0cost_pair_1_2_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_1_0_is_less, slice0winner1_best_cost_2_0_is_less : boolean;
+    variable slice0winner1_best_cost_3_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_1_0_is_less, slice0winner2_best_cost_2_0_is_less : boolean;
+    variable slice0winner2_best_cost_3_0_is_less, slice1cost_difference_0_1_value : boolean;
     variable slice1cost_difference_1_1_value, slice1cost_difference_3_0_value : boolean;
     variable slice1cost_difference_4_0_value, slice1cost_pair_0_0_is_less, slice1cost_pair_0_1_is_less : boolean;
     variable slice1cost_pair_0_2_is_less, slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less : boolean;
-    variable slice1cost_pair_1_2_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_pair_2_0_is_less : boolean;
-    variable slice1winner1_of_pair_3_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_1_0_is_less, slice1winner1_of_four_2_0_is_less : boolean;
-    variable slice1winner1_of_four_3_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice1cost_pair_1_2_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_1_0_is_less, slice1winner1_best_cost_2_0_is_less : boolean;
+    variable slice1winner1_best_cost_3_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_1_0_is_less, slice1winner2_best_cost_2_0_is_less : boolean;
+    variable slice1winner2_best_cost_3_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
     variable slice1_best_cost_2_0_is_less, slice1_best_cost_3_0_is_less, slice2cost_difference_3_0_value : boolean;
     variable slice2cost_difference_4_0_value, slice2cost_pair_0_0_is_less, slice2cost_pair_0_1_is_less : boolean;
     variable slice2cost_pair_1_0_is_less, slice2cost_pair_1_1_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
@@ -563,12 +548,12 @@ begin
         delay_ring_write_address <= delay_ring_read_address;
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
-      delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
+      delay_row_inside_1_choice := not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
+        delay_row_inside_0_is_equal;
       delay_tag_newest_inside_is_equal := (raster_place_group / 2) = 0;
       delay_tag_newest_inside_choice := delay_tag_newest_inside_is_equal when (raster_place_group mod 2) = 1 else not
         ((raster_place_group / 4) = 1);
-      delay_tag_newest_inside_choice_2 := 7 when ((raster_place_group mod 2) = 1) or ((raster_place_group / 4) = 1) or
-        delay_row_inside_0_value else 0;
+      delay_tag_newest_inside_choice_2 := 0 when raster_place_group = 0 else 7;
       delay_tag_newest_inside_choice_3 := 0 when (raster_place_group / 4) = 1 else 3;
       delay_tag_newest_inside_sum := (delay_tag_newest_inside_choice_3 * 2) + as_number((not ((raster_place_group / 4)
         = 1)));
@@ -582,15 +567,14 @@ begin
       delay_ahead_3 <= raster_features_search_3;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else ((raster_place_group /
-        4) = 1) /= delay_row_inside_0_value;
-      delay_row_inside_1 <= not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_is_equal;
+        4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
+      delay_row_inside_1 <= delay_row_inside_1_choice;
       delay_tag_valid <= raster_features_valid;
       delay_tag_newest_inside <= delay_tag_newest_inside_choice_5 + (as_number(delay_tag_newest_inside_choice) * 8);
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 4) and (raster_place_column >= 7)
-        and (raster_place_column < 31);
+      delay_tag_output_column <= (raster_place_column >= 7) and (raster_place_column < 31) and
+        delay_row_inside_1_choice;
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -754,7 +738,6 @@ begin
       slice0cost_signs_difference_column <= slice0cost_signs_next_column;
       slice0cost_signs_ready_words_0 <= to_integer(slice0cost_signs_read_words_0);
       slice0cost_signs_ready_words_1 <= to_integer(slice0cost_signs_read_words_1);
-      slice0cost_signs_write_column <= slice0cost_signs_difference_column;
       slice0cost_difference_0_0 <= (slice0cost_difference_0_0_choice - slice0cost_difference_0_0_choice_2) mod 256;
       slice0cost_difference_0_1 <= (slice0cost_difference_0_1_choice - slice0cost_difference_0_1_choice_2) mod 256;
       slice0cost_difference_0_2 <= (slice0cost_difference_0_2_choice - slice0cost_difference_0_2_choice_2) mod 256;
@@ -860,6 +843,7 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       if slice0cost_difference_tag_valid then
+        slice0cost_signs_write_column <= slice0cost_signs_difference_column;
         slice0cost_signs_write_words_0 <= as_number(slice0cost_newest_negative_2_0) +
           (as_number(slice0cost_newest_negative_2_2) * 4) + (as_number(slice0cost_newest_negative_2_1) * 2);
         slice0cost_signs_write_words_1 <= as_number(slice0cost_newest_negative_3_0) +
@@ -912,94 +896,71 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_of_pair_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
-      slice0winner1_of_pair_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
-      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
-      slice0winner1_of_four_2_0_is_less := (slice0winner1_of_pair_2_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_2_0, 12)) or (to_unsigned(slice0winner1_of_pair_2_1, 12))))) < 0;
-      slice0winner1_of_four_3_0_is_less := (slice0winner1_of_pair_3_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_3_0, 12)) or (to_unsigned(slice0winner1_of_pair_3_1, 12))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
-      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
-      slice0winner1_of_pair_2_0 <= 0 when slice0winner1_of_pair_2_0_is_less else slice0window_sum_2_0;
-      slice0winner1_of_pair_2_1 <= slice0window_sum_2_1 when slice0winner1_of_pair_2_0_is_less else 0;
-      slice0winner1_of_pair_2_2 <= slice0window_sum_2_2;
-      slice0winner1_of_pair_3_0 <= 0 when slice0winner1_of_pair_3_0_is_less else slice0window_sum_3_0;
-      slice0winner1_of_pair_3_1 <= slice0window_sum_3_1 when slice0winner1_of_pair_3_0_is_less else 0;
-      slice0winner1_of_pair_3_2 <= slice0window_sum_3_2;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 2;
-      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
-      slice0winner1_pair_index_2_0 <= slice0winner1_of_pair_2_0_is_less;
-      slice0winner1_pair_index_3_0 <= slice0winner1_of_pair_3_0_is_less;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_2_0 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_0;
-      slice0winner1_of_four_2_1 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_1;
-      slice0winner1_of_four_2_2 <= slice0winner1_of_pair_2_2 when slice0winner1_of_four_2_0_is_less else 0;
-      slice0winner1_of_four_3_0 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_0;
-      slice0winner1_of_four_3_1 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_1;
-      slice0winner1_of_four_3_2 <= slice0winner1_of_pair_3_2 when slice0winner1_of_four_3_0_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
-      slice0winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_2_0_is_less else
-        as_number(slice0winner1_pair_index_2_0);
-      slice0winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_3_0_is_less else
-        as_number(slice0winner1_pair_index_3_0);
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_2, 12)))) or (to_unsigned(slice0winner1_of_four_0_0, 12))));
-      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_2, 12)))) or (to_unsigned(slice0winner1_of_four_1_0, 12))));
-      slice0winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_2_1, 12)) or
-        (to_unsigned(slice0winner1_of_four_2_2, 12)))) or (to_unsigned(slice0winner1_of_four_2_0, 12))));
-      slice0winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_3_1, 12)) or
-        (to_unsigned(slice0winner1_of_four_3_2, 12)))) or (to_unsigned(slice0winner1_of_four_3_0, 12))));
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
-      slice0winner1_best_index_2_0 <= slice0winner1_four_index_2_0;
-      slice0winner1_best_index_3_0 <= slice0winner1_four_index_3_0;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
-      if slice0winner1_pair_tag_valid then
-        slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
-        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_best_cost_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
+      slice0winner1_best_cost_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
+      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
+        slice0window_sum_2_0;
+      slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
+      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
+        slice0window_sum_3_0;
+      slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 2;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
+      slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_tag_valid then
+        slice0winner1_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_best_cost_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
+      slice0winner2_best_cost_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
+        slice0winner1_best_cost_2_0;
+      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
+        slice0winner1_best_cost_3_0;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
+        as_number(slice0winner1_best_index_2_0);
+      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
+        as_number(slice0winner1_best_index_3_0);
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
-      slice0_best_cost_2_0 <= slice0winner1_best_cost_2_0;
-      slice0_best_cost_3_0 <= slice0winner1_best_cost_3_0;
-      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner1_best_index_1_0 + 5;
-      slice0_best_index_2_0 <= slice0winner1_best_index_2_0 + 5;
-      slice0_best_index_3_0 <= slice0winner1_best_index_3_0 + 5;
-      slice0_best_tag_valid <= slice0winner1_tag_valid;
-      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
+      slice0_best_cost_2_0 <= slice0winner2_best_cost_2_0;
+      slice0_best_cost_3_0 <= slice0winner2_best_cost_3_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
+      slice0_best_index_2_0 <= slice0winner2_best_index_2_0 + 5;
+      slice0_best_index_3_0 <= slice0winner2_best_index_3_0 + 5;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1034,9 +995,6 @@ begin
       slice1shift_search_out_4 <= slice1shift_search_4_0;
       slice1shift_search_out_5 <= slice1shift_search_5_0;
       -- slice1cost
-      if slice0cost_difference_tag_valid then
-        slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
-      end if;
       slice1cost_difference_0_0_choice := slice1shift_reference_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
         slice1shift_search_0_0;
       slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
@@ -1083,9 +1041,9 @@ begin
       slice1cost_pair_1_1_is_less := slice1cost_difference_3_1 < 0;
       slice1cost_pair_1_2_folded_value := folded(slice1cost_difference_3_2);
       slice1cost_pair_1_2_is_less := slice1cost_difference_3_2 < 0;
+      slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
       slice1cost_signs_ready_words_0 <= to_integer(slice1cost_signs_read_words_0);
       slice1cost_signs_ready_words_1 <= to_integer(slice1cost_signs_read_words_1);
-      slice1cost_signs_write_column <= slice0cost_signs_write_column;
       slice1cost_difference_0_0 <= (slice1cost_difference_0_0_choice - slice1cost_difference_0_0_choice_2) mod 256;
       slice1cost_difference_0_1 <= (slice1cost_difference_0_1_choice - slice1cost_difference_0_1_choice_2) mod 256;
       slice1cost_difference_0_2 <= (slice1cost_difference_0_2_choice - slice1cost_difference_0_2_choice_2) mod 256;
@@ -1172,6 +1130,7 @@ begin
         as_number(slice1cost_negative_1_2) + slice1cost_single_5_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       if slice0cost_pair_tag_valid then
+        slice1cost_signs_write_column <= slice1cost_signs_difference_column;
         slice1cost_signs_write_words_0 <= as_number(slice1cost_newest_negative_2_0) +
           (as_number(slice1cost_newest_negative_2_2) * 4) + (as_number(slice1cost_newest_negative_2_1) * 2);
         slice1cost_signs_write_words_1 <= as_number(slice1cost_newest_negative_3_0) +
@@ -1217,83 +1176,64 @@ begin
       slice1window_sum_3_1 <= slice1cost_column_3_1 + slice1window_partial_3_1_1;
       slice1window_sum_3_2 <= slice1cost_column_3_2 + slice1window_partial_3_1_2;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_of_pair_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
-      slice1winner1_of_pair_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
-      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
-      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
-      slice1winner1_of_four_2_0_is_less := (slice1winner1_of_pair_2_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_2_0, 12)) or (to_unsigned(slice1winner1_of_pair_2_1, 12))))) < 0;
-      slice1winner1_of_four_3_0_is_less := (slice1winner1_of_pair_3_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_3_0, 12)) or (to_unsigned(slice1winner1_of_pair_3_1, 12))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
-      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
-      slice1winner1_of_pair_2_0 <= 0 when slice1winner1_of_pair_2_0_is_less else slice1window_sum_2_0;
-      slice1winner1_of_pair_2_1 <= slice1window_sum_2_1 when slice1winner1_of_pair_2_0_is_less else 0;
-      slice1winner1_of_pair_2_2 <= slice1window_sum_2_2;
-      slice1winner1_of_pair_3_0 <= 0 when slice1winner1_of_pair_3_0_is_less else slice1window_sum_3_0;
-      slice1winner1_of_pair_3_1 <= slice1window_sum_3_1 when slice1winner1_of_pair_3_0_is_less else 0;
-      slice1winner1_of_pair_3_2 <= slice1window_sum_3_2;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_pair_index_2_0 <= slice1winner1_of_pair_2_0_is_less;
-      slice1winner1_pair_index_3_0 <= slice1winner1_of_pair_3_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_of_four_2_0 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_0;
-      slice1winner1_of_four_2_1 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_1;
-      slice1winner1_of_four_2_2 <= slice1winner1_of_pair_2_2 when slice1winner1_of_four_2_0_is_less else 0;
-      slice1winner1_of_four_3_0 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_0;
-      slice1winner1_of_four_3_1 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_1;
-      slice1winner1_of_four_3_2 <= slice1winner1_of_pair_3_2 when slice1winner1_of_four_3_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
-      slice1winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_2_0_is_less else
-        as_number(slice1winner1_pair_index_2_0);
-      slice1winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_3_0_is_less else
-        as_number(slice1winner1_pair_index_3_0);
-      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
-      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_2, 12)))) or (to_unsigned(slice1winner1_of_four_1_0, 12))));
-      slice1winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_2_1, 12)) or
-        (to_unsigned(slice1winner1_of_four_2_2, 12)))) or (to_unsigned(slice1winner1_of_four_2_0, 12))));
-      slice1winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_3_1, 12)) or
-        (to_unsigned(slice1winner1_of_four_3_2, 12)))) or (to_unsigned(slice1winner1_of_four_3_0, 12))));
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
-      slice1winner1_best_index_2_0 <= slice1winner1_four_index_2_0;
-      slice1winner1_best_index_3_0 <= slice1winner1_four_index_3_0;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_best_cost_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
+      slice1winner1_best_cost_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
+      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
+        slice1window_sum_2_0;
+      slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
+      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
+        slice1window_sum_3_0;
+      slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
+      slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
+      slice1winner2_best_cost_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
+      slice1winner2_best_cost_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
+        slice1winner1_best_cost_2_0;
+      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
+        slice1winner1_best_cost_3_0;
+      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
+        as_number(slice1winner1_best_index_1_0);
+      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
+        as_number(slice1winner1_best_index_2_0);
+      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
+        as_number(slice1winner1_best_index_3_0);
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
-      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
-      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner1_best_cost_2_0) < 0;
-      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner1_best_cost_3_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner1_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner1_best_cost_3_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner2_best_cost_1_0) < 0;
+      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner2_best_cost_2_0) < 0;
+      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner2_best_cost_3_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
+      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner2_best_cost_2_0;
+      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner2_best_cost_3_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
+        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
       slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        (((slice1winner1_best_index_2_0 / 2) + 1) * 2) + (slice1winner1_best_index_2_0 mod 2);
+        (((slice1winner2_best_index_2_0 / 2) + 1) * 2) + (slice1winner2_best_index_2_0 mod 2);
       slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        (((slice1winner1_best_index_3_0 / 2) + 1) * 2) + (slice1winner1_best_index_3_0 mod 2);
+        (((slice1winner2_best_index_3_0 / 2) + 1) * 2) + (slice1winner2_best_index_3_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1320,9 +1260,6 @@ begin
       slice2shift_reference_4 <= slice1shift_reference_4;
       slice2shift_reference_5 <= slice1shift_reference_5;
       -- slice2cost
-      if slice0cost_pair_tag_valid then
-        slice2cost_signs_difference_column <= slice0cost_signs_write_column;
-      end if;
       slice2cost_difference_0_0_choice := slice2shift_reference_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
         slice2shift_search_0_0;
       slice2cost_difference_0_0_choice_2 := slice2shift_search_0_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
@@ -1353,6 +1290,7 @@ begin
       slice2cost_pair_1_0_folded_value := folded(slice2cost_difference_3_0);
       slice2cost_pair_1_1_is_less := slice2cost_difference_3_1 < 0;
       slice2cost_pair_1_1_folded_value := folded(slice2cost_difference_3_1);
+      slice2cost_signs_difference_column <= slice1cost_signs_difference_column;
       slice2cost_signs_ready_words_0 <= to_integer(slice2cost_signs_read_words_0);
       slice2cost_signs_ready_words_1 <= to_integer(slice2cost_signs_read_words_1);
       slice2cost_difference_0_0 <= (slice2cost_difference_0_0_choice - slice2cost_difference_0_0_choice_2) mod 256;
@@ -1412,14 +1350,14 @@ begin
       slice2cost_column_3_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_1_1 +
         as_number(slice2cost_negative_1_1) + slice2cost_single_5_1;
       if slice0cost_tag_valid then
-        slice2cost_signs_write_column <= slice1cost_signs_write_column;
+        slice2cost_signs_write_column <= slice2cost_signs_difference_column;
         slice2cost_signs_write_words_0 <= (as_number(slice2cost_newest_negative_2_1) * 2) +
           as_number(slice2cost_newest_negative_2_0);
         slice2cost_signs_write_words_1 <= (as_number(slice2cost_newest_negative_3_1) * 2) +
           as_number(slice2cost_newest_negative_3_0);
       end if;
       -- slice2window
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
@@ -1471,24 +1409,15 @@ begin
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
       slice2winner2_best_index_2_0 <= slice2winner1_best_index_2_0;
       slice2winner2_best_index_3_0 <= slice2winner1_best_index_3_0;
-      -- slice2winner3
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
-      slice2winner3_best_cost_2_0 <= slice2winner2_best_cost_2_0;
-      slice2winner3_best_cost_3_0 <= slice2winner2_best_cost_3_0;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
-      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
-      slice2winner3_best_index_2_0 <= slice2winner2_best_index_2_0;
-      slice2winner3_best_index_3_0 <= slice2winner2_best_index_3_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
-        as_number(slice2winner3_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
-        as_number(slice2winner3_best_index_1_0);
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner3_best_cost_2_0) < 0 else
-        as_number(slice2winner3_best_index_2_0);
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner3_best_cost_3_0) < 0 else
-        as_number(slice2winner3_best_index_3_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 else
+        as_number(slice2winner2_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 else
+        as_number(slice2winner2_best_index_1_0);
+      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 else
+        as_number(slice2winner2_best_index_2_0);
+      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 else
+        as_number(slice2winner2_best_index_3_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1547,18 +1476,14 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_end_of_line <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -17,7 +17,7 @@ entity stereo_core_tiny_texture_p4 is
     pixels_per_clock : positive := 4;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 23;
+    latency_clocks : positive := 22;
     flush_groups : positive := 65;
     gap_groups : natural := 0
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 4 report "stereo_core_tiny_texture_p4: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 4" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_texture_p4: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_texture_p4: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 23 report "stereo_core_tiny_texture_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 23" severity failure;
+  assert latency_clocks = 22 report "stereo_core_tiny_texture_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 22" severity failure;
   assert flush_groups = 65 report "stereo_core_tiny_texture_p4: flush_groups is " & integer'image(flush_groups) & " but this core has 65" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_texture_p4: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -246,30 +246,23 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal slice0window_sum_2_0, slice0window_sum_2_1, slice0window_sum_2_2 : natural range 0 to 765;
   signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 765;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 765;
-  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 765;
-  signal slice0winner1_of_pair_2_0, slice0winner1_of_pair_2_1, slice0winner1_of_pair_2_2 : natural range 0 to 765;
-  signal slice0winner1_of_pair_3_0, slice0winner1_of_pair_3_1, slice0winner1_of_pair_3_2 : natural range 0 to 765;
-  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 765;
-  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 765;
-  signal slice0winner1_of_four_2_0, slice0winner1_of_four_2_1, slice0winner1_of_four_2_2 : natural range 0 to 765;
-  signal slice0winner1_of_four_3_0, slice0winner1_of_four_3_1, slice0winner1_of_four_3_2 : natural range 0 to 765;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_index_2_0 : boolean;
-  signal slice0winner1_pair_index_3_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
-  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
-  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
-  signal slice0winner1_four_index_1_0, slice0winner1_four_index_2_0 : natural range 0 to 2;
-  signal slice0winner1_four_index_3_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
-  signal slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : natural range 0 to 2;
-  signal slice0winner1_best_index_3_0 : natural range 0 to 2;
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 1023;
-  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_3_0 : natural range 0 to 1023;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1, slice0winner1_best_cost_1_0 : natural range 0 to 765;
+  signal slice0winner1_best_cost_1_1, slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 765;
+  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 765;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : boolean;
+  signal slice0winner1_best_index_3_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0, slice0winner2_best_cost_2_0 : natural range 0 to 765;
+  signal slice0winner2_best_cost_3_0 : natural range 0 to 765;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 2;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 1023;
-  signal slice0_best_cost_3_0 : natural range 0 to 1023;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 765;
+  signal slice0_best_cost_3_0 : natural range 0 to 765;
   signal slice0_best_index_0_0, slice0_best_index_1_0, slice0_best_index_2_0 : natural range 0 to 7;
   signal slice0_best_index_3_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
@@ -318,25 +311,19 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal slice1window_sum_2_0, slice1window_sum_2_1, slice1window_sum_2_2 : natural range 0 to 765;
   signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 765;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 765;
-  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 765;
-  signal slice1winner1_of_pair_2_0, slice1winner1_of_pair_2_1, slice1winner1_of_pair_2_2 : natural range 0 to 765;
-  signal slice1winner1_of_pair_3_0, slice1winner1_of_pair_3_1, slice1winner1_of_pair_3_2 : natural range 0 to 765;
-  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 765;
-  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 765;
-  signal slice1winner1_of_four_2_0, slice1winner1_of_four_2_1, slice1winner1_of_four_2_2 : natural range 0 to 765;
-  signal slice1winner1_of_four_3_0, slice1winner1_of_four_3_1, slice1winner1_of_four_3_2 : natural range 0 to 765;
-  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0, slice1winner1_pair_index_2_0 : boolean;
-  signal slice1winner1_pair_index_3_0 : boolean;
-  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
-  signal slice1winner1_four_index_2_0, slice1winner1_four_index_3_0 : natural range 0 to 2;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
-  signal slice1winner1_best_index_2_0, slice1winner1_best_index_3_0 : natural range 0 to 2;
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 1023;
-  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_3_0 : natural range 0 to 1023;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1, slice1winner1_best_cost_1_0 : natural range 0 to 765;
+  signal slice1winner1_best_cost_1_1, slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 765;
+  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 765;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0, slice1winner1_best_index_2_0 : boolean;
+  signal slice1winner1_best_index_3_0 : boolean;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0, slice1winner2_best_cost_2_0 : natural range 0 to 765;
+  signal slice1winner2_best_cost_3_0 : natural range 0 to 765;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 2;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 1023;
-  signal slice1_best_cost_3_0 : natural range 0 to 1023;
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 765;
+  signal slice1_best_cost_3_0 : natural range 0 to 765;
   signal slice1_best_index_0_0, slice1_best_index_1_0, slice1_best_index_2_0 : natural range 0 to 7;
   signal slice1_best_index_3_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -381,11 +368,6 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal slice2winner2_best_cost_3_0 : natural range 0 to 765;
   signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0, slice2winner2_best_index_2_0 : boolean;
   signal slice2winner2_best_index_3_0 : boolean;
-  -- slice2winner3
-  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0, slice2winner3_best_cost_2_0 : natural range 0 to 765;
-  signal slice2winner3_best_cost_3_0 : natural range 0 to 765;
-  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0, slice2winner3_best_index_2_0 : boolean;
-  signal slice2winner3_best_index_3_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0, slice2_best_index_2_0 : natural range 0 to 7;
   signal slice2_best_index_3_0 : natural range 0 to 7;
@@ -397,7 +379,6 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal texture_passes_1_1, texture_passes_1_2, texture_passes_1_3, texture_passes_2_0, texture_passes_2_1 : boolean;
   signal texture_passes_2_2, texture_passes_2_3, texture_passes_3_0, texture_passes_3_1, texture_passes_3_2 : boolean;
   signal texture_passes_3_3, texture_passes_4_0, texture_passes_4_1, texture_passes_4_2, texture_passes_4_3 : boolean;
-  signal texture_passes_5_0, texture_passes_5_1, texture_passes_5_2, texture_passes_5_3 : boolean;
   -- texturecost
   signal texturecost_difference_0_0, texturecost_difference_1_0, texturecost_difference_2_0 : integer range -127 to 31;
   signal texturecost_difference_3_0, texturecost_difference_4_0, texturecost_difference_5_0 : integer range -127 to 31;
@@ -429,7 +410,7 @@ begin
   in_right_pixel <= unsigned(right_pixel);
   in_left_pixel <= unsigned(left_pixel);
   disparity <= std_logic_vector(to_unsigned(slice2_best_index_3_0, 8) & to_unsigned(slice2_best_index_2_0, 8) & to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(slice2_best_index_0_0, 8));
-  pixel_valid <= std_logic_vector(to_unsigned(as_number(texture_passes_5_3), 1) & to_unsigned(as_number(texture_passes_5_2), 1) & to_unsigned(as_number(texture_passes_5_1), 1) & to_unsigned(as_number(texture_passes_5_0), 1));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(texture_passes_4_3), 1) & to_unsigned(as_number(texture_passes_4_2), 1) & to_unsigned(as_number(texture_passes_4_1), 1) & to_unsigned(as_number(texture_passes_4_0), 1));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
@@ -516,30 +497,31 @@ begin
     variable transform_right_filter_column_0_1_choice_3, transform_right_filter_column_0_2_choice_3 : boolean;
     variable transform_right_filter_column_0_3_choice_3, raster_place_group_is_equal, raster_place_group_all : boolean;
     variable raster_place_group_is_equal_2, raster_place_next_frame_all, raster_place_next_frame_choice : boolean;
-    variable delay_row_inside_0_is_equal, slice0cost_pair_0_0_is_less, slice0cost_pair_0_1_is_less : boolean;
-    variable slice0cost_pair_0_2_is_less, slice0cost_pair_1_0_is_less, slice0cost_pair_1_1_is_less : boolean;
-    variable slice0cost_pair_1_2_is_less, slice0cost_single_0_0_is_less, slice0cost_single_0_1_is_less : boolean;
-    variable slice0cost_single_0_2_is_less, slice0cost_single_5_0_is_less, slice0cost_single_5_1_is_less : boolean;
-    variable slice0cost_single_5_2_is_less, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_pair_2_0_is_less : boolean;
-    variable slice0winner1_of_pair_3_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_1_0_is_less, slice0winner1_of_four_2_0_is_less : boolean;
-    variable slice0winner1_of_four_3_0_is_less, slice1cost_pair_0_0_is_less, slice1cost_pair_0_1_is_less : boolean;
-    variable slice1cost_pair_0_2_is_less, slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less : boolean;
-    variable slice1cost_pair_1_2_is_less, slice1cost_single_0_0_is_less, slice1cost_single_0_1_is_less : boolean;
-    variable slice1cost_single_0_2_is_less, slice1cost_single_5_0_is_less, slice1cost_single_5_1_is_less : boolean;
-    variable slice1cost_single_5_2_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_pair_2_0_is_less : boolean;
-    variable slice1winner1_of_pair_3_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_1_0_is_less, slice1winner1_of_four_2_0_is_less : boolean;
-    variable slice1winner1_of_four_3_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
-    variable slice1_best_cost_2_0_is_less, slice1_best_cost_3_0_is_less, slice2cost_pair_0_0_is_less : boolean;
-    variable slice2cost_pair_0_1_is_less, slice2cost_pair_1_0_is_less, slice2cost_pair_1_1_is_less : boolean;
-    variable slice2cost_single_0_0_is_less, slice2cost_single_0_1_is_less, slice2cost_single_5_0_is_less : boolean;
-    variable slice2cost_single_5_1_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_1_0_is_less, slice2winner1_best_cost_2_0_is_less : boolean;
-    variable slice2winner1_best_cost_3_0_is_less, texturecost_pair_0_0_is_less, texturecost_pair_1_0_is_less : boolean;
-    variable texturecost_single_0_0_is_less, texturecost_single_5_0_is_less : boolean;
+    variable delay_row_inside_0_is_equal, delay_row_inside_1_choice, slice0cost_pair_0_0_is_less : boolean;
+    variable slice0cost_pair_0_1_is_less, slice0cost_pair_0_2_is_less, slice0cost_pair_1_0_is_less : boolean;
+    variable slice0cost_pair_1_1_is_less, slice0cost_pair_1_2_is_less, slice0cost_single_0_0_is_less : boolean;
+    variable slice0cost_single_0_1_is_less, slice0cost_single_0_2_is_less, slice0cost_single_5_0_is_less : boolean;
+    variable slice0cost_single_5_1_is_less, slice0cost_single_5_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
+    variable slice0winner1_best_cost_2_0_is_less, slice0winner1_best_cost_3_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
+    variable slice0winner2_best_cost_2_0_is_less, slice0winner2_best_cost_3_0_is_less : boolean;
+    variable slice1cost_pair_0_0_is_less, slice1cost_pair_0_1_is_less, slice1cost_pair_0_2_is_less : boolean;
+    variable slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less, slice1cost_pair_1_2_is_less : boolean;
+    variable slice1cost_single_0_0_is_less, slice1cost_single_0_1_is_less, slice1cost_single_0_2_is_less : boolean;
+    variable slice1cost_single_5_0_is_less, slice1cost_single_5_1_is_less, slice1cost_single_5_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
+    variable slice1winner1_best_cost_2_0_is_less, slice1winner1_best_cost_3_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable slice1winner2_best_cost_2_0_is_less, slice1winner2_best_cost_3_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice1_best_cost_2_0_is_less : boolean;
+    variable slice1_best_cost_3_0_is_less, slice2cost_pair_0_0_is_less, slice2cost_pair_0_1_is_less : boolean;
+    variable slice2cost_pair_1_0_is_less, slice2cost_pair_1_1_is_less, slice2cost_single_0_0_is_less : boolean;
+    variable slice2cost_single_0_1_is_less, slice2cost_single_5_0_is_less, slice2cost_single_5_1_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
+    variable slice2winner1_best_cost_2_0_is_less, slice2winner1_best_cost_3_0_is_less : boolean;
+    variable texturecost_pair_0_0_is_less, texturecost_pair_1_0_is_less, texturecost_single_0_0_is_less : boolean;
+    variable texturecost_single_5_0_is_less : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 7;
     variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
@@ -884,6 +866,8 @@ begin
         delay_ring_write_address <= delay_ring_read_address;
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
+      delay_row_inside_1_choice := not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
+        delay_row_inside_0_is_equal;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_ahead_2 <= raster_features_search_2;
@@ -891,15 +875,14 @@ begin
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else ((raster_place_group /
         4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
-      delay_row_inside_1 <= not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_is_equal;
+      delay_row_inside_1 <= delay_row_inside_1_choice;
       delay_row_inside_5 <= (raster_place_group / 2) = 0 when (raster_place_group mod 2) = 1 else not
         ((raster_place_group / 4) = 1);
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 4) and (raster_place_column >= 7)
-        and (raster_place_column < 31);
+      delay_tag_output_column <= (raster_place_column >= 7) and (raster_place_column < 31) and
+        delay_row_inside_1_choice;
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -1217,94 +1200,71 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_of_pair_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
-      slice0winner1_of_pair_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
-      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 10)) or (to_unsigned(slice0winner1_of_pair_0_1, 10))))) < 0;
-      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 10)) or (to_unsigned(slice0winner1_of_pair_1_1, 10))))) < 0;
-      slice0winner1_of_four_2_0_is_less := (slice0winner1_of_pair_2_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_2_0, 10)) or (to_unsigned(slice0winner1_of_pair_2_1, 10))))) < 0;
-      slice0winner1_of_four_3_0_is_less := (slice0winner1_of_pair_3_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_3_0, 10)) or (to_unsigned(slice0winner1_of_pair_3_1, 10))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
-      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
-      slice0winner1_of_pair_2_0 <= 0 when slice0winner1_of_pair_2_0_is_less else slice0window_sum_2_0;
-      slice0winner1_of_pair_2_1 <= slice0window_sum_2_1 when slice0winner1_of_pair_2_0_is_less else 0;
-      slice0winner1_of_pair_2_2 <= slice0window_sum_2_2;
-      slice0winner1_of_pair_3_0 <= 0 when slice0winner1_of_pair_3_0_is_less else slice0window_sum_3_0;
-      slice0winner1_of_pair_3_1 <= slice0window_sum_3_1 when slice0winner1_of_pair_3_0_is_less else 0;
-      slice0winner1_of_pair_3_2 <= slice0window_sum_3_2;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 2;
-      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
-      slice0winner1_pair_index_2_0 <= slice0winner1_of_pair_2_0_is_less;
-      slice0winner1_pair_index_3_0 <= slice0winner1_of_pair_3_0_is_less;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_2_0 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_0;
-      slice0winner1_of_four_2_1 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_1;
-      slice0winner1_of_four_2_2 <= slice0winner1_of_pair_2_2 when slice0winner1_of_four_2_0_is_less else 0;
-      slice0winner1_of_four_3_0 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_0;
-      slice0winner1_of_four_3_1 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_1;
-      slice0winner1_of_four_3_2 <= slice0winner1_of_pair_3_2 when slice0winner1_of_four_3_0_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
-      slice0winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_2_0_is_less else
-        as_number(slice0winner1_pair_index_2_0);
-      slice0winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_3_0_is_less else
-        as_number(slice0winner1_pair_index_3_0);
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 10)) or
-        (to_unsigned(slice0winner1_of_four_0_2, 10)))) or (to_unsigned(slice0winner1_of_four_0_0, 10))));
-      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 10)) or
-        (to_unsigned(slice0winner1_of_four_1_2, 10)))) or (to_unsigned(slice0winner1_of_four_1_0, 10))));
-      slice0winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_2_1, 10)) or
-        (to_unsigned(slice0winner1_of_four_2_2, 10)))) or (to_unsigned(slice0winner1_of_four_2_0, 10))));
-      slice0winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_3_1, 10)) or
-        (to_unsigned(slice0winner1_of_four_3_2, 10)))) or (to_unsigned(slice0winner1_of_four_3_0, 10))));
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
-      slice0winner1_best_index_2_0 <= slice0winner1_four_index_2_0;
-      slice0winner1_best_index_3_0 <= slice0winner1_four_index_3_0;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
-      if slice0winner1_pair_tag_valid then
-        slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
-        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_best_cost_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
+      slice0winner1_best_cost_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
+      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
+        slice0window_sum_2_0;
+      slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
+      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
+        slice0window_sum_3_0;
+      slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 2;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
+      slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_tag_valid then
+        slice0winner1_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_best_cost_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
+      slice0winner2_best_cost_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
+        slice0winner1_best_cost_2_0;
+      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
+        slice0winner1_best_cost_3_0;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
+        as_number(slice0winner1_best_index_2_0);
+      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
+        as_number(slice0winner1_best_index_3_0);
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
-      slice0_best_cost_2_0 <= slice0winner1_best_cost_2_0;
-      slice0_best_cost_3_0 <= slice0winner1_best_cost_3_0;
-      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner1_best_index_1_0 + 5;
-      slice0_best_index_2_0 <= slice0winner1_best_index_2_0 + 5;
-      slice0_best_index_3_0 <= slice0winner1_best_index_3_0 + 5;
-      slice0_best_tag_valid <= slice0winner1_tag_valid;
-      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
+      slice0_best_cost_2_0 <= slice0winner2_best_cost_2_0;
+      slice0_best_cost_3_0 <= slice0winner2_best_cost_3_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
+      slice0_best_index_2_0 <= slice0winner2_best_index_2_0 + 5;
+      slice0_best_index_3_0 <= slice0winner2_best_index_3_0 + 5;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1524,83 +1484,64 @@ begin
       slice1window_sum_3_1 <= slice1window_partial_3_1_1 + slice1cost_column_3_1;
       slice1window_sum_3_2 <= slice1window_partial_3_1_2 + slice1cost_column_3_2;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_of_pair_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
-      slice1winner1_of_pair_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
-      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 10)) or (to_unsigned(slice1winner1_of_pair_0_1, 10))))) < 0;
-      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 10)) or (to_unsigned(slice1winner1_of_pair_1_1, 10))))) < 0;
-      slice1winner1_of_four_2_0_is_less := (slice1winner1_of_pair_2_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_2_0, 10)) or (to_unsigned(slice1winner1_of_pair_2_1, 10))))) < 0;
-      slice1winner1_of_four_3_0_is_less := (slice1winner1_of_pair_3_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_3_0, 10)) or (to_unsigned(slice1winner1_of_pair_3_1, 10))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
-      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
-      slice1winner1_of_pair_2_0 <= 0 when slice1winner1_of_pair_2_0_is_less else slice1window_sum_2_0;
-      slice1winner1_of_pair_2_1 <= slice1window_sum_2_1 when slice1winner1_of_pair_2_0_is_less else 0;
-      slice1winner1_of_pair_2_2 <= slice1window_sum_2_2;
-      slice1winner1_of_pair_3_0 <= 0 when slice1winner1_of_pair_3_0_is_less else slice1window_sum_3_0;
-      slice1winner1_of_pair_3_1 <= slice1window_sum_3_1 when slice1winner1_of_pair_3_0_is_less else 0;
-      slice1winner1_of_pair_3_2 <= slice1window_sum_3_2;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_pair_index_2_0 <= slice1winner1_of_pair_2_0_is_less;
-      slice1winner1_pair_index_3_0 <= slice1winner1_of_pair_3_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_of_four_2_0 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_0;
-      slice1winner1_of_four_2_1 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_1;
-      slice1winner1_of_four_2_2 <= slice1winner1_of_pair_2_2 when slice1winner1_of_four_2_0_is_less else 0;
-      slice1winner1_of_four_3_0 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_0;
-      slice1winner1_of_four_3_1 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_1;
-      slice1winner1_of_four_3_2 <= slice1winner1_of_pair_3_2 when slice1winner1_of_four_3_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
-      slice1winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_2_0_is_less else
-        as_number(slice1winner1_pair_index_2_0);
-      slice1winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_3_0_is_less else
-        as_number(slice1winner1_pair_index_3_0);
-      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 10)) or
-        (to_unsigned(slice1winner1_of_four_0_2, 10)))) or (to_unsigned(slice1winner1_of_four_0_0, 10))));
-      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 10)) or
-        (to_unsigned(slice1winner1_of_four_1_2, 10)))) or (to_unsigned(slice1winner1_of_four_1_0, 10))));
-      slice1winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_2_1, 10)) or
-        (to_unsigned(slice1winner1_of_four_2_2, 10)))) or (to_unsigned(slice1winner1_of_four_2_0, 10))));
-      slice1winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_3_1, 10)) or
-        (to_unsigned(slice1winner1_of_four_3_2, 10)))) or (to_unsigned(slice1winner1_of_four_3_0, 10))));
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
-      slice1winner1_best_index_2_0 <= slice1winner1_four_index_2_0;
-      slice1winner1_best_index_3_0 <= slice1winner1_four_index_3_0;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_best_cost_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
+      slice1winner1_best_cost_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
+      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
+        slice1window_sum_2_0;
+      slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
+      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
+        slice1window_sum_3_0;
+      slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
+      slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
+      slice1winner2_best_cost_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
+      slice1winner2_best_cost_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
+        slice1winner1_best_cost_2_0;
+      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
+        slice1winner1_best_cost_3_0;
+      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
+        as_number(slice1winner1_best_index_1_0);
+      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
+        as_number(slice1winner1_best_index_2_0);
+      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
+        as_number(slice1winner1_best_index_3_0);
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
-      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
-      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner1_best_cost_2_0) < 0;
-      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner1_best_cost_3_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner1_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner1_best_cost_3_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner2_best_cost_1_0) < 0;
+      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner2_best_cost_2_0) < 0;
+      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner2_best_cost_3_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
+      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner2_best_cost_2_0;
+      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner2_best_cost_3_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
+        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
       slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        (((slice1winner1_best_index_2_0 / 2) + 1) * 2) + (slice1winner1_best_index_2_0 mod 2);
+        (((slice1winner2_best_index_2_0 / 2) + 1) * 2) + (slice1winner2_best_index_2_0 mod 2);
       slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        (((slice1winner1_best_index_3_0 / 2) + 1) * 2) + (slice1winner1_best_index_3_0 mod 2);
+        (((slice1winner2_best_index_3_0 / 2) + 1) * 2) + (slice1winner2_best_index_3_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1724,7 +1665,7 @@ begin
       slice2cost_column_3_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_1) +
         slice2cost_pair_1_1 + slice2cost_single_5_1) mod 256;
       -- slice2window
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2window_partial_0_0_0 + slice2cost_column_0_0;
@@ -1776,24 +1717,15 @@ begin
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
       slice2winner2_best_index_2_0 <= slice2winner1_best_index_2_0;
       slice2winner2_best_index_3_0 <= slice2winner1_best_index_3_0;
-      -- slice2winner3
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
-      slice2winner3_best_cost_2_0 <= slice2winner2_best_cost_2_0;
-      slice2winner3_best_cost_3_0 <= slice2winner2_best_cost_3_0;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
-      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
-      slice2winner3_best_index_2_0 <= slice2winner2_best_index_2_0;
-      slice2winner3_best_index_3_0 <= slice2winner2_best_index_3_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
-        as_number(slice2winner3_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
-        as_number(slice2winner3_best_index_1_0);
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner3_best_cost_2_0) < 0 else
-        as_number(slice2winner3_best_index_2_0);
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner3_best_cost_3_0) < 0 else
-        as_number(slice2winner3_best_index_3_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 else
+        as_number(slice2winner2_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 else
+        as_number(slice2winner2_best_index_1_0);
+      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 else
+        as_number(slice2winner2_best_index_2_0);
+      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 else
+        as_number(slice2winner2_best_index_3_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1822,10 +1754,6 @@ begin
       texture_passes_4_1 <= texture_passes_3_1;
       texture_passes_4_2 <= texture_passes_3_2;
       texture_passes_4_3 <= texture_passes_3_3;
-      texture_passes_5_0 <= texture_passes_4_0;
-      texture_passes_5_1 <= texture_passes_4_1;
-      texture_passes_5_2 <= texture_passes_4_2;
-      texture_passes_5_3 <= texture_passes_4_3;
       -- texturecost
       texturecost_pair_0_0_is_less := texturecost_difference_2_0 < 0;
       if texturecost_pair_0_0_is_less then
@@ -1857,24 +1785,24 @@ begin
       texturecost_difference_3_0 <= texture_taps_search_1_0 - slice0shift_reference_3;
       texturecost_difference_4_0 <= texture_taps_search_1_0 - slice0shift_reference_4;
       texturecost_difference_5_0 <= texture_taps_search_5_0 - slice0shift_reference_5;
-      texturecost_pair_0_0 <= (as_number((texturecost_difference_1_0 < 0)) + folded(texturecost_difference_1_0) +
-        texturecost_pair_0_0_choice) mod 256;
-      texturecost_pair_1_0 <= (as_number(texturecost_pair_1_0_is_less) + texturecost_pair_1_0_choice +
-        folded(texturecost_difference_4_0)) mod 256;
+      texturecost_pair_0_0 <= (as_number((texturecost_difference_1_0 < 0)) + texturecost_pair_0_0_choice +
+        folded(texturecost_difference_1_0)) mod 256;
+      texturecost_pair_1_0 <= (as_number(texturecost_pair_1_0_is_less) + folded(texturecost_difference_4_0) +
+        texturecost_pair_1_0_choice) mod 256;
       texturecost_negative_0_0 <= texturecost_pair_0_0_is_less;
       texturecost_negative_1_0 <= texturecost_difference_4_0 < 0;
       texturecost_single_0_0 <= (texturecost_single_0_0_choice + as_number(texturecost_single_0_0_is_less)) mod 256;
       texturecost_single_2_0 <= (texturecost_pair_0_0_choice + as_number(texturecost_pair_0_0_is_less)) mod 256;
       texturecost_single_3_0 <= (texturecost_pair_1_0_choice + as_number(texturecost_pair_1_0_is_less)) mod 256;
       texturecost_single_5_0 <= (texturecost_single_5_0_choice + as_number(texturecost_single_5_0_is_less)) mod 256;
-      texturecost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_0_0) +
-        texturecost_pair_0_0 + texturecost_single_0_0) mod 256;
-      texturecost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_0_0) +
-        texturecost_pair_0_0 + texturecost_single_3_0) mod 256;
-      texturecost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_1_0) +
-        texturecost_pair_1_0 + texturecost_single_2_0) mod 256;
-      texturecost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_1_0) +
-        texturecost_pair_1_0 + texturecost_single_5_0) mod 256;
+      texturecost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (texturecost_single_0_0 +
+        as_number(texturecost_negative_0_0) + texturecost_pair_0_0) mod 256;
+      texturecost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (texturecost_single_3_0 +
+        as_number(texturecost_negative_0_0) + texturecost_pair_0_0) mod 256;
+      texturecost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (texturecost_single_2_0 +
+        as_number(texturecost_negative_1_0) + texturecost_pair_1_0) mod 256;
+      texturecost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (texturecost_single_5_0 +
+        as_number(texturecost_negative_1_0) + texturecost_pair_1_0) mod 256;
       -- texturewindow
       if slice0cost_tag_valid then
         texturewindow_partial_0_0_0 <= texturecost_column_0_0;
@@ -1959,18 +1887,14 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_end_of_line <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 23,
+      latency_clocks => 22,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"78f7e093",
+      core_id => x"bdd0f48c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 23,
+      latency_clocks => 22,
       flush_groups => 65,
       gap_groups => 0)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_tiny_w10_recursive_p4 is
     pixels_per_clock : positive := 4;
     disparity_bits : positive := 8;
     output_width_px : positive := 23;
-    latency_clocks : positive := 19;
+    latency_clocks : positive := 18;
     flush_groups : positive := 35;
     gap_groups : positive := 32
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 4 report "stereo_core_tiny_w10_recursive_p4: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 4" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_w10_recursive_p4: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 23 report "stereo_core_tiny_w10_recursive_p4: output_width_px is " & integer'image(output_width_px) & " but this core has 23" severity failure;
-  assert latency_clocks = 19 report "stereo_core_tiny_w10_recursive_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
+  assert latency_clocks = 18 report "stereo_core_tiny_w10_recursive_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
   assert flush_groups = 35 report "stereo_core_tiny_w10_recursive_p4: flush_groups is " & integer'image(flush_groups) & " but this core has 35" severity failure;
   assert gap_groups = 32 report "stereo_core_tiny_w10_recursive_p4: gap_groups is " & integer'image(gap_groups) & " but this core has 32" severity failure;
 end entity;
@@ -233,27 +233,21 @@ architecture rtl of stereo_core_tiny_w10_recursive_p4 is
   signal slice0window_sum_2_0, slice0window_sum_2_1, slice0window_sum_2_2 : natural range 0 to 32767;
   signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 32767;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_2_0, slice0winner1_of_pair_2_1, slice0winner1_of_pair_2_2 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_3_0, slice0winner1_of_pair_3_1, slice0winner1_of_pair_3_2 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 32767;
-  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 32767;
-  signal slice0winner1_of_four_2_0, slice0winner1_of_four_2_1, slice0winner1_of_four_2_2 : natural range 0 to 32767;
-  signal slice0winner1_of_four_3_0, slice0winner1_of_four_3_1, slice0winner1_of_four_3_2 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_3_0 : natural range 0 to 32767;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_index_2_0 : boolean;
-  signal slice0winner1_pair_index_3_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
-  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
-  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
-  signal slice0winner1_four_index_1_0, slice0winner1_four_index_2_0 : natural range 0 to 2;
-  signal slice0winner1_four_index_3_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
-  signal slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : natural range 0 to 2;
-  signal slice0winner1_best_index_3_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 32767;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : boolean;
+  signal slice0winner1_best_index_3_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 32767;
+  signal slice0winner2_best_cost_2_0, slice0winner2_best_cost_3_0 : natural range 0 to 32767;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 2;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 32767;
   signal slice0_best_cost_3_0 : natural range 0 to 32767;
@@ -331,22 +325,17 @@ architecture rtl of stereo_core_tiny_w10_recursive_p4 is
   signal slice1window_sum_2_0, slice1window_sum_2_1, slice1window_sum_2_2 : natural range 0 to 32767;
   signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 32767;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_2_0, slice1winner1_of_pair_2_1, slice1winner1_of_pair_2_2 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_3_0, slice1winner1_of_pair_3_1, slice1winner1_of_pair_3_2 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 32767;
-  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 32767;
-  signal slice1winner1_of_four_2_0, slice1winner1_of_four_2_1, slice1winner1_of_four_2_2 : natural range 0 to 32767;
-  signal slice1winner1_of_four_3_0, slice1winner1_of_four_3_1, slice1winner1_of_four_3_2 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_3_0 : natural range 0 to 32767;
-  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0, slice1winner1_pair_index_2_0 : boolean;
-  signal slice1winner1_pair_index_3_0 : boolean;
-  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
-  signal slice1winner1_four_index_2_0, slice1winner1_four_index_3_0 : natural range 0 to 2;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
-  signal slice1winner1_best_index_2_0, slice1winner1_best_index_3_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 32767;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0, slice1winner1_best_index_2_0 : boolean;
+  signal slice1winner1_best_index_3_0 : boolean;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 32767;
+  signal slice1winner2_best_cost_2_0, slice1winner2_best_cost_3_0 : natural range 0 to 32767;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 2;
   -- slice1
   signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 32767;
   signal slice1_best_cost_3_0 : natural range 0 to 32767;
@@ -421,22 +410,17 @@ architecture rtl of stereo_core_tiny_w10_recursive_p4 is
   signal slice2window_centre_start_of_frame_2, slice2window_centre_end_of_line_1 : boolean;
   signal slice2window_centre_end_of_line_2 : boolean;
   -- slice2winner1
-  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_1_0, slice2winner1_of_pair_1_1, slice2winner1_of_pair_1_2 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_2_0, slice2winner1_of_pair_2_1, slice2winner1_of_pair_2_2 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_3_0, slice2winner1_of_pair_3_1, slice2winner1_of_pair_3_2 : natural range 0 to 32767;
-  signal slice2winner1_of_four_0_0, slice2winner1_of_four_0_1, slice2winner1_of_four_0_2 : natural range 0 to 32767;
-  signal slice2winner1_of_four_1_0, slice2winner1_of_four_1_1, slice2winner1_of_four_1_2 : natural range 0 to 32767;
-  signal slice2winner1_of_four_2_0, slice2winner1_of_four_2_1, slice2winner1_of_four_2_2 : natural range 0 to 32767;
-  signal slice2winner1_of_four_3_0, slice2winner1_of_four_3_1, slice2winner1_of_four_3_2 : natural range 0 to 32767;
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 32767;
-  signal slice2winner1_best_cost_2_0, slice2winner1_best_cost_3_0 : natural range 0 to 32767;
-  signal slice2winner1_pair_index_0_0, slice2winner1_pair_index_1_0, slice2winner1_pair_index_2_0 : boolean;
-  signal slice2winner1_pair_index_3_0 : boolean;
-  signal slice2winner1_four_index_0_0, slice2winner1_four_index_1_0 : natural range 0 to 2;
-  signal slice2winner1_four_index_2_0, slice2winner1_four_index_3_0 : natural range 0 to 2;
-  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : natural range 0 to 2;
-  signal slice2winner1_best_index_2_0, slice2winner1_best_index_3_0 : natural range 0 to 2;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_1_0, slice2winner1_best_cost_1_1 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_2_0, slice2winner1_best_cost_2_1 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_3_0, slice2winner1_best_cost_3_1 : natural range 0 to 32767;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0, slice2winner1_best_index_2_0 : boolean;
+  signal slice2winner1_best_index_3_0 : boolean;
+  -- slice2winner2
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 32767;
+  signal slice2winner2_best_cost_2_0, slice2winner2_best_cost_3_0 : natural range 0 to 32767;
+  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice2winner2_best_index_2_0, slice2winner2_best_index_3_0 : natural range 0 to 2;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0, slice2_best_index_2_0 : natural range 0 to 9;
   signal slice2_best_index_3_0 : natural range 0 to 9;
@@ -737,20 +721,20 @@ begin
 
   process (clock)
     variable raster_place_column_choice, delay_row_inside_0_value, delay_tag_first_cost_is_equal : boolean;
-    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_1_0_is_less : boolean;
-    variable slice0winner1_of_pair_2_0_is_less, slice0winner1_of_pair_3_0_is_less : boolean;
-    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_1_0_is_less : boolean;
-    variable slice0winner1_of_four_2_0_is_less, slice0winner1_of_four_3_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_pair_1_0_is_less : boolean;
-    variable slice1winner1_of_pair_2_0_is_less, slice1winner1_of_pair_3_0_is_less : boolean;
-    variable slice1winner1_of_four_0_0_is_less, slice1winner1_of_four_1_0_is_less : boolean;
-    variable slice1winner1_of_four_2_0_is_less, slice1winner1_of_four_3_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
+    variable slice0winner1_best_cost_2_0_is_less, slice0winner1_best_cost_3_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
+    variable slice0winner2_best_cost_2_0_is_less, slice0winner2_best_cost_3_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
+    variable slice1winner1_best_cost_2_0_is_less, slice1winner1_best_cost_3_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable slice1winner2_best_cost_2_0_is_less, slice1winner2_best_cost_3_0_is_less : boolean;
     variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice1_best_cost_2_0_is_less : boolean;
-    variable slice1_best_cost_3_0_is_less, slice2winner1_of_pair_0_0_is_less : boolean;
-    variable slice2winner1_of_pair_1_0_is_less, slice2winner1_of_pair_2_0_is_less : boolean;
-    variable slice2winner1_of_pair_3_0_is_less, slice2winner1_of_four_0_0_is_less : boolean;
-    variable slice2winner1_of_four_1_0_is_less, slice2winner1_of_four_2_0_is_less : boolean;
-    variable slice2winner1_of_four_3_0_is_less : boolean;
+    variable slice1_best_cost_3_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_1_0_is_less, slice2winner1_best_cost_2_0_is_less : boolean;
+    variable slice2winner1_best_cost_3_0_is_less, slice2winner2_best_cost_0_0_is_less : boolean;
+    variable slice2winner2_best_cost_1_0_is_less, slice2winner2_best_cost_2_0_is_less : boolean;
+    variable slice2winner2_best_cost_3_0_is_less : boolean;
     variable slice0cost_change_0_0_difference, slice0cost_change_0_1_difference : integer range -255 to 255;
     variable slice0cost_change_0_2_difference, slice1cost_change_0_0_difference : integer range -255 to 255;
     variable slice1cost_change_0_1_difference, slice1cost_change_0_2_difference : integer range -255 to 255;
@@ -851,8 +835,8 @@ begin
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= (((((raster_place_column / 2) + 32759) mod 32768) * 2) + (raster_place_column mod 2))
         < 65522;
-      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 4) and ((((((raster_place_column /
-        8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) < 23);
+      delay_tag_output_column <= ((((((raster_place_column / 8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) <
+        23) and (not ((raster_place_group / 4) = 1)) and (delay_row_inside_0_value or ((raster_place_group mod 2) = 1));
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -1312,98 +1296,75 @@ begin
         slice0window_sum_3_1 <= (slice0window_sum_3_1_choice + slice0window_change_3_1) mod 32768;
         slice0window_sum_3_2 <= (slice0window_sum_3_2_choice + slice0window_change_3_2) mod 32768;
       end if;
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
       end if;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_of_pair_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
-      slice0winner1_of_pair_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
-      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 15)) or (to_unsigned(slice0winner1_of_pair_0_1, 15))))) < 0;
-      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 15)) or (to_unsigned(slice0winner1_of_pair_1_1, 15))))) < 0;
-      slice0winner1_of_four_2_0_is_less := (slice0winner1_of_pair_2_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_2_0, 15)) or (to_unsigned(slice0winner1_of_pair_2_1, 15))))) < 0;
-      slice0winner1_of_four_3_0_is_less := (slice0winner1_of_pair_3_2 -
-        to_integer(((to_unsigned(slice0winner1_of_pair_3_0, 15)) or (to_unsigned(slice0winner1_of_pair_3_1, 15))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
-      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
-      slice0winner1_of_pair_2_0 <= 0 when slice0winner1_of_pair_2_0_is_less else slice0window_sum_2_0;
-      slice0winner1_of_pair_2_1 <= slice0window_sum_2_1 when slice0winner1_of_pair_2_0_is_less else 0;
-      slice0winner1_of_pair_2_2 <= slice0window_sum_2_2;
-      slice0winner1_of_pair_3_0 <= 0 when slice0winner1_of_pair_3_0_is_less else slice0window_sum_3_0;
-      slice0winner1_of_pair_3_1 <= slice0window_sum_3_1 when slice0winner1_of_pair_3_0_is_less else 0;
-      slice0winner1_of_pair_3_2 <= slice0window_sum_3_2;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 2;
-      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
-      slice0winner1_pair_index_2_0 <= slice0winner1_of_pair_2_0_is_less;
-      slice0winner1_pair_index_3_0 <= slice0winner1_of_pair_3_0_is_less;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_2_0 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_0;
-      slice0winner1_of_four_2_1 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_1;
-      slice0winner1_of_four_2_2 <= slice0winner1_of_pair_2_2 when slice0winner1_of_four_2_0_is_less else 0;
-      slice0winner1_of_four_3_0 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_0;
-      slice0winner1_of_four_3_1 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_1;
-      slice0winner1_of_four_3_2 <= slice0winner1_of_pair_3_2 when slice0winner1_of_four_3_0_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
-      slice0winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_2_0_is_less else
-        as_number(slice0winner1_pair_index_2_0);
-      slice0winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_3_0_is_less else
-        as_number(slice0winner1_pair_index_3_0);
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_2, 15)))) or (to_unsigned(slice0winner1_of_four_0_0, 15))));
-      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 15)) or
-        (to_unsigned(slice0winner1_of_four_1_2, 15)))) or (to_unsigned(slice0winner1_of_four_1_0, 15))));
-      slice0winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_2_1, 15)) or
-        (to_unsigned(slice0winner1_of_four_2_2, 15)))) or (to_unsigned(slice0winner1_of_four_2_0, 15))));
-      slice0winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_3_1, 15)) or
-        (to_unsigned(slice0winner1_of_four_3_2, 15)))) or (to_unsigned(slice0winner1_of_four_3_0, 15))));
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
-      slice0winner1_best_index_2_0 <= slice0winner1_four_index_2_0;
-      slice0winner1_best_index_3_0 <= slice0winner1_four_index_3_0;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
-      if slice0winner1_pair_tag_valid then
-        slice0winner1_pair_tag_output_column <= slice2window_centre_output_column_2;
-        slice0winner1_pair_tag_start_of_frame <= slice2window_centre_start_of_frame_2;
-        slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_2;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_best_cost_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
+      slice0winner1_best_cost_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
+      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
+        slice0window_sum_2_0;
+      slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
+      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
+        slice0window_sum_3_0;
+      slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 2;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
+      slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_tag_valid then
+        slice0winner1_tag_output_column <= slice2window_centre_output_column_2;
+        slice0winner1_tag_start_of_frame <= slice2window_centre_start_of_frame_2;
+        slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_2;
       end if;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_best_cost_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
+      slice0winner2_best_cost_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
+        slice0winner1_best_cost_2_0;
+      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
+        slice0winner1_best_cost_3_0;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
+        as_number(slice0winner1_best_index_2_0);
+      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
+        as_number(slice0winner1_best_index_3_0);
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
-      slice0_best_cost_2_0 <= slice0winner1_best_cost_2_0;
-      slice0_best_cost_3_0 <= slice0winner1_best_cost_3_0;
-      slice0_best_index_0_0 <= (((slice0winner1_best_index_0_0 / 2) + 3) * 2) + (slice0winner1_best_index_0_0 mod 2);
-      slice0_best_index_1_0 <= (((slice0winner1_best_index_1_0 / 2) + 3) * 2) + (slice0winner1_best_index_1_0 mod 2);
-      slice0_best_index_2_0 <= (((slice0winner1_best_index_2_0 / 2) + 3) * 2) + (slice0winner1_best_index_2_0 mod 2);
-      slice0_best_index_3_0 <= (((slice0winner1_best_index_3_0 / 2) + 3) * 2) + (slice0winner1_best_index_3_0 mod 2);
-      slice0_best_tag_valid <= slice0winner1_tag_valid;
-      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
+      slice0_best_cost_2_0 <= slice0winner2_best_cost_2_0;
+      slice0_best_cost_3_0 <= slice0winner2_best_cost_3_0;
+      slice0_best_index_0_0 <= (((slice0winner2_best_index_0_0 / 2) + 3) * 2) + (slice0winner2_best_index_0_0 mod 2);
+      slice0_best_index_1_0 <= (((slice0winner2_best_index_1_0 / 2) + 3) * 2) + (slice0winner2_best_index_1_0 mod 2);
+      slice0_best_index_2_0 <= (((slice0winner2_best_index_2_0 / 2) + 3) * 2) + (slice0winner2_best_index_2_0 mod 2);
+      slice0_best_index_3_0 <= (((slice0winner2_best_index_3_0 / 2) + 3) * 2) + (slice0winner2_best_index_3_0 mod 2);
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1708,89 +1669,70 @@ begin
         slice1window_sum_3_1 <= (slice1window_sum_3_1_choice + slice1window_change_3_1) mod 32768;
         slice1window_sum_3_2 <= (slice1window_sum_3_2_choice + slice1window_change_3_2) mod 32768;
       end if;
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice1window_centre_output_column_1 <= slice0window_centre_output_column_1;
         slice1window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_2;
         slice1window_centre_end_of_line_1 <= slice0window_centre_end_of_line_1;
       end if;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_of_pair_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
-      slice1winner1_of_pair_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
-      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 15)) or (to_unsigned(slice1winner1_of_pair_0_1, 15))))) < 0;
-      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 15)) or (to_unsigned(slice1winner1_of_pair_1_1, 15))))) < 0;
-      slice1winner1_of_four_2_0_is_less := (slice1winner1_of_pair_2_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_2_0, 15)) or (to_unsigned(slice1winner1_of_pair_2_1, 15))))) < 0;
-      slice1winner1_of_four_3_0_is_less := (slice1winner1_of_pair_3_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_3_0, 15)) or (to_unsigned(slice1winner1_of_pair_3_1, 15))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
-      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
-      slice1winner1_of_pair_2_0 <= 0 when slice1winner1_of_pair_2_0_is_less else slice1window_sum_2_0;
-      slice1winner1_of_pair_2_1 <= slice1window_sum_2_1 when slice1winner1_of_pair_2_0_is_less else 0;
-      slice1winner1_of_pair_2_2 <= slice1window_sum_2_2;
-      slice1winner1_of_pair_3_0 <= 0 when slice1winner1_of_pair_3_0_is_less else slice1window_sum_3_0;
-      slice1winner1_of_pair_3_1 <= slice1window_sum_3_1 when slice1winner1_of_pair_3_0_is_less else 0;
-      slice1winner1_of_pair_3_2 <= slice1window_sum_3_2;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_pair_index_2_0 <= slice1winner1_of_pair_2_0_is_less;
-      slice1winner1_pair_index_3_0 <= slice1winner1_of_pair_3_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_of_four_2_0 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_0;
-      slice1winner1_of_four_2_1 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_1;
-      slice1winner1_of_four_2_2 <= slice1winner1_of_pair_2_2 when slice1winner1_of_four_2_0_is_less else 0;
-      slice1winner1_of_four_3_0 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_0;
-      slice1winner1_of_four_3_1 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_1;
-      slice1winner1_of_four_3_2 <= slice1winner1_of_pair_3_2 when slice1winner1_of_four_3_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
-      slice1winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_2_0_is_less else
-        as_number(slice1winner1_pair_index_2_0);
-      slice1winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_3_0_is_less else
-        as_number(slice1winner1_pair_index_3_0);
-      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_2, 15)))) or (to_unsigned(slice1winner1_of_four_0_0, 15))));
-      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 15)) or
-        (to_unsigned(slice1winner1_of_four_1_2, 15)))) or (to_unsigned(slice1winner1_of_four_1_0, 15))));
-      slice1winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_2_1, 15)) or
-        (to_unsigned(slice1winner1_of_four_2_2, 15)))) or (to_unsigned(slice1winner1_of_four_2_0, 15))));
-      slice1winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_3_1, 15)) or
-        (to_unsigned(slice1winner1_of_four_3_2, 15)))) or (to_unsigned(slice1winner1_of_four_3_0, 15))));
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
-      slice1winner1_best_index_2_0 <= slice1winner1_four_index_2_0;
-      slice1winner1_best_index_3_0 <= slice1winner1_four_index_3_0;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_best_cost_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
+      slice1winner1_best_cost_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
+      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
+        slice1window_sum_2_0;
+      slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
+      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
+        slice1window_sum_3_0;
+      slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
+      slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
+      slice1winner2_best_cost_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
+      slice1winner2_best_cost_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
+        slice1winner1_best_cost_2_0;
+      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
+        slice1winner1_best_cost_3_0;
+      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
+        as_number(slice1winner1_best_index_1_0);
+      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
+        as_number(slice1winner1_best_index_2_0);
+      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
+        as_number(slice1winner1_best_index_3_0);
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
-      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
-      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner1_best_cost_2_0) < 0;
-      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner1_best_cost_3_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner1_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner1_best_cost_3_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner2_best_cost_1_0) < 0;
+      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner2_best_cost_2_0) < 0;
+      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner2_best_cost_3_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
+      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner2_best_cost_2_0;
+      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner2_best_cost_3_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner1_best_index_0_0 + 3;
+        slice1winner2_best_index_0_0 + 3;
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        slice1winner1_best_index_1_0 + 3;
+        slice1winner2_best_index_1_0 + 3;
       slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        slice1winner1_best_index_2_0 + 3;
+        slice1winner2_best_index_2_0 + 3;
       slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        slice1winner1_best_index_3_0 + 3;
+        slice1winner2_best_index_3_0 + 3;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -2080,7 +2022,7 @@ begin
       slice2window_sum_3_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_3_0;
       slice2window_sum_3_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_3_1;
       slice2window_sum_3_2_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_3_2;
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 32768;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 32768;
         slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 32768;
@@ -2100,75 +2042,56 @@ begin
         slice2window_centre_end_of_line_2 <= slice2window_centre_end_of_line_1;
       end if;
       -- slice2winner1
-      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_of_pair_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
-      slice2winner1_of_pair_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
-      slice2winner1_of_pair_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
-      slice2winner1_of_four_0_0_is_less := (slice2winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 15)) or (to_unsigned(slice2winner1_of_pair_0_1, 15))))) < 0;
-      slice2winner1_of_four_1_0_is_less := (slice2winner1_of_pair_1_2 -
-        to_integer(((to_unsigned(slice2winner1_of_pair_1_0, 15)) or (to_unsigned(slice2winner1_of_pair_1_1, 15))))) < 0;
-      slice2winner1_of_four_2_0_is_less := (slice2winner1_of_pair_2_2 -
-        to_integer(((to_unsigned(slice2winner1_of_pair_2_0, 15)) or (to_unsigned(slice2winner1_of_pair_2_1, 15))))) < 0;
-      slice2winner1_of_four_3_0_is_less := (slice2winner1_of_pair_3_2 -
-        to_integer(((to_unsigned(slice2winner1_of_pair_3_0, 15)) or (to_unsigned(slice2winner1_of_pair_3_1, 15))))) < 0;
-      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
-      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
-      slice2winner1_of_pair_0_2 <= slice2window_sum_0_2;
-      slice2winner1_of_pair_1_0 <= 0 when slice2winner1_of_pair_1_0_is_less else slice2window_sum_1_0;
-      slice2winner1_of_pair_1_1 <= slice2window_sum_1_1 when slice2winner1_of_pair_1_0_is_less else 0;
-      slice2winner1_of_pair_1_2 <= slice2window_sum_1_2;
-      slice2winner1_of_pair_2_0 <= 0 when slice2winner1_of_pair_2_0_is_less else slice2window_sum_2_0;
-      slice2winner1_of_pair_2_1 <= slice2window_sum_2_1 when slice2winner1_of_pair_2_0_is_less else 0;
-      slice2winner1_of_pair_2_2 <= slice2window_sum_2_2;
-      slice2winner1_of_pair_3_0 <= 0 when slice2winner1_of_pair_3_0_is_less else slice2window_sum_3_0;
-      slice2winner1_of_pair_3_1 <= slice2window_sum_3_1 when slice2winner1_of_pair_3_0_is_less else 0;
-      slice2winner1_of_pair_3_2 <= slice2window_sum_3_2;
-      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
-      slice2winner1_pair_index_1_0 <= slice2winner1_of_pair_1_0_is_less;
-      slice2winner1_pair_index_2_0 <= slice2winner1_of_pair_2_0_is_less;
-      slice2winner1_pair_index_3_0 <= slice2winner1_of_pair_3_0_is_less;
-      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
-      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
-      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_1_0 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_0;
-      slice2winner1_of_four_1_1 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_1;
-      slice2winner1_of_four_1_2 <= slice2winner1_of_pair_1_2 when slice2winner1_of_four_1_0_is_less else 0;
-      slice2winner1_of_four_2_0 <= 0 when slice2winner1_of_four_2_0_is_less else slice2winner1_of_pair_2_0;
-      slice2winner1_of_four_2_1 <= 0 when slice2winner1_of_four_2_0_is_less else slice2winner1_of_pair_2_1;
-      slice2winner1_of_four_2_2 <= slice2winner1_of_pair_2_2 when slice2winner1_of_four_2_0_is_less else 0;
-      slice2winner1_of_four_3_0 <= 0 when slice2winner1_of_four_3_0_is_less else slice2winner1_of_pair_3_0;
-      slice2winner1_of_four_3_1 <= 0 when slice2winner1_of_four_3_0_is_less else slice2winner1_of_pair_3_1;
-      slice2winner1_of_four_3_2 <= slice2winner1_of_pair_3_2 when slice2winner1_of_four_3_0_is_less else 0;
-      slice2winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
-        as_number(slice2winner1_pair_index_0_0);
-      slice2winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice2winner1_of_four_1_0_is_less else
-        as_number(slice2winner1_pair_index_1_0);
-      slice2winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice2winner1_of_four_2_0_is_less else
-        as_number(slice2winner1_pair_index_2_0);
-      slice2winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice2winner1_of_four_3_0_is_less else
-        as_number(slice2winner1_pair_index_3_0);
-      slice2winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice2winner1_of_four_0_1, 15)) or
-        (to_unsigned(slice2winner1_of_four_0_2, 15)))) or (to_unsigned(slice2winner1_of_four_0_0, 15))));
-      slice2winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice2winner1_of_four_1_1, 15)) or
-        (to_unsigned(slice2winner1_of_four_1_2, 15)))) or (to_unsigned(slice2winner1_of_four_1_0, 15))));
-      slice2winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice2winner1_of_four_2_1, 15)) or
-        (to_unsigned(slice2winner1_of_four_2_2, 15)))) or (to_unsigned(slice2winner1_of_four_2_0, 15))));
-      slice2winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice2winner1_of_four_3_1, 15)) or
-        (to_unsigned(slice2winner1_of_four_3_2, 15)))) or (to_unsigned(slice2winner1_of_four_3_0, 15))));
-      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
-      slice2winner1_best_index_1_0 <= slice2winner1_four_index_1_0;
-      slice2winner1_best_index_2_0 <= slice2winner1_four_index_2_0;
-      slice2winner1_best_index_3_0 <= slice2winner1_four_index_3_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
+      slice2winner1_best_cost_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
+      slice2winner1_best_cost_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
+      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
+        slice2window_sum_1_0;
+      slice2winner1_best_cost_1_1 <= slice2window_sum_1_2;
+      slice2winner1_best_cost_2_0 <= slice2window_sum_2_1 when slice2winner1_best_cost_2_0_is_less else
+        slice2window_sum_2_0;
+      slice2winner1_best_cost_2_1 <= slice2window_sum_2_2;
+      slice2winner1_best_cost_3_0 <= slice2window_sum_3_1 when slice2winner1_best_cost_3_0_is_less else
+        slice2window_sum_3_0;
+      slice2winner1_best_cost_3_1 <= slice2window_sum_3_2;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      slice2winner1_best_index_2_0 <= slice2winner1_best_cost_2_0_is_less;
+      slice2winner1_best_index_3_0 <= slice2winner1_best_cost_3_0_is_less;
+      -- slice2winner2
+      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_best_cost_1_0_is_less := (slice2winner1_best_cost_1_1 - slice2winner1_best_cost_1_0) < 0;
+      slice2winner2_best_cost_2_0_is_less := (slice2winner1_best_cost_2_1 - slice2winner1_best_cost_2_0) < 0;
+      slice2winner2_best_cost_3_0_is_less := (slice2winner1_best_cost_3_1 - slice2winner1_best_cost_3_0) < 0;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_1 when slice2winner2_best_cost_1_0_is_less else
+        slice2winner1_best_cost_1_0;
+      slice2winner2_best_cost_2_0 <= slice2winner1_best_cost_2_1 when slice2winner2_best_cost_2_0_is_less else
+        slice2winner1_best_cost_2_0;
+      slice2winner2_best_cost_3_0 <= slice2winner1_best_cost_3_1 when slice2winner2_best_cost_3_0_is_less else
+        slice2winner1_best_cost_3_0;
+      slice2winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
+        as_number(slice2winner1_best_index_0_0);
+      slice2winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_1_0_is_less else
+        as_number(slice2winner1_best_index_1_0);
+      slice2winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_2_0_is_less else
+        as_number(slice2winner1_best_index_2_0);
+      slice2winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_3_0_is_less else
+        as_number(slice2winner1_best_index_3_0);
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner1_best_cost_0_0) < 0 else
-        slice2winner1_best_index_0_0;
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner1_best_cost_1_0) < 0 else
-        slice2winner1_best_index_1_0;
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner1_best_cost_2_0) < 0 else
-        slice2winner1_best_index_2_0;
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner1_best_cost_3_0) < 0 else
-        slice2winner1_best_index_3_0;
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 else
+        slice2winner2_best_index_0_0;
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 else
+        slice2winner2_best_index_1_0;
+      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 else
+        slice2winner2_best_index_2_0;
+      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 else
+        slice2winner2_best_index_3_0;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -2251,18 +2174,14 @@ begin
         slice0window_centre_end_of_line_0 <= false;
         slice0window_centre_end_of_line_1 <= false;
         slice0window_tag_valid <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_end_of_line <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

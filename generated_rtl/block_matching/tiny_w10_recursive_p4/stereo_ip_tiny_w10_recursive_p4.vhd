@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 23,
-      latency_clocks => 19,
+      latency_clocks => 18,
       flush_groups => 35,
       gap_groups => 32,
-      core_id => x"38b0432f",
+      core_id => x"fd60275e",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 23,
-      latency_clocks => 19,
+      latency_clocks => 18,
       flush_groups => 35,
       gap_groups => 32)
     port map (

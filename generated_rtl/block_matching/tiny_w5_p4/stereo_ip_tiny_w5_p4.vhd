@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 14,
+      latency_clocks => 13,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"3786a363",
+      core_id => x"a5302aca",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 14,
+      latency_clocks => 13,
       flush_groups => 33,
       gap_groups => 0)
     port map (

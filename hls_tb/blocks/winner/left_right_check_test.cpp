@@ -46,7 +46,8 @@ struct Record {
 
 /// Clocks by which the other image's winners are ahead in a core.
 template <const block_matching::Config& C>
-constexpr int kAhead = winner_clocks<WindowCandidate<C>>(C.largest_slice(), C.winner_group) + Refinement<C>::kClocks;
+constexpr int kAhead =
+    winner_clocks<WindowCandidate<C>>(C.largest_slice(), C.winner_group, C.pixels_per_clock) + Refinement<C>::kClocks;
 
 template <const block_matching::Config& C>
 struct CheckBench {

@@ -30,7 +30,7 @@ struct TreeType {
         .subpixel = Needs == Extras::neighbours || Needs == Extras::both},
        {.winner_group = Group}};
    static constexpr int kCandidates = N;
-   static constexpr int kLevels = winner_clocks<WindowCandidate<kConfig>>(N, Group) + Spare;
+   static constexpr int kLevels = winner_clocks<WindowCandidate<kConfig>>(N, Group, Pixels) + Spare;
    using Tree = WinnerBlock<WindowCandidate<kConfig>, PixelTag, Pixels, Group, N, kLevels>;
 };
 
@@ -40,7 +40,7 @@ using Trees = ::testing::Types<
     TreeType<1, 2, 2>, TreeType<1, 3, 2>, TreeType<2, 4, 2, 2>, TreeType<1, 6, 2, 1>,
     TreeType<1, 9, 2, 0, Ties::largest>, TreeType<2, 2, 2, 3>, TreeType<4, 3, 2, 0, Ties::largest>,
     TreeType<2, 3, 3, 1>, TreeType<1, 4, 4, 0, Ties::largest>, TreeType<4, 5, 4>, TreeType<2, 17, 16>,
-    TreeType<4, 25, 2, 0, Ties::largest>, TreeType<1, 26, 3>, TreeType<1, 37, 7>,
+    TreeType<2, 25, 2, 0, Ties::largest>, TreeType<4, 25, 2, 0, Ties::largest>, TreeType<1, 26, 3>, TreeType<1, 37, 7>,
     TreeType<1, 255, 16, 0, Ties::largest>, TreeType<1, 256, 2>, TreeType<1, 2, 2, 1, Ties::smallest, Extras::both>,
     TreeType<2, 3, 2, 0, Ties::largest, Extras::both>, TreeType<1, 4, 2, 0, Ties::smallest, Extras::second>,
     TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>, TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>,
