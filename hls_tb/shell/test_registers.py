@@ -7,7 +7,7 @@ from cocotb.triggers import ClockCycles, RisingEdge, with_timeout
 from bench import PERIOD_NS, Bench, add_tests
 from flow.shell import registers, script
 from flow.shell.broken import beats_of
-from flow.shell.contract import LAST, RESULT_ERROR, expect
+from flow.shell.contract import LAST, RESULT_ERROR, START, expect
 
 
 def a_frame(bench):
@@ -135,6 +135,18 @@ async def errors_are_sticky_and_cleared_one_by_one(dut):
         await bench.axil.write(bench.map["status"]["offset"] + 1, (1 << fields[name]["low"] - 8).to_bytes(1, "little"))
         all_bits &= ~(1 << fields[name]["low"])
         assert await bench.read("status") == all_bits
+    await bench.play(script.send([(1, LAST)]))
+    assert await bench.read("status") == 1 << fields["outside_frame"]["low"]
+
+
+@cocotb.test()
+async def reset_forgets_a_break(dut):
+    """Behind a broken frame beats are dropped without an error. A reset ends that: they are outside of a frame again."""
+    bench = await Bench(dut, "reset behind a break").start()
+    fields = bench.map["status"]["fields"]
+    await bench.play(script.send([(1, START | LAST), (1, LAST)]))
+    assert await bench.field("status", "outside_frame") == 0
+    await bench.reset(1)
     await bench.play(script.send([(1, LAST)]))
     assert await bench.read("status") == 1 << fields["outside_frame"]["low"]
 
