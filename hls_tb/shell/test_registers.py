@@ -141,14 +141,13 @@ async def errors_are_sticky_and_cleared_one_by_one(dut):
 
 @cocotb.test()
 async def reset_forgets_a_break(dut):
-    """Behind a broken frame beats are dropped without an error. A reset ends that: they are outside of a frame again."""
+    """Behind a broken frame beats are dropped without an error. Behind a reset they are outside of a frame again."""
     bench = await Bench(dut, "reset behind a break").start()
-    fields = bench.map["status"]["fields"]
     await bench.play(script.send([(1, START | LAST), (1, LAST)]))
     assert await bench.field("status", "outside_frame") == 0
     await bench.reset(1)
     await bench.play(script.send([(1, LAST)]))
-    assert await bench.read("status") == 1 << fields["outside_frame"]["low"]
+    assert await bench.field("status", "outside_frame") == 1
 
 
 @cocotb.test()
