@@ -7,7 +7,7 @@ from cocotb.triggers import ClockCycles, RisingEdge, with_timeout
 from bench import PERIOD_NS, Bench, add_tests
 from flow.shell import registers, script
 from flow.shell.broken import beats_of
-from flow.shell.contract import LAST, RESULT_ERROR, expect
+from flow.shell.contract import LAST, RESULT_ERROR, START, expect
 
 
 def a_frame(bench):
@@ -137,6 +137,17 @@ async def errors_are_sticky_and_cleared_one_by_one(dut):
         assert await bench.read("status") == all_bits
     await bench.play(script.send([(1, LAST)]))
     assert await bench.read("status") == 1 << fields["outside_frame"]["low"]
+
+
+@cocotb.test()
+async def reset_forgets_a_break(dut):
+    """Behind a broken frame beats are dropped without an error. Behind a reset they are outside of a frame again."""
+    bench = await Bench(dut, "reset behind a break").start()
+    await bench.play(script.send([(1, START | LAST), (1, LAST)]))
+    assert await bench.field("status", "outside_frame") == 0
+    await bench.reset(1)
+    await bench.play(script.send([(1, LAST)]))
+    assert await bench.field("status", "outside_frame") == 1
 
 
 @cocotb.test()

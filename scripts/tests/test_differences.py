@@ -123,10 +123,12 @@ def test_other_registers_have_no_such_graph():
     assert differences.differences(one, other) is not None
 
 
-def test_what_follows_from_words_and_what_from_bits():
+def test_what_follows_from_control_and_what_from_pixels():
     graph = Graph(list(NAMES), [2, 2 * 4, 2 * 3, 2 * 7], [2], [(2 * 6, 2 * 5), (2 * 4, 2 * 1 + 1)])
     # registers: 4 <- reset, 5 <- 4, 6 <- word[1], 7 <- itself; gates: 8 of 6 and 5, 9 of 4 and reset
-    assert differences.follow_from_bits(graph) == [True, True, False, False, True, True, False, True, False, True]
+    assert differences.follow_from_control(graph) == [True, True, False, False, True, True, False, True, False, True]
+    graph.inputs = [name.replace("word", "s_axil_wdata") for name in graph.inputs]
+    assert all(differences.follow_from_control(graph)), "what is written into registers decides"
 
 
 def test_files_are_read_as_they_were_written(tmp_path):

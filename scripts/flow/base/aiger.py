@@ -18,7 +18,7 @@ def write(verilog: str, top: str, work: Path, starts_at_zero: bool = False) -> P
     script = (
         f"read_verilog -sv design.v; prep -flatten -top {top}; memory_map; "
         f"setundef -undriven -zero{' -init' if starts_at_zero else ''}; opt -full; "
-        "techmap; setundef -undriven -zero; opt; dffunmap; simplemap; aigmap; opt_clean; "
+        "techmap; setundef -undriven -zero; opt; dffunmap; simplemap; aigmap; setundef -zero; opt_clean; "
         "write_aiger -zinit -symbols design.aig"
     )
     run([find_yosys(), "-p", script], cwd=work, log=work / "yosys.log")

@@ -5,7 +5,7 @@ Each register gets a bit that says whether its value may differ between the vers
 original and these bits, which follow from it:
 
 - An and gate may differ if an input of it may, unless the other one is 0 in both. Its value counts only where it
-  follows from inputs of one bit: pixels and costs stay out of the proof.
+  follows from inputs of one bit and from what is written into registers: pixels and costs stay out of the proof.
 - A register may differ in the next clock if what it takes in the changed version may, or if the two versions take
   different values from the same state.
 
@@ -20,6 +20,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 INPUT_BIT = re.compile(r"^(\w+)\[\d+\]$")
+OF_REGISTERS = "s_axil_"  # how the names of their inputs begin. What is written there decides: a soft reset, a size
 NUMBERED = re.compile(r"\bn(\d+)_")  # GHDL's names of what has none: the number may be another one in another version
 
 
@@ -138,10 +139,10 @@ def at(edges: list[int], edge: int) -> int:
     return edges[edge >> 1] ^ (edge & 1)
 
 
-def follow_from_bits(graph: Graph) -> list[bool]:
-    """For each node whether it follows, through registers too, from inputs of one bit alone."""
+def follow_from_control(graph: Graph) -> list[bool]:
+    """For each node whether it follows, through registers too, from inputs of one bit and those of registers alone."""
     words = [INPUT_BIT.sub(r"\1", name) for name in graph.inputs]
-    of_words = [words.count(word) > 1 for word in words]
+    of_words = [words.count(word) > 1 and not word.startswith(OF_REGISTERS) for word in words]
     data = [False, *of_words, *[False] * len(graph.registers)]
     while True:
         nodes = list(data)
@@ -175,7 +176,7 @@ def differences(original: Graph, changed: Graph) -> Graph | None:
     of_original = [same for _, same in sorted((other[2], one[2]) for one, other in zip(names, of_changed))]
     inputs = [2 * node for node in range(1 + len(original.inputs))]
     before, after = made.copied(original), made.values(changed, [*inputs, *(made.register(n) for n in of_original)])
-    known = follow_from_bits(changed)
+    known = follow_from_control(changed)
     may = [0] * len(inputs) + [made.register(count + number) for number in of_original]
     for first, second in changed.gates:
         one, other = may[first >> 1], may[second >> 1]
