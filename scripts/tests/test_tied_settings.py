@@ -11,19 +11,24 @@ from flow.base import ghdl as ghdl_flow, rtl
 from flow.base.configurations import designs
 from flow.implementation import yosys as yosys_flow
 from flow.implementation.figures import lut_count
-from flow.implementation.targets import TARGETS, TOP
+from flow.implementation.targets import GENERIC, TARGETS, TOP
 from flow.synthesis import manifest
 
-TARGET = replace(TARGETS["ecp5"], device=None)  # area only
-# All settings of block matching; of semi-global matching the size. Its penalties cost more: its paths must hold what
-# ports may bring.
+# Left alone, abc9 spends look-up tables on the shortest delay that the slowest path of a netlist allows, so another
+# slowest path changes the area of all blocks: 16.4 instead of 4.2 % for the penalties below. Both versions reach this.
+DELAY_PS = 4500
+TARGET = replace(  # area only
+    TARGETS["ecp5"], device=None, prepare=f"scratchpad -set abc9.D {DELAY_PS}; {GENERIC}"
+)
+# (with ports, without, largest difference in percent)
 PAIRS = [
-    ("tiny_settings_full", "tiny_full_all"),
-    ("tiny_size", "tiny"),
-    ("tiny_size_full", "tiny_full"),
-    ("tiny_sgm_size", "tiny_sgm"),
+    ("tiny_settings_full", "tiny_full_all", 2),
+    ("tiny_size", "tiny", 2),
+    ("tiny_size_full", "tiny_full", 2),
+    ("tiny_sgm_size", "tiny_sgm", 2),
+    # The paths must hold what ports may bring, penalties up to 7 and 31 instead of 5 and 22: 7 bits instead of 6.
+    ("tiny_sgm_settings", "tiny_sgm_all", 5),
 ]
-LARGEST_PERCENT = 2.0
 
 
 def area(config, work, tied=()):
@@ -46,8 +51,8 @@ def top_of(verilog, entity, tied):
     return f"\nmodule {TOP}({outer});\n  inner core({inner});\nendmodule\n"
 
 
-@pytest.mark.parametrize("with_ports, without", PAIRS)
-def test_tied_settings_cost_nothing(ghdl, tmp_path, with_ports, without):
+@pytest.mark.parametrize("with_ports, without, largest", PAIRS)
+def test_tied_settings_cost_nothing(ghdl, tmp_path, with_ports, without, largest):
     where_reachable(yosys_flow.find_yosys)
     settings = rtl.settings_of(designs()[with_ports])
     assert any(setting.largest > 0 for setting in settings)
@@ -56,6 +61,6 @@ def test_tied_settings_cost_nothing(ghdl, tmp_path, with_ports, without):
     plain_luts, plain_ffs = area(without, tmp_path / "plain")
     more, more_ffs = (100 * (a / b - 1) for a, b in ((luts, plain_luts), (ffs, plain_ffs)))
     print(f"{with_ports}, tied: {luts} LUT4 ({more:+.1f} %), {ffs} flip-flops ({more_ffs:+.1f} %)")
-    assert max(more, more_ffs) <= LARGEST_PERCENT
+    assert max(more, more_ffs) <= largest
     free_luts, free_ffs = area(with_ports, tmp_path / "free")
     assert free_luts > plain_luts and free_ffs > plain_ffs, "the ports do nothing"
