@@ -11,6 +11,10 @@
 
 namespace stereo::block_matching {
 
+/// Most window costs a clock that a slice compares in a GatedTree. In a larger one a sixth of a core's registers have
+/// resets of their own; docs/logic.md has what both trees take.
+inline constexpr int kMostGated = 8;
+
 /// The slices for the last `Disparities` disparities that the searched pixels meet. Each slice holds the shift, cost,
 /// window and winner blocks of up to C.slice_disparities disparities and works one clock behind the slice before it,
 /// from which it gets the pixels and the best candidate so far. The first slice has the highest disparities where the
@@ -30,8 +34,10 @@ struct DisparitySlice {
    using Shift = DisparityShift<C, kCount>;
    using Column = ColumnBlock<C, kCount>;
    using Window = WindowBlock<C, kCount>;
-   static constexpr int kLevels = winner_clocks<WindowCandidate<C>>(C.largest_slice(), C.winner_group, kPixels);
-   using Winner = WinnerBlock<WindowCandidate<C>, PixelTag, kPixels, C.winner_group, kCount, kLevels>;
+   static constexpr bool kGated =
+       C.largest_slice() * kPixels <= kMostGated && can_be_gated<WindowCandidate<C>>(C.largest_slice(), C.winner_group);
+   static constexpr int kLevels = winner_clocks(kGated, C.largest_slice(), C.winner_group);
+   using Winner = WinnerBlock<kGated, WindowCandidate<C>, PixelTag, kPixels, C.winner_group, kCount, kLevels>;
    using Mask = std::conditional_t<kFullWidth<C>, CandidateMask<C, kCount, kFirst>, NoMask>;
    static constexpr int kMemories = Column::kMemories + Window::kMemories + Next::kMemories;
    /// From the rows' arrival at this slice to the best candidate of all slices (its losers come a clock later): a clock

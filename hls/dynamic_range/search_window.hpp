@@ -50,8 +50,9 @@ struct SearchWindow {
    using Chain = WindowChain<C, Window>;
    using Column = RecursiveColumn<Window, kLanes>;
    using Sums = RunningWindowSum<Window, kLanes>;
-   static constexpr int kLevels = winner_clocks<WindowCandidate<Window>>(kLanes, C.winner_group, 1);
-   using Winner = WinnerBlock<WindowCandidate<Window>, PixelTag, 1, C.winner_group, kLanes, kLevels>;
+   static constexpr bool kGated = can_be_gated<WindowCandidate<Window>>(kLanes, C.winner_group);
+   static constexpr int kLevels = winner_clocks(kGated, kLanes, C.winner_group);
+   using Winner = WinnerBlock<kGated, WindowCandidate<Window>, PixelTag, 1, C.winner_group, kLanes, kLevels>;
    static constexpr int kMemories = Column::kMemories + Sums::kMemories;
    static constexpr int kClocks = Chain::kClocks + Column::kClocks + Sums::kClocks + kLevels;
 

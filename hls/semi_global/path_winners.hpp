@@ -13,17 +13,19 @@ namespace stereo::semi_global {
 /// matching.
 template <const Config& C>
 struct PathWinners {
-   static constexpr int kLevels = winner_clocks<WindowCandidate<kSumConfig<C>>>(C.disparities, C.winner_group, 1);
+   using Candidate = WindowCandidate<kSumConfig<C>>;
+   static constexpr bool kGated = can_be_gated<Candidate>(C.disparities, C.winner_group);
+   static constexpr int kLevels = winner_clocks(kGated, C.disparities, C.winner_group);
    static constexpr int kClocks = kLevels + 1;
    using Other = DiagonalMinimum<kSumConfig<C>, (C.has_left_right_check() ? C.disparities : 1)>;
-   using Tree = WinnerBlock<WindowCandidate<kSumConfig<C>>, PixelTag, 1, C.winner_group, C.disparities, kLevels>;
+   using Tree = WinnerBlock<kGated, Candidate, PixelTag, 1, C.winner_group, C.disparities, kLevels>;
 
    using Mask = std::conditional_t<C.full_width, CandidateMask<kSumConfig<C>, C.disparities, 0>, NoMask>;
 
    [[no_unique_address]] Mask mask;
    Other other;
    Tree winner;
-   Candidates<WindowCandidate<kSumConfig<C>>, 1, 1> best;
+   Candidates<Candidate, 1, 1> best;
    PixelTag best_tag;
 
    template <class Visitor>

@@ -140,25 +140,24 @@ struct GatedTree {
    }
 };
 
-/// Whether candidates of `pixels` windows a clock are compared in a GatedTree. Each of its comparisons resets registers
-/// of its own, and a place-and-route tool puts only registers of one reset into a tile: with four windows they end up
-/// far apart.
+/// Whether a GatedTree can take what a WinnerTree takes. Each of its comparisons resets registers of its own, and a
+/// place-and-route tool puts only registers of one reset into a tile: where such registers are many, they end up far
+/// apart, and a WinnerTree is larger but faster.
 template <class Candidate>
-constexpr bool is_gated(int candidates, int group, int pixels) {
-   return candidates > 2 && group == 2 && pixels <= 2 && !Candidate::kHasNeighbours && !Candidate::kHasSecond;
+constexpr bool can_be_gated(int candidates, int group) {
+   return candidates > 2 && group == 2 && !Candidate::kHasNeighbours && !Candidate::kHasSecond;
 }
 
-/// Clocks of the tree that WinnerBlock chooses, for up to `candidates` candidates.
-template <class Candidate>
-constexpr int winner_clocks(int candidates, int group, int pixels) {
-   return is_gated<Candidate>(candidates, group, pixels) ? gated_clocks(candidates) : winner_levels(candidates, group);
+/// Clocks of the tree that WinnerBlock names, for up to `candidates` candidates.
+constexpr int winner_clocks(bool gated, int candidates, int group) {
+   return gated ? gated_clocks(candidates) : winner_levels(candidates, group);
 }
 
-/// The tree for N candidates that takes `Clocks` clocks, as many as winner_clocks says or more.
-template <class Candidate, class Tag, int kPixels, int kGroup, int N, int Clocks>
+/// The tree for N candidates that takes `Clocks` clocks, as many as winner_clocks says or more. Gated: of all trees
+/// that keep step.
+template <bool Gated, class Candidate, class Tag, int kPixels, int kGroup, int N, int Clocks>
 using WinnerBlock =
-    typename std::conditional_t<is_gated<Candidate>(N, kGroup, kPixels),
-                                std::type_identity<GatedTree<Candidate, Tag, kPixels, N, Clocks>>,
+    typename std::conditional_t<(Gated && N > 2), std::type_identity<GatedTree<Candidate, Tag, kPixels, N, Clocks>>,
                                 std::type_identity<WinnerTree<Candidate, Tag, kPixels, kGroup, N, Clocks>>>::type;
 
 }  // namespace stereo

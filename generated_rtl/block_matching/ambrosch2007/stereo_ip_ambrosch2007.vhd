@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 220,
-      latency_clocks => 21,
+      latency_clocks => 19,
       flush_groups => 320,
       gap_groups => 0,
-      core_id => x"59e7d744",
+      core_id => x"9346865a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 220,
-      latency_clocks => 21,
+      latency_clocks => 19,
       flush_groups => 320,
       gap_groups => 0)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_ambrosch2007_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 220;
-    latency_clocks : positive := 21;
+    latency_clocks : positive := 19;
     flush_groups : positive := 320;
     gap_groups : natural := 0
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_ambrosch2007_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_ambrosch2007_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 220 report "stereo_core_ambrosch2007_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 220" severity failure;
-  assert latency_clocks = 21 report "stereo_core_ambrosch2007_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
+  assert latency_clocks = 19 report "stereo_core_ambrosch2007_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
   assert flush_groups = 320 report "stereo_core_ambrosch2007_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 320" severity failure;
   assert gap_groups = 0 report "stereo_core_ambrosch2007_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -341,110 +341,79 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice0window_sum_1_21, slice0window_sum_1_22, slice0window_sum_1_23 : natural range 0 to 2301;
   signal slice0window_sum_1_24 : natural range 0 to 2301;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_15, slice0winner1_of_pair_0_16, slice0winner1_of_pair_0_17 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_18, slice0winner1_of_pair_0_19, slice0winner1_of_pair_0_20 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_21, slice0winner1_of_pair_0_22, slice0winner1_of_pair_0_23 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_0_24, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9, slice0winner1_of_four_0_10 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_11, slice0winner1_of_four_0_12, slice0winner1_of_four_0_13 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_14, slice0winner1_of_four_0_15, slice0winner1_of_four_0_16 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_17, slice0winner1_of_four_0_18, slice0winner1_of_four_0_19 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_20, slice0winner1_of_four_0_21, slice0winner1_of_four_0_22 : natural range 0 to 2298;
-  signal slice0winner1_of_four_0_23, slice0winner1_of_four_0_24, slice0winner1_best_cost_0_6 : natural range 0 to 2298;
-  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_3, slice0winner1_of_pair_1_4, slice0winner1_of_pair_1_5 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_6, slice0winner1_of_pair_1_7, slice0winner1_of_pair_1_8 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_9, slice0winner1_of_pair_1_10, slice0winner1_of_pair_1_11 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_12, slice0winner1_of_pair_1_13, slice0winner1_of_pair_1_14 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_15, slice0winner1_of_pair_1_16, slice0winner1_of_pair_1_17 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_18, slice0winner1_of_pair_1_19, slice0winner1_of_pair_1_20 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_21, slice0winner1_of_pair_1_22, slice0winner1_of_pair_1_23 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_24, slice0winner1_of_four_1_0, slice0winner1_of_four_1_1 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_2, slice0winner1_of_four_1_3, slice0winner1_of_four_1_4 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_5, slice0winner1_of_four_1_6, slice0winner1_of_four_1_7 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_8, slice0winner1_of_four_1_9, slice0winner1_of_four_1_10 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_11, slice0winner1_of_four_1_12, slice0winner1_of_four_1_13 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_14, slice0winner1_of_four_1_15, slice0winner1_of_four_1_16 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_17, slice0winner1_of_four_1_18, slice0winner1_of_four_1_19 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_20, slice0winner1_of_four_1_21, slice0winner1_of_four_1_22 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_23, slice0winner1_of_four_1_24, slice0winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
-  signal slice0winner1_pair_tag_output_column, slice0winner1_pair_tag_start_of_frame : boolean;
-  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid : boolean;
-  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
-  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice0winner1_four_index_0_0, slice0winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2, slice0winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice0winner1_four_index_0_1, slice0winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice0winner1_pair_index_0_4, slice0winner1_pair_index_1_4 : natural range 0 to 9;
-  signal slice0winner1_pair_index_0_5, slice0winner1_pair_index_1_5 : natural range 0 to 11;
-  signal slice0winner1_four_index_0_2, slice0winner1_four_index_1_2 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 11;
-  signal slice0winner1_pair_index_0_6, slice0winner1_pair_index_1_6 : natural range 0 to 13;
-  signal slice0winner1_pair_index_0_7, slice0winner1_pair_index_1_7 : natural range 0 to 15;
-  signal slice0winner1_four_index_0_3, slice0winner1_four_index_1_3 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 15;
-  signal slice0winner1_pair_index_0_8, slice0winner1_pair_index_1_8 : natural range 0 to 17;
-  signal slice0winner1_pair_index_0_9, slice0winner1_pair_index_1_9 : natural range 0 to 19;
-  signal slice0winner1_four_index_0_4, slice0winner1_four_index_1_4 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 19;
-  signal slice0winner1_pair_index_0_10, slice0winner1_pair_index_1_10 : natural range 0 to 21;
-  signal slice0winner1_pair_index_0_11, slice0winner1_pair_index_1_11 : natural range 0 to 23;
-  signal slice0winner1_four_index_0_5, slice0winner1_four_index_1_5 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 23;
-  signal slice0winner1_pair_index_0_12, slice0winner1_four_index_0_6 : natural range 0 to 24;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 24;
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_1_4, slice0winner1_best_cost_1_5 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_4, slice0winner1_best_cost_1_5 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_6, slice0winner1_best_cost_1_7 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_8, slice0winner1_best_cost_1_9 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_10, slice0winner1_best_cost_1_11 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_12 : natural range 0 to 2301;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_6, slice0winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice0winner1_best_index_0_7, slice0winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_8, slice0winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice0winner1_best_index_0_9, slice0winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice0winner1_best_index_0_10, slice0winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice0winner1_best_index_0_11, slice0winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
   -- slice0winner2
-  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_0_3, slice0winner2_of_pair_0_4, slice0winner2_of_pair_0_5 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_1_0, slice0winner2_of_pair_1_1, slice0winner2_of_pair_1_2 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_1_3, slice0winner2_of_pair_1_4, slice0winner2_of_pair_1_5 : natural range 0 to 4095;
-  signal slice0winner2_of_four_0_0, slice0winner2_of_four_0_1, slice0winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice0winner2_of_four_0_3, slice0winner2_of_four_0_4, slice0winner2_of_four_0_5 : natural range 0 to 4095;
-  signal slice0winner2_of_four_1_0, slice0winner2_of_four_1_1, slice0winner2_of_four_1_2 : natural range 0 to 4095;
-  signal slice0winner2_of_four_1_3, slice0winner2_of_four_1_4, slice0winner2_of_four_1_5 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_0_6, slice0winner2_of_four_0_6 : natural range 0 to 2298;
-  signal slice0winner2_of_pair_1_6, slice0winner2_of_four_1_6 : natural range 0 to 2301;
-  signal slice0winner2_pair_index_0_0, slice0winner2_pair_index_1_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_0_1, slice0winner2_pair_index_1_1 : natural range 0 to 15;
-  signal slice0winner2_four_index_0_0, slice0winner2_four_index_1_0 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 15;
-  signal slice0winner2_pair_index_0_2, slice0winner2_pair_index_1_2 : natural range 0 to 23;
-  signal slice0winner2_pair_index_0_3, slice0winner2_four_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_four_index_1_1, slice0winner2_best_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_best_index_1_1 : natural range 0 to 24;
-  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
-  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
-  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
-  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
-  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_2, slice0winner2_best_cost_1_3 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_4, slice0winner2_best_cost_1_5 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_6 : natural range 0 to 2301;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1, slice0winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2, slice0winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_0_3, slice0winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_4, slice0winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice0winner2_best_index_0_5, slice0winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_1_0 : natural range 0 to 4095;
-  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 24;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice0winner3_best_cost_1_0, slice0winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_1_2, slice0winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1, slice0winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice0winner3_best_index_0_2, slice0winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice0winner4_best_cost_1_0, slice0winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner4_best_index_0_0, slice0winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice0winner4_best_index_0_1, slice0winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
+  -- slice0winner5
+  signal slice0winner5_best_cost_0_0 : natural range 0 to 2298;
+  signal slice0winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0winner5_best_index_0_0, slice0winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
+  signal slice0winner5_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 4095;
+  signal slice0_best_cost_0_0 : natural range 0 to 2298;
+  signal slice0_best_cost_1_0 : natural range 0 to 2301;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 99;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -653,95 +622,67 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice1window_sum_1_21, slice1window_sum_1_22, slice1window_sum_1_23 : natural range 0 to 2301;
   signal slice1window_sum_1_24 : natural range 0 to 2301;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_12, slice1winner1_of_pair_0_13, slice1winner1_of_pair_0_14 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_15, slice1winner1_of_pair_0_16, slice1winner1_of_pair_0_17 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_18, slice1winner1_of_pair_0_19, slice1winner1_of_pair_0_20 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_21, slice1winner1_of_pair_0_22, slice1winner1_of_pair_0_23 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_0_24, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_8, slice1winner1_of_four_0_9, slice1winner1_of_four_0_10 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_11, slice1winner1_of_four_0_12, slice1winner1_of_four_0_13 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_14, slice1winner1_of_four_0_15, slice1winner1_of_four_0_16 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_17, slice1winner1_of_four_0_18, slice1winner1_of_four_0_19 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_20, slice1winner1_of_four_0_21, slice1winner1_of_four_0_22 : natural range 0 to 2298;
-  signal slice1winner1_of_four_0_23, slice1winner1_of_four_0_24, slice1winner1_best_cost_0_6 : natural range 0 to 2298;
-  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_3, slice1winner1_of_pair_1_4, slice1winner1_of_pair_1_5 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_6, slice1winner1_of_pair_1_7, slice1winner1_of_pair_1_8 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_9, slice1winner1_of_pair_1_10, slice1winner1_of_pair_1_11 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_12, slice1winner1_of_pair_1_13, slice1winner1_of_pair_1_14 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_15, slice1winner1_of_pair_1_16, slice1winner1_of_pair_1_17 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_18, slice1winner1_of_pair_1_19, slice1winner1_of_pair_1_20 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_21, slice1winner1_of_pair_1_22, slice1winner1_of_pair_1_23 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_24, slice1winner1_of_four_1_0, slice1winner1_of_four_1_1 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_2, slice1winner1_of_four_1_3, slice1winner1_of_four_1_4 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_5, slice1winner1_of_four_1_6, slice1winner1_of_four_1_7 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_8, slice1winner1_of_four_1_9, slice1winner1_of_four_1_10 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_11, slice1winner1_of_four_1_12, slice1winner1_of_four_1_13 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_14, slice1winner1_of_four_1_15, slice1winner1_of_four_1_16 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_17, slice1winner1_of_four_1_18, slice1winner1_of_four_1_19 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_20, slice1winner1_of_four_1_21, slice1winner1_of_four_1_22 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_23, slice1winner1_of_four_1_24, slice1winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice1winner1_pair_index_0_2, slice1winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_0_3, slice1winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice1winner1_four_index_0_1, slice1winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice1winner1_pair_index_0_4, slice1winner1_pair_index_1_4 : natural range 0 to 9;
-  signal slice1winner1_pair_index_0_5, slice1winner1_pair_index_1_5 : natural range 0 to 11;
-  signal slice1winner1_four_index_0_2, slice1winner1_four_index_1_2 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 11;
-  signal slice1winner1_pair_index_0_6, slice1winner1_pair_index_1_6 : natural range 0 to 13;
-  signal slice1winner1_pair_index_0_7, slice1winner1_pair_index_1_7 : natural range 0 to 15;
-  signal slice1winner1_four_index_0_3, slice1winner1_four_index_1_3 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 15;
-  signal slice1winner1_pair_index_0_8, slice1winner1_pair_index_1_8 : natural range 0 to 17;
-  signal slice1winner1_pair_index_0_9, slice1winner1_pair_index_1_9 : natural range 0 to 19;
-  signal slice1winner1_four_index_0_4, slice1winner1_four_index_1_4 : natural range 0 to 19;
-  signal slice1winner1_best_index_0_4, slice1winner1_best_index_1_4 : natural range 0 to 19;
-  signal slice1winner1_pair_index_0_10, slice1winner1_pair_index_1_10 : natural range 0 to 21;
-  signal slice1winner1_pair_index_0_11, slice1winner1_pair_index_1_11 : natural range 0 to 23;
-  signal slice1winner1_four_index_0_5, slice1winner1_four_index_1_5 : natural range 0 to 23;
-  signal slice1winner1_best_index_0_5, slice1winner1_best_index_1_5 : natural range 0 to 23;
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_1_2, slice1winner1_best_cost_1_3 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_1_4, slice1winner1_best_cost_1_5 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_8, slice1winner1_best_cost_0_9 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_10, slice1winner1_best_cost_0_11 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_2, slice1winner1_best_cost_1_3 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_4, slice1winner1_best_cost_1_5 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_6, slice1winner1_best_cost_1_7 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_8, slice1winner1_best_cost_1_9 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_10, slice1winner1_best_cost_1_11 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_12 : natural range 0 to 2301;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
+  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_4, slice1winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice1winner1_best_index_0_5, slice1winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_6, slice1winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice1winner1_best_index_0_7, slice1winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice1winner1_best_index_0_8, slice1winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice1winner1_best_index_0_9, slice1winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice1winner1_best_index_0_10, slice1winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice1winner1_best_index_0_11, slice1winner1_best_index_1_11 : natural range 0 to 23;
   -- slice1winner2
-  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_0_3, slice1winner2_of_pair_0_4, slice1winner2_of_pair_0_5 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_1_0, slice1winner2_of_pair_1_1, slice1winner2_of_pair_1_2 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_1_3, slice1winner2_of_pair_1_4, slice1winner2_of_pair_1_5 : natural range 0 to 4095;
-  signal slice1winner2_of_four_0_0, slice1winner2_of_four_0_1, slice1winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice1winner2_of_four_0_3, slice1winner2_of_four_0_4, slice1winner2_of_four_0_5 : natural range 0 to 4095;
-  signal slice1winner2_of_four_1_0, slice1winner2_of_four_1_1, slice1winner2_of_four_1_2 : natural range 0 to 4095;
-  signal slice1winner2_of_four_1_3, slice1winner2_of_four_1_4, slice1winner2_of_four_1_5 : natural range 0 to 4095;
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice1winner2_best_cost_1_0, slice1winner2_best_cost_1_1 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_0_6, slice1winner2_of_four_0_6 : natural range 0 to 2298;
-  signal slice1winner2_of_pair_1_6, slice1winner2_of_four_1_6 : natural range 0 to 2301;
-  signal slice1winner2_pair_index_0_0, slice1winner2_pair_index_1_0 : natural range 0 to 7;
-  signal slice1winner2_pair_index_0_1, slice1winner2_pair_index_1_1 : natural range 0 to 15;
-  signal slice1winner2_four_index_0_0, slice1winner2_four_index_1_0 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 15;
-  signal slice1winner2_pair_index_0_2, slice1winner2_pair_index_1_2 : natural range 0 to 23;
-  signal slice1winner2_four_index_0_1, slice1winner2_four_index_1_1 : natural range 0 to 24;
-  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 24;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_0_4, slice1winner2_best_cost_0_5 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice1winner2_best_cost_1_0, slice1winner2_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_1_2, slice1winner2_best_cost_1_3 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_1_4, slice1winner2_best_cost_1_5 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_1_6 : natural range 0 to 2301;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_0_2, slice1winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_0_3, slice1winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice1winner2_best_index_0_4, slice1winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice1winner2_best_index_0_5, slice1winner2_best_index_1_5 : natural range 0 to 23;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_1_0 : natural range 0 to 4095;
-  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 24;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner3_best_cost_0_2, slice1winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice1winner3_best_cost_1_0, slice1winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_1_2, slice1winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_0_1, slice1winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice1winner3_best_index_0_2, slice1winner3_best_index_1_2 : natural range 0 to 23;
+  -- slice1winner4
+  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice1winner4_best_cost_1_0, slice1winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner4_best_index_0_0, slice1winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice1winner4_best_index_0_1, slice1winner4_best_index_1_1 : natural range 0 to 24;
+  -- slice1winner5
+  signal slice1winner5_best_cost_0_0 : natural range 0 to 2298;
+  signal slice1winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1winner5_best_index_0_0, slice1winner5_best_index_1_0 : natural range 0 to 24;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 4095;
+  signal slice1_best_cost_0_0 : natural range 0 to 2298;
+  signal slice1_best_cost_1_0 : natural range 0 to 2301;
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 99;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -950,95 +891,67 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice2window_sum_1_21, slice2window_sum_1_22, slice2window_sum_1_23 : natural range 0 to 2301;
   signal slice2window_sum_1_24 : natural range 0 to 2301;
   -- slice2winner1
-  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_3, slice2winner1_of_pair_0_4, slice2winner1_of_pair_0_5 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_6, slice2winner1_of_pair_0_7, slice2winner1_of_pair_0_8 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_9, slice2winner1_of_pair_0_10, slice2winner1_of_pair_0_11 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_12, slice2winner1_of_pair_0_13, slice2winner1_of_pair_0_14 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_15, slice2winner1_of_pair_0_16, slice2winner1_of_pair_0_17 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_18, slice2winner1_of_pair_0_19, slice2winner1_of_pair_0_20 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_21, slice2winner1_of_pair_0_22, slice2winner1_of_pair_0_23 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_0_24, slice2winner1_of_four_0_0, slice2winner1_of_four_0_1 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_2, slice2winner1_of_four_0_3, slice2winner1_of_four_0_4 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_5, slice2winner1_of_four_0_6, slice2winner1_of_four_0_7 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_8, slice2winner1_of_four_0_9, slice2winner1_of_four_0_10 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_11, slice2winner1_of_four_0_12, slice2winner1_of_four_0_13 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_14, slice2winner1_of_four_0_15, slice2winner1_of_four_0_16 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_17, slice2winner1_of_four_0_18, slice2winner1_of_four_0_19 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_20, slice2winner1_of_four_0_21, slice2winner1_of_four_0_22 : natural range 0 to 2298;
-  signal slice2winner1_of_four_0_23, slice2winner1_of_four_0_24, slice2winner1_best_cost_0_6 : natural range 0 to 2298;
-  signal slice2winner1_of_pair_1_0, slice2winner1_of_pair_1_1, slice2winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_3, slice2winner1_of_pair_1_4, slice2winner1_of_pair_1_5 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_6, slice2winner1_of_pair_1_7, slice2winner1_of_pair_1_8 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_9, slice2winner1_of_pair_1_10, slice2winner1_of_pair_1_11 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_12, slice2winner1_of_pair_1_13, slice2winner1_of_pair_1_14 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_15, slice2winner1_of_pair_1_16, slice2winner1_of_pair_1_17 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_18, slice2winner1_of_pair_1_19, slice2winner1_of_pair_1_20 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_21, slice2winner1_of_pair_1_22, slice2winner1_of_pair_1_23 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_1_24, slice2winner1_of_four_1_0, slice2winner1_of_four_1_1 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_2, slice2winner1_of_four_1_3, slice2winner1_of_four_1_4 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_5, slice2winner1_of_four_1_6, slice2winner1_of_four_1_7 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_8, slice2winner1_of_four_1_9, slice2winner1_of_four_1_10 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_11, slice2winner1_of_four_1_12, slice2winner1_of_four_1_13 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_14, slice2winner1_of_four_1_15, slice2winner1_of_four_1_16 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_17, slice2winner1_of_four_1_18, slice2winner1_of_four_1_19 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_20, slice2winner1_of_four_1_21, slice2winner1_of_four_1_22 : natural range 0 to 2301;
-  signal slice2winner1_of_four_1_23, slice2winner1_of_four_1_24, slice2winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice2winner1_pair_index_0_0, slice2winner1_pair_index_1_0 : boolean;
-  signal slice2winner1_pair_index_0_1, slice2winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice2winner1_four_index_0_0, slice2winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice2winner1_pair_index_0_2, slice2winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice2winner1_pair_index_0_3, slice2winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice2winner1_four_index_0_1, slice2winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_1, slice2winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice2winner1_pair_index_0_4, slice2winner1_pair_index_1_4 : natural range 0 to 9;
-  signal slice2winner1_pair_index_0_5, slice2winner1_pair_index_1_5 : natural range 0 to 11;
-  signal slice2winner1_four_index_0_2, slice2winner1_four_index_1_2 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_2, slice2winner1_best_index_1_2 : natural range 0 to 11;
-  signal slice2winner1_pair_index_0_6, slice2winner1_pair_index_1_6 : natural range 0 to 13;
-  signal slice2winner1_pair_index_0_7, slice2winner1_pair_index_1_7 : natural range 0 to 15;
-  signal slice2winner1_four_index_0_3, slice2winner1_four_index_1_3 : natural range 0 to 15;
-  signal slice2winner1_best_index_0_3, slice2winner1_best_index_1_3 : natural range 0 to 15;
-  signal slice2winner1_pair_index_0_8, slice2winner1_pair_index_1_8 : natural range 0 to 17;
-  signal slice2winner1_pair_index_0_9, slice2winner1_pair_index_1_9 : natural range 0 to 19;
-  signal slice2winner1_four_index_0_4, slice2winner1_four_index_1_4 : natural range 0 to 19;
-  signal slice2winner1_best_index_0_4, slice2winner1_best_index_1_4 : natural range 0 to 19;
-  signal slice2winner1_pair_index_0_10, slice2winner1_pair_index_1_10 : natural range 0 to 21;
-  signal slice2winner1_pair_index_0_11, slice2winner1_pair_index_1_11 : natural range 0 to 23;
-  signal slice2winner1_four_index_0_5, slice2winner1_four_index_1_5 : natural range 0 to 23;
-  signal slice2winner1_best_index_0_5, slice2winner1_best_index_1_5 : natural range 0 to 23;
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_1_0, slice2winner1_best_cost_1_1 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_1_2, slice2winner1_best_cost_1_3 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_1_4, slice2winner1_best_cost_1_5 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_8, slice2winner1_best_cost_0_9 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_10, slice2winner1_best_cost_0_11 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice2winner1_best_cost_1_0, slice2winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_2, slice2winner1_best_cost_1_3 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_4, slice2winner1_best_cost_1_5 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_6, slice2winner1_best_cost_1_7 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_8, slice2winner1_best_cost_1_9 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_10, slice2winner1_best_cost_1_11 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_12 : natural range 0 to 2301;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
+  signal slice2winner1_best_index_0_1, slice2winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_2, slice2winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice2winner1_best_index_0_3, slice2winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_4, slice2winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice2winner1_best_index_0_5, slice2winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice2winner1_best_index_0_6, slice2winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice2winner1_best_index_0_7, slice2winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice2winner1_best_index_0_8, slice2winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice2winner1_best_index_0_9, slice2winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice2winner1_best_index_0_10, slice2winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice2winner1_best_index_0_11, slice2winner1_best_index_1_11 : natural range 0 to 23;
   -- slice2winner2
-  signal slice2winner2_of_pair_0_0, slice2winner2_of_pair_0_1, slice2winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_0_3, slice2winner2_of_pair_0_4, slice2winner2_of_pair_0_5 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_1_0, slice2winner2_of_pair_1_1, slice2winner2_of_pair_1_2 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_1_3, slice2winner2_of_pair_1_4, slice2winner2_of_pair_1_5 : natural range 0 to 4095;
-  signal slice2winner2_of_four_0_0, slice2winner2_of_four_0_1, slice2winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice2winner2_of_four_0_3, slice2winner2_of_four_0_4, slice2winner2_of_four_0_5 : natural range 0 to 4095;
-  signal slice2winner2_of_four_1_0, slice2winner2_of_four_1_1, slice2winner2_of_four_1_2 : natural range 0 to 4095;
-  signal slice2winner2_of_four_1_3, slice2winner2_of_four_1_4, slice2winner2_of_four_1_5 : natural range 0 to 4095;
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice2winner2_best_cost_1_0, slice2winner2_best_cost_1_1 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_0_6, slice2winner2_of_four_0_6 : natural range 0 to 2298;
-  signal slice2winner2_of_pair_1_6, slice2winner2_of_four_1_6 : natural range 0 to 2301;
-  signal slice2winner2_pair_index_0_0, slice2winner2_pair_index_1_0 : natural range 0 to 7;
-  signal slice2winner2_pair_index_0_1, slice2winner2_pair_index_1_1 : natural range 0 to 15;
-  signal slice2winner2_four_index_0_0, slice2winner2_four_index_1_0 : natural range 0 to 15;
-  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 15;
-  signal slice2winner2_pair_index_0_2, slice2winner2_pair_index_1_2 : natural range 0 to 23;
-  signal slice2winner2_four_index_0_1, slice2winner2_four_index_1_1 : natural range 0 to 24;
-  signal slice2winner2_best_index_0_1, slice2winner2_best_index_1_1 : natural range 0 to 24;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 2298;
+  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 2298;
+  signal slice2winner2_best_cost_0_4, slice2winner2_best_cost_0_5 : natural range 0 to 2298;
+  signal slice2winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice2winner2_best_cost_1_0, slice2winner2_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_1_2, slice2winner2_best_cost_1_3 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_1_4, slice2winner2_best_cost_1_5 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_1_6 : natural range 0 to 2301;
+  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice2winner2_best_index_0_1, slice2winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice2winner2_best_index_0_2, slice2winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice2winner2_best_index_0_3, slice2winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice2winner2_best_index_0_4, slice2winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice2winner2_best_index_0_5, slice2winner2_best_index_1_5 : natural range 0 to 23;
   -- slice2winner3
-  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0 : natural range 0 to 4095;
-  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : natural range 0 to 24;
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 2298;
+  signal slice2winner3_best_cost_0_2, slice2winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice2winner3_best_cost_1_0, slice2winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner3_best_cost_1_2, slice2winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice2winner3_best_index_0_1, slice2winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice2winner3_best_index_0_2, slice2winner3_best_index_1_2 : natural range 0 to 23;
+  -- slice2winner4
+  signal slice2winner4_best_cost_0_0, slice2winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice2winner4_best_cost_1_0, slice2winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner4_best_index_0_0, slice2winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice2winner4_best_index_0_1, slice2winner4_best_index_1_1 : natural range 0 to 24;
+  -- slice2winner5
+  signal slice2winner5_best_cost_0_0 : natural range 0 to 2298;
+  signal slice2winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2winner5_best_index_0_0, slice2winner5_best_index_1_0 : natural range 0 to 24;
   -- slice2
-  signal slice2_best_cost_0_0, slice2_best_cost_1_0 : natural range 0 to 4095;
+  signal slice2_best_cost_0_0 : natural range 0 to 2298;
+  signal slice2_best_cost_1_0 : natural range 0 to 2301;
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 99;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
@@ -1245,93 +1158,64 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice3window_sum_1_21, slice3window_sum_1_22, slice3window_sum_1_23 : natural range 0 to 2301;
   signal slice3window_sum_1_24 : natural range 0 to 2301;
   -- slice3winner1
-  signal slice3winner1_of_pair_0_0, slice3winner1_of_pair_0_1, slice3winner1_of_pair_0_2 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_3, slice3winner1_of_pair_0_4, slice3winner1_of_pair_0_5 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_6, slice3winner1_of_pair_0_7, slice3winner1_of_pair_0_8 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_9, slice3winner1_of_pair_0_10, slice3winner1_of_pair_0_11 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_12, slice3winner1_of_pair_0_13, slice3winner1_of_pair_0_14 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_15, slice3winner1_of_pair_0_16, slice3winner1_of_pair_0_17 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_18, slice3winner1_of_pair_0_19, slice3winner1_of_pair_0_20 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_21, slice3winner1_of_pair_0_22, slice3winner1_of_pair_0_23 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_0_24, slice3winner1_of_four_0_0, slice3winner1_of_four_0_1 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_2, slice3winner1_of_four_0_3, slice3winner1_of_four_0_4 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_5, slice3winner1_of_four_0_6, slice3winner1_of_four_0_7 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_8, slice3winner1_of_four_0_9, slice3winner1_of_four_0_10 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_11, slice3winner1_of_four_0_12, slice3winner1_of_four_0_13 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_14, slice3winner1_of_four_0_15, slice3winner1_of_four_0_16 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_17, slice3winner1_of_four_0_18, slice3winner1_of_four_0_19 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_20, slice3winner1_of_four_0_21, slice3winner1_of_four_0_22 : natural range 0 to 2298;
-  signal slice3winner1_of_four_0_23, slice3winner1_of_four_0_24, slice3winner1_best_cost_0_6 : natural range 0 to 2298;
-  signal slice3winner1_of_pair_1_0, slice3winner1_of_pair_1_1, slice3winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_3, slice3winner1_of_pair_1_4, slice3winner1_of_pair_1_5 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_6, slice3winner1_of_pair_1_7, slice3winner1_of_pair_1_8 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_9, slice3winner1_of_pair_1_10, slice3winner1_of_pair_1_11 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_12, slice3winner1_of_pair_1_13, slice3winner1_of_pair_1_14 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_15, slice3winner1_of_pair_1_16, slice3winner1_of_pair_1_17 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_18, slice3winner1_of_pair_1_19, slice3winner1_of_pair_1_20 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_21, slice3winner1_of_pair_1_22, slice3winner1_of_pair_1_23 : natural range 0 to 2301;
-  signal slice3winner1_of_pair_1_24, slice3winner1_of_four_1_0, slice3winner1_of_four_1_1 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_2, slice3winner1_of_four_1_3, slice3winner1_of_four_1_4 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_5, slice3winner1_of_four_1_6, slice3winner1_of_four_1_7 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_8, slice3winner1_of_four_1_9, slice3winner1_of_four_1_10 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_11, slice3winner1_of_four_1_12, slice3winner1_of_four_1_13 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_14, slice3winner1_of_four_1_15, slice3winner1_of_four_1_16 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_17, slice3winner1_of_four_1_18, slice3winner1_of_four_1_19 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_20, slice3winner1_of_four_1_21, slice3winner1_of_four_1_22 : natural range 0 to 2301;
-  signal slice3winner1_of_four_1_23, slice3winner1_of_four_1_24, slice3winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice3winner1_pair_index_0_0, slice3winner1_pair_index_1_0 : boolean;
-  signal slice3winner1_pair_index_0_1, slice3winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice3winner1_four_index_0_0, slice3winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_0, slice3winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice3winner1_pair_index_0_2, slice3winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice3winner1_pair_index_0_3, slice3winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice3winner1_four_index_0_1, slice3winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_1, slice3winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice3winner1_pair_index_0_4, slice3winner1_pair_index_1_4 : natural range 0 to 9;
-  signal slice3winner1_pair_index_0_5, slice3winner1_pair_index_1_5 : natural range 0 to 11;
-  signal slice3winner1_four_index_0_2, slice3winner1_four_index_1_2 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_2, slice3winner1_best_index_1_2 : natural range 0 to 11;
-  signal slice3winner1_pair_index_0_6, slice3winner1_pair_index_1_6 : natural range 0 to 13;
-  signal slice3winner1_pair_index_0_7, slice3winner1_pair_index_1_7 : natural range 0 to 15;
-  signal slice3winner1_four_index_0_3, slice3winner1_four_index_1_3 : natural range 0 to 15;
-  signal slice3winner1_best_index_0_3, slice3winner1_best_index_1_3 : natural range 0 to 15;
-  signal slice3winner1_pair_index_0_8, slice3winner1_pair_index_1_8 : natural range 0 to 17;
-  signal slice3winner1_pair_index_0_9, slice3winner1_pair_index_1_9 : natural range 0 to 19;
-  signal slice3winner1_four_index_0_4, slice3winner1_four_index_1_4 : natural range 0 to 19;
-  signal slice3winner1_best_index_0_4, slice3winner1_best_index_1_4 : natural range 0 to 19;
-  signal slice3winner1_pair_index_0_10, slice3winner1_pair_index_1_10 : natural range 0 to 21;
-  signal slice3winner1_pair_index_0_11, slice3winner1_pair_index_1_11 : natural range 0 to 23;
-  signal slice3winner1_four_index_0_5, slice3winner1_four_index_1_5 : natural range 0 to 23;
-  signal slice3winner1_best_index_0_5, slice3winner1_best_index_1_5 : natural range 0 to 23;
-  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_1_0, slice3winner1_best_cost_1_1 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_1_2, slice3winner1_best_cost_1_3 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_1_4, slice3winner1_best_cost_1_5 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_8, slice3winner1_best_cost_0_9 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_10, slice3winner1_best_cost_0_11 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_0_12 : natural range 0 to 2298;
+  signal slice3winner1_best_cost_1_0, slice3winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_2, slice3winner1_best_cost_1_3 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_4, slice3winner1_best_cost_1_5 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_6, slice3winner1_best_cost_1_7 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_8, slice3winner1_best_cost_1_9 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_10, slice3winner1_best_cost_1_11 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_12 : natural range 0 to 2301;
+  signal slice3winner1_best_index_0_0, slice3winner1_best_index_1_0 : boolean;
+  signal slice3winner1_best_index_0_1, slice3winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_2, slice3winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice3winner1_best_index_0_3, slice3winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice3winner1_best_index_0_4, slice3winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice3winner1_best_index_0_5, slice3winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice3winner1_best_index_0_6, slice3winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice3winner1_best_index_0_7, slice3winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice3winner1_best_index_0_8, slice3winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice3winner1_best_index_0_9, slice3winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice3winner1_best_index_0_10, slice3winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice3winner1_best_index_0_11, slice3winner1_best_index_1_11 : natural range 0 to 23;
   -- slice3winner2
-  signal slice3winner2_of_pair_0_0, slice3winner2_of_pair_0_1, slice3winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_0_3, slice3winner2_of_pair_0_4, slice3winner2_of_pair_0_5 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_1_0, slice3winner2_of_pair_1_1, slice3winner2_of_pair_1_2 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_1_3, slice3winner2_of_pair_1_4, slice3winner2_of_pair_1_5 : natural range 0 to 4095;
-  signal slice3winner2_of_four_0_0, slice3winner2_of_four_0_1, slice3winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice3winner2_of_four_0_3, slice3winner2_of_four_0_4, slice3winner2_of_four_0_5 : natural range 0 to 4095;
-  signal slice3winner2_of_four_1_0, slice3winner2_of_four_1_1, slice3winner2_of_four_1_2 : natural range 0 to 4095;
-  signal slice3winner2_of_four_1_3, slice3winner2_of_four_1_4, slice3winner2_of_four_1_5 : natural range 0 to 4095;
-  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice3winner2_best_cost_1_0, slice3winner2_best_cost_1_1 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_0_6, slice3winner2_of_four_0_6 : natural range 0 to 2298;
-  signal slice3winner2_of_pair_1_6, slice3winner2_of_four_1_6 : natural range 0 to 2301;
-  signal slice3winner2_pair_index_0_0, slice3winner2_pair_index_1_0 : natural range 0 to 7;
-  signal slice3winner2_pair_index_0_1, slice3winner2_pair_index_1_1 : natural range 0 to 15;
-  signal slice3winner2_four_index_0_0, slice3winner2_four_index_1_0 : natural range 0 to 15;
-  signal slice3winner2_best_index_0_0, slice3winner2_best_index_1_0 : natural range 0 to 15;
-  signal slice3winner2_pair_index_0_2, slice3winner2_pair_index_1_2 : natural range 0 to 23;
-  signal slice3winner2_four_index_0_1, slice3winner2_four_index_1_1 : natural range 0 to 24;
-  signal slice3winner2_best_index_0_1, slice3winner2_best_index_1_1 : natural range 0 to 24;
+  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 2298;
+  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 2298;
+  signal slice3winner2_best_cost_0_4, slice3winner2_best_cost_0_5 : natural range 0 to 2298;
+  signal slice3winner2_best_cost_0_6 : natural range 0 to 2298;
+  signal slice3winner2_best_cost_1_0, slice3winner2_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_1_2, slice3winner2_best_cost_1_3 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_1_4, slice3winner2_best_cost_1_5 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_1_6 : natural range 0 to 2301;
+  signal slice3winner2_best_index_0_0, slice3winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice3winner2_best_index_0_1, slice3winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice3winner2_best_index_0_2, slice3winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice3winner2_best_index_0_3, slice3winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice3winner2_best_index_0_4, slice3winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice3winner2_best_index_0_5, slice3winner2_best_index_1_5 : natural range 0 to 23;
   -- slice3winner3
-  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_1_0 : natural range 0 to 4095;
-  signal slice3winner3_best_index_0_0, slice3winner3_best_index_1_0 : natural range 0 to 24;
+  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 2298;
+  signal slice3winner3_best_cost_0_2, slice3winner3_best_cost_0_3 : natural range 0 to 2298;
+  signal slice3winner3_best_cost_1_0, slice3winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner3_best_cost_1_2, slice3winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice3winner3_best_index_0_0, slice3winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice3winner3_best_index_0_1, slice3winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice3winner3_best_index_0_2, slice3winner3_best_index_1_2 : natural range 0 to 23;
+  -- slice3winner4
+  signal slice3winner4_best_cost_0_0, slice3winner4_best_cost_0_1 : natural range 0 to 2298;
+  signal slice3winner4_best_cost_1_0, slice3winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner4_best_index_0_0, slice3winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice3winner4_best_index_0_1, slice3winner4_best_index_1_1 : natural range 0 to 24;
+  -- slice3winner5
+  signal slice3winner5_best_cost_0_0 : natural range 0 to 2298;
+  signal slice3winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice3winner5_best_index_0_0, slice3winner5_best_index_1_0 : natural range 0 to 24;
   -- slice3
   signal slice3_best_index_0_0, slice3_best_index_1_0 : natural range 0 to 99;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
@@ -1381,7 +1265,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_1,
-      write_address => slice2cost_signs_write_column, write_data => slice2cost_signs_read_words_1_memory_write_data);
+      write_address => slice3cost_signs_difference_column, write_data => slice2cost_signs_read_words_1_memory_write_data);
 
   slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words_0, 25);
   slice2cost_signs_read_words_0_memory : entity work.line_memory
@@ -1389,7 +1273,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_0,
-      write_address => slice2cost_signs_write_column, write_data => slice2cost_signs_read_words_0_memory_write_data);
+      write_address => slice3cost_signs_difference_column, write_data => slice2cost_signs_read_words_0_memory_write_data);
 
   slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words_1, 25);
   slice1cost_signs_read_words_1_memory : entity work.line_memory
@@ -1413,7 +1297,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_ready_column, read_data => slice0cost_signs_read_words_1,
-      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
+      write_address => slice1cost_signs_difference_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
 
   slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words_0, 25);
   slice0cost_signs_read_words_0_memory : entity work.line_memory
@@ -1421,7 +1305,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_ready_column, read_data => slice0cost_signs_read_words_0,
-      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
+      write_address => slice1cost_signs_difference_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
@@ -1475,31 +1359,31 @@ begin
     variable slice0cost_difference_1_17_value, slice0cost_difference_1_18_value : boolean;
     variable slice0cost_difference_1_19_value, slice0cost_difference_1_20_value : boolean;
     variable slice0cost_difference_1_21_value, slice0cost_difference_1_22_value : boolean;
-    variable slice0cost_difference_1_23_value, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
-    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
-    variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_pair_0_12_is_less : boolean;
-    variable slice0winner1_of_pair_0_14_is_less, slice0winner1_of_pair_0_16_is_less : boolean;
-    variable slice0winner1_of_pair_0_18_is_less, slice0winner1_of_pair_0_20_is_less : boolean;
-    variable slice0winner1_of_pair_0_22_is_less, slice0winner1_of_pair_1_0_is_less : boolean;
-    variable slice0winner1_of_pair_1_2_is_less, slice0winner1_of_pair_1_4_is_less : boolean;
-    variable slice0winner1_of_pair_1_6_is_less, slice0winner1_of_pair_1_8_is_less : boolean;
-    variable slice0winner1_of_pair_1_10_is_less, slice0winner1_of_pair_1_12_is_less : boolean;
-    variable slice0winner1_of_pair_1_14_is_less, slice0winner1_of_pair_1_16_is_less : boolean;
-    variable slice0winner1_of_pair_1_18_is_less, slice0winner1_of_pair_1_20_is_less : boolean;
-    variable slice0winner1_of_pair_1_22_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_0_4_is_less, slice0winner1_of_four_0_8_is_less : boolean;
-    variable slice0winner1_of_four_0_12_is_less, slice0winner1_of_four_0_16_is_less : boolean;
-    variable slice0winner1_of_four_0_20_is_less, slice0winner1_of_four_1_0_is_less : boolean;
-    variable slice0winner1_of_four_1_4_is_less, slice0winner1_of_four_1_8_is_less : boolean;
-    variable slice0winner1_of_four_1_12_is_less, slice0winner1_of_four_1_16_is_less : boolean;
-    variable slice0winner1_of_four_1_20_is_less, slice0winner2_of_pair_0_0_is_less : boolean;
-    variable slice0winner2_of_pair_0_2_is_less, slice0winner2_of_pair_0_4_is_less : boolean;
-    variable slice0winner2_of_pair_1_0_is_less, slice0winner2_of_pair_1_2_is_less : boolean;
-    variable slice0winner2_of_pair_1_4_is_less, slice0winner2_of_four_0_0_is_less : boolean;
-    variable slice0winner2_of_four_0_4_is_less, slice0winner2_of_four_1_0_is_less : boolean;
-    variable slice0winner2_of_four_1_4_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_1_0_is_less, slice1cost_difference_0_1_value : boolean;
+    variable slice0cost_difference_1_23_value, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
+    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
+    variable slice0winner1_best_cost_0_7_is_less, slice0winner1_best_cost_0_8_is_less : boolean;
+    variable slice0winner1_best_cost_0_9_is_less, slice0winner1_best_cost_0_10_is_less : boolean;
+    variable slice0winner1_best_cost_0_11_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
+    variable slice0winner1_best_cost_1_1_is_less, slice0winner1_best_cost_1_2_is_less : boolean;
+    variable slice0winner1_best_cost_1_3_is_less, slice0winner1_best_cost_1_4_is_less : boolean;
+    variable slice0winner1_best_cost_1_5_is_less, slice0winner1_best_cost_1_6_is_less : boolean;
+    variable slice0winner1_best_cost_1_7_is_less, slice0winner1_best_cost_1_8_is_less : boolean;
+    variable slice0winner1_best_cost_1_9_is_less, slice0winner1_best_cost_1_10_is_less : boolean;
+    variable slice0winner1_best_cost_1_11_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
+    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_cost_0_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_5_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
+    variable slice0winner2_best_cost_1_1_is_less, slice0winner2_best_cost_1_2_is_less : boolean;
+    variable slice0winner2_best_cost_1_3_is_less, slice0winner2_best_cost_1_4_is_less : boolean;
+    variable slice0winner2_best_cost_1_5_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_0_1_is_less, slice0winner3_best_cost_0_2_is_less : boolean;
+    variable slice0winner3_best_cost_1_0_is_less, slice0winner3_best_cost_1_1_is_less : boolean;
+    variable slice0winner3_best_cost_1_2_is_less, slice0winner4_best_cost_0_0_is_less : boolean;
+    variable slice0winner4_best_cost_0_1_is_less, slice0winner4_best_cost_1_0_is_less : boolean;
+    variable slice0winner4_best_cost_1_1_is_less, slice0winner5_best_cost_0_0_is_less : boolean;
+    variable slice0winner5_best_cost_1_0_is_less, slice1cost_difference_0_1_value : boolean;
     variable slice1cost_difference_0_2_value, slice1cost_difference_0_3_value : boolean;
     variable slice1cost_difference_0_4_value, slice1cost_difference_0_5_value : boolean;
     variable slice1cost_difference_0_6_value, slice1cost_difference_0_7_value : boolean;
@@ -1522,31 +1406,31 @@ begin
     variable slice1cost_difference_1_17_value, slice1cost_difference_1_18_value : boolean;
     variable slice1cost_difference_1_19_value, slice1cost_difference_1_20_value : boolean;
     variable slice1cost_difference_1_21_value, slice1cost_difference_1_22_value : boolean;
-    variable slice1cost_difference_1_23_value, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
-    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
-    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
-    variable slice1winner1_of_pair_0_14_is_less, slice1winner1_of_pair_0_16_is_less : boolean;
-    variable slice1winner1_of_pair_0_18_is_less, slice1winner1_of_pair_0_20_is_less : boolean;
-    variable slice1winner1_of_pair_0_22_is_less, slice1winner1_of_pair_1_0_is_less : boolean;
-    variable slice1winner1_of_pair_1_2_is_less, slice1winner1_of_pair_1_4_is_less : boolean;
-    variable slice1winner1_of_pair_1_6_is_less, slice1winner1_of_pair_1_8_is_less : boolean;
-    variable slice1winner1_of_pair_1_10_is_less, slice1winner1_of_pair_1_12_is_less : boolean;
-    variable slice1winner1_of_pair_1_14_is_less, slice1winner1_of_pair_1_16_is_less : boolean;
-    variable slice1winner1_of_pair_1_18_is_less, slice1winner1_of_pair_1_20_is_less : boolean;
-    variable slice1winner1_of_pair_1_22_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
-    variable slice1winner1_of_four_0_12_is_less, slice1winner1_of_four_0_16_is_less : boolean;
-    variable slice1winner1_of_four_0_20_is_less, slice1winner1_of_four_1_0_is_less : boolean;
-    variable slice1winner1_of_four_1_4_is_less, slice1winner1_of_four_1_8_is_less : boolean;
-    variable slice1winner1_of_four_1_12_is_less, slice1winner1_of_four_1_16_is_less : boolean;
-    variable slice1winner1_of_four_1_20_is_less, slice1winner2_of_pair_0_0_is_less : boolean;
-    variable slice1winner2_of_pair_0_2_is_less, slice1winner2_of_pair_0_4_is_less : boolean;
-    variable slice1winner2_of_pair_1_0_is_less, slice1winner2_of_pair_1_2_is_less : boolean;
-    variable slice1winner2_of_pair_1_4_is_less, slice1winner2_of_four_0_0_is_less : boolean;
-    variable slice1winner2_of_four_0_4_is_less, slice1winner2_of_four_1_0_is_less : boolean;
-    variable slice1winner2_of_four_1_4_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice1cost_difference_1_23_value, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
+    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
+    variable slice1winner1_best_cost_0_7_is_less, slice1winner1_best_cost_0_8_is_less : boolean;
+    variable slice1winner1_best_cost_0_9_is_less, slice1winner1_best_cost_0_10_is_less : boolean;
+    variable slice1winner1_best_cost_0_11_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
+    variable slice1winner1_best_cost_1_1_is_less, slice1winner1_best_cost_1_2_is_less : boolean;
+    variable slice1winner1_best_cost_1_3_is_less, slice1winner1_best_cost_1_4_is_less : boolean;
+    variable slice1winner1_best_cost_1_5_is_less, slice1winner1_best_cost_1_6_is_less : boolean;
+    variable slice1winner1_best_cost_1_7_is_less, slice1winner1_best_cost_1_8_is_less : boolean;
+    variable slice1winner1_best_cost_1_9_is_less, slice1winner1_best_cost_1_10_is_less : boolean;
+    variable slice1winner1_best_cost_1_11_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_3_is_less, slice1winner2_best_cost_0_4_is_less : boolean;
+    variable slice1winner2_best_cost_0_5_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable slice1winner2_best_cost_1_1_is_less, slice1winner2_best_cost_1_2_is_less : boolean;
+    variable slice1winner2_best_cost_1_3_is_less, slice1winner2_best_cost_1_4_is_less : boolean;
+    variable slice1winner2_best_cost_1_5_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_0_1_is_less, slice1winner3_best_cost_0_2_is_less : boolean;
+    variable slice1winner3_best_cost_1_0_is_less, slice1winner3_best_cost_1_1_is_less : boolean;
+    variable slice1winner3_best_cost_1_2_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
+    variable slice1winner4_best_cost_0_1_is_less, slice1winner4_best_cost_1_0_is_less : boolean;
+    variable slice1winner4_best_cost_1_1_is_less, slice1winner5_best_cost_0_0_is_less : boolean;
+    variable slice1winner5_best_cost_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
     variable slice2cost_difference_0_1_value, slice2cost_difference_0_2_value : boolean;
     variable slice2cost_difference_0_3_value, slice2cost_difference_0_4_value : boolean;
     variable slice2cost_difference_0_5_value, slice2cost_difference_0_6_value : boolean;
@@ -1570,30 +1454,30 @@ begin
     variable slice2cost_difference_1_18_value, slice2cost_difference_1_19_value : boolean;
     variable slice2cost_difference_1_20_value, slice2cost_difference_1_21_value : boolean;
     variable slice2cost_difference_1_22_value, slice2cost_difference_1_23_value : boolean;
-    variable slice2winner1_of_pair_0_0_is_less, slice2winner1_of_pair_0_2_is_less : boolean;
-    variable slice2winner1_of_pair_0_4_is_less, slice2winner1_of_pair_0_6_is_less : boolean;
-    variable slice2winner1_of_pair_0_8_is_less, slice2winner1_of_pair_0_10_is_less : boolean;
-    variable slice2winner1_of_pair_0_12_is_less, slice2winner1_of_pair_0_14_is_less : boolean;
-    variable slice2winner1_of_pair_0_16_is_less, slice2winner1_of_pair_0_18_is_less : boolean;
-    variable slice2winner1_of_pair_0_20_is_less, slice2winner1_of_pair_0_22_is_less : boolean;
-    variable slice2winner1_of_pair_1_0_is_less, slice2winner1_of_pair_1_2_is_less : boolean;
-    variable slice2winner1_of_pair_1_4_is_less, slice2winner1_of_pair_1_6_is_less : boolean;
-    variable slice2winner1_of_pair_1_8_is_less, slice2winner1_of_pair_1_10_is_less : boolean;
-    variable slice2winner1_of_pair_1_12_is_less, slice2winner1_of_pair_1_14_is_less : boolean;
-    variable slice2winner1_of_pair_1_16_is_less, slice2winner1_of_pair_1_18_is_less : boolean;
-    variable slice2winner1_of_pair_1_20_is_less, slice2winner1_of_pair_1_22_is_less : boolean;
-    variable slice2winner1_of_four_0_0_is_less, slice2winner1_of_four_0_4_is_less : boolean;
-    variable slice2winner1_of_four_0_8_is_less, slice2winner1_of_four_0_12_is_less : boolean;
-    variable slice2winner1_of_four_0_16_is_less, slice2winner1_of_four_0_20_is_less : boolean;
-    variable slice2winner1_of_four_1_0_is_less, slice2winner1_of_four_1_4_is_less : boolean;
-    variable slice2winner1_of_four_1_8_is_less, slice2winner1_of_four_1_12_is_less : boolean;
-    variable slice2winner1_of_four_1_16_is_less, slice2winner1_of_four_1_20_is_less : boolean;
-    variable slice2winner2_of_pair_0_0_is_less, slice2winner2_of_pair_0_2_is_less : boolean;
-    variable slice2winner2_of_pair_0_4_is_less, slice2winner2_of_pair_1_0_is_less : boolean;
-    variable slice2winner2_of_pair_1_2_is_less, slice2winner2_of_pair_1_4_is_less : boolean;
-    variable slice2winner2_of_four_0_0_is_less, slice2winner2_of_four_0_4_is_less : boolean;
-    variable slice2winner2_of_four_1_0_is_less, slice2winner2_of_four_1_4_is_less : boolean;
-    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_1_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
+    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
+    variable slice2winner1_best_cost_0_4_is_less, slice2winner1_best_cost_0_5_is_less : boolean;
+    variable slice2winner1_best_cost_0_6_is_less, slice2winner1_best_cost_0_7_is_less : boolean;
+    variable slice2winner1_best_cost_0_8_is_less, slice2winner1_best_cost_0_9_is_less : boolean;
+    variable slice2winner1_best_cost_0_10_is_less, slice2winner1_best_cost_0_11_is_less : boolean;
+    variable slice2winner1_best_cost_1_0_is_less, slice2winner1_best_cost_1_1_is_less : boolean;
+    variable slice2winner1_best_cost_1_2_is_less, slice2winner1_best_cost_1_3_is_less : boolean;
+    variable slice2winner1_best_cost_1_4_is_less, slice2winner1_best_cost_1_5_is_less : boolean;
+    variable slice2winner1_best_cost_1_6_is_less, slice2winner1_best_cost_1_7_is_less : boolean;
+    variable slice2winner1_best_cost_1_8_is_less, slice2winner1_best_cost_1_9_is_less : boolean;
+    variable slice2winner1_best_cost_1_10_is_less, slice2winner1_best_cost_1_11_is_less : boolean;
+    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
+    variable slice2winner2_best_cost_0_2_is_less, slice2winner2_best_cost_0_3_is_less : boolean;
+    variable slice2winner2_best_cost_0_4_is_less, slice2winner2_best_cost_0_5_is_less : boolean;
+    variable slice2winner2_best_cost_1_0_is_less, slice2winner2_best_cost_1_1_is_less : boolean;
+    variable slice2winner2_best_cost_1_2_is_less, slice2winner2_best_cost_1_3_is_less : boolean;
+    variable slice2winner2_best_cost_1_4_is_less, slice2winner2_best_cost_1_5_is_less : boolean;
+    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_0_1_is_less : boolean;
+    variable slice2winner3_best_cost_0_2_is_less, slice2winner3_best_cost_1_0_is_less : boolean;
+    variable slice2winner3_best_cost_1_1_is_less, slice2winner3_best_cost_1_2_is_less : boolean;
+    variable slice2winner4_best_cost_0_0_is_less, slice2winner4_best_cost_0_1_is_less : boolean;
+    variable slice2winner4_best_cost_1_0_is_less, slice2winner4_best_cost_1_1_is_less : boolean;
+    variable slice2winner5_best_cost_0_0_is_less, slice2winner5_best_cost_1_0_is_less : boolean;
     variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, slice3cost_difference_0_1_value : boolean;
     variable slice3cost_difference_0_2_value, slice3cost_difference_0_3_value : boolean;
     variable slice3cost_difference_0_4_value, slice3cost_difference_0_5_value : boolean;
@@ -1617,31 +1501,31 @@ begin
     variable slice3cost_difference_1_17_value, slice3cost_difference_1_18_value : boolean;
     variable slice3cost_difference_1_19_value, slice3cost_difference_1_20_value : boolean;
     variable slice3cost_difference_1_21_value, slice3cost_difference_1_22_value : boolean;
-    variable slice3cost_difference_1_23_value, slice3winner1_of_pair_0_0_is_less : boolean;
-    variable slice3winner1_of_pair_0_2_is_less, slice3winner1_of_pair_0_4_is_less : boolean;
-    variable slice3winner1_of_pair_0_6_is_less, slice3winner1_of_pair_0_8_is_less : boolean;
-    variable slice3winner1_of_pair_0_10_is_less, slice3winner1_of_pair_0_12_is_less : boolean;
-    variable slice3winner1_of_pair_0_14_is_less, slice3winner1_of_pair_0_16_is_less : boolean;
-    variable slice3winner1_of_pair_0_18_is_less, slice3winner1_of_pair_0_20_is_less : boolean;
-    variable slice3winner1_of_pair_0_22_is_less, slice3winner1_of_pair_1_0_is_less : boolean;
-    variable slice3winner1_of_pair_1_2_is_less, slice3winner1_of_pair_1_4_is_less : boolean;
-    variable slice3winner1_of_pair_1_6_is_less, slice3winner1_of_pair_1_8_is_less : boolean;
-    variable slice3winner1_of_pair_1_10_is_less, slice3winner1_of_pair_1_12_is_less : boolean;
-    variable slice3winner1_of_pair_1_14_is_less, slice3winner1_of_pair_1_16_is_less : boolean;
-    variable slice3winner1_of_pair_1_18_is_less, slice3winner1_of_pair_1_20_is_less : boolean;
-    variable slice3winner1_of_pair_1_22_is_less, slice3winner1_of_four_0_0_is_less : boolean;
-    variable slice3winner1_of_four_0_4_is_less, slice3winner1_of_four_0_8_is_less : boolean;
-    variable slice3winner1_of_four_0_12_is_less, slice3winner1_of_four_0_16_is_less : boolean;
-    variable slice3winner1_of_four_0_20_is_less, slice3winner1_of_four_1_0_is_less : boolean;
-    variable slice3winner1_of_four_1_4_is_less, slice3winner1_of_four_1_8_is_less : boolean;
-    variable slice3winner1_of_four_1_12_is_less, slice3winner1_of_four_1_16_is_less : boolean;
-    variable slice3winner1_of_four_1_20_is_less, slice3winner2_of_pair_0_0_is_less : boolean;
-    variable slice3winner2_of_pair_0_2_is_less, slice3winner2_of_pair_0_4_is_less : boolean;
-    variable slice3winner2_of_pair_1_0_is_less, slice3winner2_of_pair_1_2_is_less : boolean;
-    variable slice3winner2_of_pair_1_4_is_less, slice3winner2_of_four_0_0_is_less : boolean;
-    variable slice3winner2_of_four_0_4_is_less, slice3winner2_of_four_1_0_is_less : boolean;
-    variable slice3winner2_of_four_1_4_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
-    variable slice3winner3_best_cost_1_0_is_less : boolean;
+    variable slice3cost_difference_1_23_value, slice3winner1_best_cost_0_0_is_less : boolean;
+    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
+    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
+    variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
+    variable slice3winner1_best_cost_0_7_is_less, slice3winner1_best_cost_0_8_is_less : boolean;
+    variable slice3winner1_best_cost_0_9_is_less, slice3winner1_best_cost_0_10_is_less : boolean;
+    variable slice3winner1_best_cost_0_11_is_less, slice3winner1_best_cost_1_0_is_less : boolean;
+    variable slice3winner1_best_cost_1_1_is_less, slice3winner1_best_cost_1_2_is_less : boolean;
+    variable slice3winner1_best_cost_1_3_is_less, slice3winner1_best_cost_1_4_is_less : boolean;
+    variable slice3winner1_best_cost_1_5_is_less, slice3winner1_best_cost_1_6_is_less : boolean;
+    variable slice3winner1_best_cost_1_7_is_less, slice3winner1_best_cost_1_8_is_less : boolean;
+    variable slice3winner1_best_cost_1_9_is_less, slice3winner1_best_cost_1_10_is_less : boolean;
+    variable slice3winner1_best_cost_1_11_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
+    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
+    variable slice3winner2_best_cost_0_3_is_less, slice3winner2_best_cost_0_4_is_less : boolean;
+    variable slice3winner2_best_cost_0_5_is_less, slice3winner2_best_cost_1_0_is_less : boolean;
+    variable slice3winner2_best_cost_1_1_is_less, slice3winner2_best_cost_1_2_is_less : boolean;
+    variable slice3winner2_best_cost_1_3_is_less, slice3winner2_best_cost_1_4_is_less : boolean;
+    variable slice3winner2_best_cost_1_5_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
+    variable slice3winner3_best_cost_0_1_is_less, slice3winner3_best_cost_0_2_is_less : boolean;
+    variable slice3winner3_best_cost_1_0_is_less, slice3winner3_best_cost_1_1_is_less : boolean;
+    variable slice3winner3_best_cost_1_2_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
+    variable slice3winner4_best_cost_0_1_is_less, slice3winner4_best_cost_1_0_is_less : boolean;
+    variable slice3winner4_best_cost_1_1_is_less, slice3winner5_best_cost_0_0_is_less : boolean;
+    variable slice3winner5_best_cost_1_0_is_less : boolean;
     variable raster_place_group_choice, delay_row_inside_0_value : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 127;
     variable slice0cost_difference_0_0_choice, slice0cost_difference_0_0_choice_2 : natural range 0 to 255;
@@ -2479,6 +2363,7 @@ begin
       slice0cost_signs_difference_column <= slice0cost_signs_next_column;
       slice0cost_signs_ready_words_0 <= to_integer(slice0cost_signs_read_words_0);
       slice0cost_signs_ready_words_1 <= to_integer(slice0cost_signs_read_words_1);
+      slice0cost_signs_write_column <= slice0cost_signs_difference_column;
       slice0cost_difference_0_0 <= (slice0cost_difference_0_0_choice - slice0cost_difference_0_0_choice_2) mod 256;
       slice0cost_difference_0_1 <= (slice0cost_difference_0_1_choice - slice0cost_difference_0_1_choice_2) mod 256;
       slice0cost_difference_0_2 <= (slice0cost_difference_0_2_choice - slice0cost_difference_0_2_choice_2) mod 256;
@@ -2923,7 +2808,6 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       if slice0cost_difference_tag_valid then
-        slice0cost_signs_write_column <= slice0cost_signs_difference_column;
         slice0cost_signs_write_words_0 <= (as_number(slice0cost_newest_negative_0_23) * 8388608) +
           (as_number(slice0cost_newest_negative_0_24) * 16777216) + (as_number(slice0cost_newest_negative_0_22) *
           4194304) + (as_number(slice0cost_newest_negative_0_21) * 2097152) +
@@ -3114,397 +2998,266 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_of_pair_0_16_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
-      slice0winner1_of_pair_0_18_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
-      slice0winner1_of_pair_0_20_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
-      slice0winner1_of_pair_0_22_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_of_pair_1_2_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
-      slice0winner1_of_pair_1_4_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
-      slice0winner1_of_pair_1_6_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
-      slice0winner1_of_pair_1_8_is_less := (slice0window_sum_1_9 - slice0window_sum_1_8) < 0;
-      slice0winner1_of_pair_1_10_is_less := (slice0window_sum_1_11 - slice0window_sum_1_10) < 0;
-      slice0winner1_of_pair_1_12_is_less := (slice0window_sum_1_13 - slice0window_sum_1_12) < 0;
-      slice0winner1_of_pair_1_14_is_less := (slice0window_sum_1_15 - slice0window_sum_1_14) < 0;
-      slice0winner1_of_pair_1_16_is_less := (slice0window_sum_1_17 - slice0window_sum_1_16) < 0;
-      slice0winner1_of_pair_1_18_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
-      slice0winner1_of_pair_1_20_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
-      slice0winner1_of_pair_1_22_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 12))))) < 0;
-      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_9, 12))))) < 0;
-      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_13, 12))))) < 0;
-      slice0winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_18, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_16, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_17, 12))))) < 0;
-      slice0winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_22, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_20, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_21, 12))))) < 0;
-      slice0winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
-      slice0winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_5, 12))))) < 0;
-      slice0winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_10, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_8, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_9, 12))))) < 0;
-      slice0winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_14, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_12, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_13, 12))))) < 0;
-      slice0winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_18, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_16, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_17, 12))))) < 0;
-      slice0winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_22, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_20, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_21, 12))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
-      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
-      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
-      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
-      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
-      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
-      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
-      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
-      slice0winner1_of_pair_0_16 <= 0 when slice0winner1_of_pair_0_16_is_less else slice0window_sum_0_16;
-      slice0winner1_of_pair_0_17 <= slice0window_sum_0_17 when slice0winner1_of_pair_0_16_is_less else 0;
-      slice0winner1_of_pair_0_18 <= 0 when slice0winner1_of_pair_0_18_is_less else slice0window_sum_0_18;
-      slice0winner1_of_pair_0_19 <= slice0window_sum_0_19 when slice0winner1_of_pair_0_18_is_less else 0;
-      slice0winner1_of_pair_0_20 <= 0 when slice0winner1_of_pair_0_20_is_less else slice0window_sum_0_20;
-      slice0winner1_of_pair_0_21 <= slice0window_sum_0_21 when slice0winner1_of_pair_0_20_is_less else 0;
-      slice0winner1_of_pair_0_22 <= 0 when slice0winner1_of_pair_0_22_is_less else slice0window_sum_0_22;
-      slice0winner1_of_pair_0_23 <= slice0window_sum_0_23 when slice0winner1_of_pair_0_22_is_less else 0;
-      slice0winner1_of_pair_0_24 <= slice0window_sum_0_24;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
-      slice0winner1_of_pair_1_2 <= 0 when slice0winner1_of_pair_1_2_is_less else slice0window_sum_1_2;
-      slice0winner1_of_pair_1_3 <= slice0window_sum_1_3 when slice0winner1_of_pair_1_2_is_less else 0;
-      slice0winner1_of_pair_1_4 <= 0 when slice0winner1_of_pair_1_4_is_less else slice0window_sum_1_4;
-      slice0winner1_of_pair_1_5 <= slice0window_sum_1_5 when slice0winner1_of_pair_1_4_is_less else 0;
-      slice0winner1_of_pair_1_6 <= 0 when slice0winner1_of_pair_1_6_is_less else slice0window_sum_1_6;
-      slice0winner1_of_pair_1_7 <= slice0window_sum_1_7 when slice0winner1_of_pair_1_6_is_less else 0;
-      slice0winner1_of_pair_1_8 <= 0 when slice0winner1_of_pair_1_8_is_less else slice0window_sum_1_8;
-      slice0winner1_of_pair_1_9 <= slice0window_sum_1_9 when slice0winner1_of_pair_1_8_is_less else 0;
-      slice0winner1_of_pair_1_10 <= 0 when slice0winner1_of_pair_1_10_is_less else slice0window_sum_1_10;
-      slice0winner1_of_pair_1_11 <= slice0window_sum_1_11 when slice0winner1_of_pair_1_10_is_less else 0;
-      slice0winner1_of_pair_1_12 <= 0 when slice0winner1_of_pair_1_12_is_less else slice0window_sum_1_12;
-      slice0winner1_of_pair_1_13 <= slice0window_sum_1_13 when slice0winner1_of_pair_1_12_is_less else 0;
-      slice0winner1_of_pair_1_14 <= 0 when slice0winner1_of_pair_1_14_is_less else slice0window_sum_1_14;
-      slice0winner1_of_pair_1_15 <= slice0window_sum_1_15 when slice0winner1_of_pair_1_14_is_less else 0;
-      slice0winner1_of_pair_1_16 <= 0 when slice0winner1_of_pair_1_16_is_less else slice0window_sum_1_16;
-      slice0winner1_of_pair_1_17 <= slice0window_sum_1_17 when slice0winner1_of_pair_1_16_is_less else 0;
-      slice0winner1_of_pair_1_18 <= 0 when slice0winner1_of_pair_1_18_is_less else slice0window_sum_1_18;
-      slice0winner1_of_pair_1_19 <= slice0window_sum_1_19 when slice0winner1_of_pair_1_18_is_less else 0;
-      slice0winner1_of_pair_1_20 <= 0 when slice0winner1_of_pair_1_20_is_less else slice0window_sum_1_20;
-      slice0winner1_of_pair_1_21 <= slice0window_sum_1_21 when slice0winner1_of_pair_1_20_is_less else 0;
-      slice0winner1_of_pair_1_22 <= 0 when slice0winner1_of_pair_1_22_is_less else slice0window_sum_1_22;
-      slice0winner1_of_pair_1_23 <= slice0window_sum_1_23 when slice0winner1_of_pair_1_22_is_less else 0;
-      slice0winner1_of_pair_1_24 <= slice0window_sum_1_24;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
-      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
-      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
-      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
-      slice0winner1_pair_index_0_8 <= 17 when slice0winner1_of_pair_0_16_is_less else 16;
-      slice0winner1_pair_index_0_9 <= 19 when slice0winner1_of_pair_0_18_is_less else 18;
-      slice0winner1_pair_index_0_10 <= 21 when slice0winner1_of_pair_0_20_is_less else 20;
-      slice0winner1_pair_index_0_11 <= 23 when slice0winner1_of_pair_0_22_is_less else 22;
-      slice0winner1_pair_index_0_12 <= 24;
-      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
-      slice0winner1_pair_index_1_1 <= 3 when slice0winner1_of_pair_1_2_is_less else 2;
-      slice0winner1_pair_index_1_2 <= 5 when slice0winner1_of_pair_1_4_is_less else 4;
-      slice0winner1_pair_index_1_3 <= 7 when slice0winner1_of_pair_1_6_is_less else 6;
-      slice0winner1_pair_index_1_4 <= 9 when slice0winner1_of_pair_1_8_is_less else 8;
-      slice0winner1_pair_index_1_5 <= 11 when slice0winner1_of_pair_1_10_is_less else 10;
-      slice0winner1_pair_index_1_6 <= 13 when slice0winner1_of_pair_1_12_is_less else 12;
-      slice0winner1_pair_index_1_7 <= 15 when slice0winner1_of_pair_1_14_is_less else 14;
-      slice0winner1_pair_index_1_8 <= 17 when slice0winner1_of_pair_1_16_is_less else 16;
-      slice0winner1_pair_index_1_9 <= 19 when slice0winner1_of_pair_1_18_is_less else 18;
-      slice0winner1_pair_index_1_10 <= 21 when slice0winner1_of_pair_1_20_is_less else 20;
-      slice0winner1_pair_index_1_11 <= 23 when slice0winner1_of_pair_1_22_is_less else 22;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
-      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
-      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
-      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
-      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_16 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_16;
-      slice0winner1_of_four_0_17 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_17;
-      slice0winner1_of_four_0_18 <= slice0winner1_of_pair_0_18 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_19 <= slice0winner1_of_pair_0_19 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_20 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_20;
-      slice0winner1_of_four_0_21 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_21;
-      slice0winner1_of_four_0_22 <= slice0winner1_of_pair_0_22 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_23 <= slice0winner1_of_pair_0_23 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_24 <= slice0winner1_of_pair_0_24;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_1_3 <= slice0winner1_of_pair_1_3 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_1_4 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_4;
-      slice0winner1_of_four_1_5 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_5;
-      slice0winner1_of_four_1_6 <= slice0winner1_of_pair_1_6 when slice0winner1_of_four_1_4_is_less else 0;
-      slice0winner1_of_four_1_7 <= slice0winner1_of_pair_1_7 when slice0winner1_of_four_1_4_is_less else 0;
-      slice0winner1_of_four_1_8 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_8;
-      slice0winner1_of_four_1_9 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_9;
-      slice0winner1_of_four_1_10 <= slice0winner1_of_pair_1_10 when slice0winner1_of_four_1_8_is_less else 0;
-      slice0winner1_of_four_1_11 <= slice0winner1_of_pair_1_11 when slice0winner1_of_four_1_8_is_less else 0;
-      slice0winner1_of_four_1_12 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_12;
-      slice0winner1_of_four_1_13 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_13;
-      slice0winner1_of_four_1_14 <= slice0winner1_of_pair_1_14 when slice0winner1_of_four_1_12_is_less else 0;
-      slice0winner1_of_four_1_15 <= slice0winner1_of_pair_1_15 when slice0winner1_of_four_1_12_is_less else 0;
-      slice0winner1_of_four_1_16 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_16;
-      slice0winner1_of_four_1_17 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_17;
-      slice0winner1_of_four_1_18 <= slice0winner1_of_pair_1_18 when slice0winner1_of_four_1_16_is_less else 0;
-      slice0winner1_of_four_1_19 <= slice0winner1_of_pair_1_19 when slice0winner1_of_four_1_16_is_less else 0;
-      slice0winner1_of_four_1_20 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_20;
-      slice0winner1_of_four_1_21 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_21;
-      slice0winner1_of_four_1_22 <= slice0winner1_of_pair_1_22 when slice0winner1_of_four_1_20_is_less else 0;
-      slice0winner1_of_four_1_23 <= slice0winner1_of_pair_1_23 when slice0winner1_of_four_1_20_is_less else 0;
-      slice0winner1_of_four_1_24 <= slice0winner1_of_pair_1_24;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
-        slice0winner1_pair_index_0_4;
-      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
-        slice0winner1_pair_index_0_6;
-      slice0winner1_four_index_0_4 <= slice0winner1_pair_index_0_9 when slice0winner1_of_four_0_16_is_less else
-        slice0winner1_pair_index_0_8;
-      slice0winner1_four_index_0_5 <= slice0winner1_pair_index_0_11 when slice0winner1_of_four_0_20_is_less else
-        slice0winner1_pair_index_0_10;
-      slice0winner1_four_index_0_6 <= slice0winner1_pair_index_0_12;
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_1_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
-      slice0winner1_four_index_1_1 <= slice0winner1_pair_index_1_3 when slice0winner1_of_four_1_4_is_less else
-        slice0winner1_pair_index_1_2;
-      slice0winner1_four_index_1_2 <= slice0winner1_pair_index_1_5 when slice0winner1_of_four_1_8_is_less else
-        slice0winner1_pair_index_1_4;
-      slice0winner1_four_index_1_3 <= slice0winner1_pair_index_1_7 when slice0winner1_of_four_1_12_is_less else
-        slice0winner1_pair_index_1_6;
-      slice0winner1_four_index_1_4 <= slice0winner1_pair_index_1_9 when slice0winner1_of_four_1_16_is_less else
-        slice0winner1_pair_index_1_8;
-      slice0winner1_four_index_1_5 <= slice0winner1_pair_index_1_11 when slice0winner1_of_four_1_20_is_less else
-        slice0winner1_pair_index_1_10;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 12))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 12)))) or (to_unsigned(slice0winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 12))));
-      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_11, 12)))) or (to_unsigned(slice0winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_8, 12))));
-      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_15, 12)))) or (to_unsigned(slice0winner1_of_four_0_13, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_12, 12))));
-      slice0winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_18, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_19, 12)))) or (to_unsigned(slice0winner1_of_four_0_17, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_16, 12))));
-      slice0winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_22, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_23, 12)))) or (to_unsigned(slice0winner1_of_four_0_21, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_20, 12))));
-      slice0winner1_best_cost_0_6 <= slice0winner1_of_four_0_24;
-      slice0winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_3, 12)))) or (to_unsigned(slice0winner1_of_four_1_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_0, 12))));
-      slice0winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_7, 12)))) or (to_unsigned(slice0winner1_of_four_1_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_4, 12))));
-      slice0winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_10, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_11, 12)))) or (to_unsigned(slice0winner1_of_four_1_9, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_8, 12))));
-      slice0winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_14, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_15, 12)))) or (to_unsigned(slice0winner1_of_four_1_13, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_12, 12))));
-      slice0winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_18, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_19, 12)))) or (to_unsigned(slice0winner1_of_four_1_17, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_16, 12))));
-      slice0winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_22, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_23, 12)))) or (to_unsigned(slice0winner1_of_four_1_21, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_20, 12))));
-      slice0winner1_best_cost_1_6 <= slice0winner1_of_four_1_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
-      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
-      slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
-      slice0winner1_best_index_0_5 <= slice0winner1_four_index_0_5;
-      slice0winner1_best_index_0_6 <= slice0winner1_four_index_0_6;
-      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
-      slice0winner1_best_index_1_1 <= slice0winner1_four_index_1_1;
-      slice0winner1_best_index_1_2 <= slice0winner1_four_index_1_2;
-      slice0winner1_best_index_1_3 <= slice0winner1_four_index_1_3;
-      slice0winner1_best_index_1_4 <= slice0winner1_four_index_1_4;
-      slice0winner1_best_index_1_5 <= slice0winner1_four_index_1_5;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
-      if slice0winner1_four_tag_valid then
-        slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-        slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-        slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      end if;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_best_cost_0_8_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
+      slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
+      slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
+      slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
+      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_best_cost_1_1_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
+      slice0winner1_best_cost_1_2_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
+      slice0winner1_best_cost_1_3_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
+      slice0winner1_best_cost_1_4_is_less := (slice0window_sum_1_9 - slice0window_sum_1_8) < 0;
+      slice0winner1_best_cost_1_5_is_less := (slice0window_sum_1_11 - slice0window_sum_1_10) < 0;
+      slice0winner1_best_cost_1_6_is_less := (slice0window_sum_1_13 - slice0window_sum_1_12) < 0;
+      slice0winner1_best_cost_1_7_is_less := (slice0window_sum_1_15 - slice0window_sum_1_14) < 0;
+      slice0winner1_best_cost_1_8_is_less := (slice0window_sum_1_17 - slice0window_sum_1_16) < 0;
+      slice0winner1_best_cost_1_9_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
+      slice0winner1_best_cost_1_10_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
+      slice0winner1_best_cost_1_11_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
+        slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
+        slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
+        slice0window_sum_0_14;
+      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
+        slice0window_sum_0_16;
+      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
+        slice0window_sum_0_18;
+      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
+        slice0window_sum_0_20;
+      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
+        slice0window_sum_0_22;
+      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
+        slice0window_sum_1_2;
+      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
+        slice0window_sum_1_4;
+      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
+        slice0window_sum_1_6;
+      slice0winner1_best_cost_1_4 <= slice0window_sum_1_9 when slice0winner1_best_cost_1_4_is_less else
+        slice0window_sum_1_8;
+      slice0winner1_best_cost_1_5 <= slice0window_sum_1_11 when slice0winner1_best_cost_1_5_is_less else
+        slice0window_sum_1_10;
+      slice0winner1_best_cost_1_6 <= slice0window_sum_1_13 when slice0winner1_best_cost_1_6_is_less else
+        slice0window_sum_1_12;
+      slice0winner1_best_cost_1_7 <= slice0window_sum_1_15 when slice0winner1_best_cost_1_7_is_less else
+        slice0window_sum_1_14;
+      slice0winner1_best_cost_1_8 <= slice0window_sum_1_17 when slice0winner1_best_cost_1_8_is_less else
+        slice0window_sum_1_16;
+      slice0winner1_best_cost_1_9 <= slice0window_sum_1_19 when slice0winner1_best_cost_1_9_is_less else
+        slice0window_sum_1_18;
+      slice0winner1_best_cost_1_10 <= slice0window_sum_1_21 when slice0winner1_best_cost_1_10_is_less else
+        slice0window_sum_1_20;
+      slice0winner1_best_cost_1_11 <= slice0window_sum_1_23 when slice0winner1_best_cost_1_11_is_less else
+        slice0window_sum_1_22;
+      slice0winner1_best_cost_1_12 <= slice0window_sum_1_24;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
+      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
+      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
+      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
+      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
+      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
+      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
+      slice0winner1_best_index_0_12 <= 24;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
+      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
+      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
+      slice0winner1_best_index_1_4 <= 9 when slice0winner1_best_cost_1_4_is_less else 8;
+      slice0winner1_best_index_1_5 <= 11 when slice0winner1_best_cost_1_5_is_less else 10;
+      slice0winner1_best_index_1_6 <= 13 when slice0winner1_best_cost_1_6_is_less else 12;
+      slice0winner1_best_index_1_7 <= 15 when slice0winner1_best_cost_1_7_is_less else 14;
+      slice0winner1_best_index_1_8 <= 17 when slice0winner1_best_cost_1_8_is_less else 16;
+      slice0winner1_best_index_1_9 <= 19 when slice0winner1_best_cost_1_9_is_less else 18;
+      slice0winner1_best_index_1_10 <= 21 when slice0winner1_best_cost_1_10_is_less else 20;
+      slice0winner1_best_index_1_11 <= 23 when slice0winner1_best_cost_1_11_is_less else 22;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_of_pair_0_4_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_of_pair_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
-      slice0winner2_of_pair_1_2_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
-      slice0winner2_of_pair_1_4_is_less := (slice0winner1_best_cost_1_5 - slice0winner1_best_cost_1_4) < 0;
-      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner2_of_pair_0_1, 12))))) < 0;
-      slice0winner2_of_four_0_4_is_less := (slice0winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_0_4, 12)) or (to_unsigned(slice0winner2_of_pair_0_5, 12))))) < 0;
-      slice0winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_1_2, 12)) or
-        (to_unsigned(slice0winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_1_0, 12)) or
-        (to_unsigned(slice0winner2_of_pair_1_1, 12))))) < 0;
-      slice0winner2_of_four_1_4_is_less := (slice0winner2_of_pair_1_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_1_4, 12)) or (to_unsigned(slice0winner2_of_pair_1_5, 12))))) < 0;
-      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
-      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
-      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
-      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
-      slice0winner2_of_pair_0_4 <= 0 when slice0winner2_of_pair_0_4_is_less else slice0winner1_best_cost_0_4;
-      slice0winner2_of_pair_0_5 <= slice0winner1_best_cost_0_5 when slice0winner2_of_pair_0_4_is_less else 0;
-      slice0winner2_of_pair_0_6 <= slice0winner1_best_cost_0_6;
-      slice0winner2_of_pair_1_0 <= 0 when slice0winner2_of_pair_1_0_is_less else slice0winner1_best_cost_1_0;
-      slice0winner2_of_pair_1_1 <= slice0winner1_best_cost_1_1 when slice0winner2_of_pair_1_0_is_less else 0;
-      slice0winner2_of_pair_1_2 <= 0 when slice0winner2_of_pair_1_2_is_less else slice0winner1_best_cost_1_2;
-      slice0winner2_of_pair_1_3 <= slice0winner1_best_cost_1_3 when slice0winner2_of_pair_1_2_is_less else 0;
-      slice0winner2_of_pair_1_4 <= 0 when slice0winner2_of_pair_1_4_is_less else slice0winner1_best_cost_1_4;
-      slice0winner2_of_pair_1_5 <= slice0winner1_best_cost_1_5 when slice0winner2_of_pair_1_4_is_less else 0;
-      slice0winner2_of_pair_1_6 <= slice0winner1_best_cost_1_6;
-      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
-        slice0winner1_best_index_0_0;
-      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
+      slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
+      slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
+      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_best_cost_1_1_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
+      slice0winner2_best_cost_1_2_is_less := (slice0winner1_best_cost_1_5 - slice0winner1_best_cost_1_4) < 0;
+      slice0winner2_best_cost_1_3_is_less := (slice0winner1_best_cost_1_7 - slice0winner1_best_cost_1_6) < 0;
+      slice0winner2_best_cost_1_4_is_less := (slice0winner1_best_cost_1_9 - slice0winner1_best_cost_1_8) < 0;
+      slice0winner2_best_cost_1_5_is_less := (slice0winner1_best_cost_1_11 - slice0winner1_best_cost_1_10) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_cost_0_6;
+      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_cost_0_8;
+      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_cost_0_10;
+      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
+        slice0winner1_best_cost_1_2;
+      slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_5 when slice0winner2_best_cost_1_2_is_less else
+        slice0winner1_best_cost_1_4;
+      slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_7 when slice0winner2_best_cost_1_3_is_less else
+        slice0winner1_best_cost_1_6;
+      slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_9 when slice0winner2_best_cost_1_4_is_less else
+        slice0winner1_best_cost_1_8;
+      slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_11 when slice0winner2_best_cost_1_5_is_less else
+        slice0winner1_best_cost_1_10;
+      slice0winner2_best_cost_1_6 <= slice0winner1_best_cost_1_12;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_of_pair_0_4_is_less else
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
         slice0winner1_best_index_0_4;
-      slice0winner2_pair_index_0_3 <= slice0winner1_best_index_0_6;
-      slice0winner2_pair_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_of_pair_1_0_is_less else
-        slice0winner1_best_index_1_0;
-      slice0winner2_pair_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_of_pair_1_2_is_less else
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_index_0_6;
+      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_index_0_8;
+      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_index_0_10;
+      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
         slice0winner1_best_index_1_2;
-      slice0winner2_pair_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_of_pair_1_4_is_less else
+      slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_best_cost_1_2_is_less else
         slice0winner1_best_index_1_4;
-      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
-      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
-      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_4 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_4;
-      slice0winner2_of_four_0_5 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_5;
-      slice0winner2_of_four_0_6 <= slice0winner2_of_pair_0_6 when slice0winner2_of_four_0_4_is_less else 0;
-      slice0winner2_of_four_1_0 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_0;
-      slice0winner2_of_four_1_1 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_1;
-      slice0winner2_of_four_1_2 <= slice0winner2_of_pair_1_2 when slice0winner2_of_four_1_0_is_less else 0;
-      slice0winner2_of_four_1_3 <= slice0winner2_of_pair_1_3 when slice0winner2_of_four_1_0_is_less else 0;
-      slice0winner2_of_four_1_4 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_4;
-      slice0winner2_of_four_1_5 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_5;
-      slice0winner2_of_four_1_6 <= slice0winner2_of_pair_1_6 when slice0winner2_of_four_1_4_is_less else 0;
-      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
-        slice0winner2_pair_index_0_0;
-      slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_0_4_is_less else
-        slice0winner2_pair_index_0_2;
-      slice0winner2_four_index_1_0 <= slice0winner2_pair_index_1_1 when slice0winner2_of_four_1_0_is_less else
-        slice0winner2_pair_index_1_0;
-      slice0winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_1_4_is_less else
-        slice0winner2_pair_index_1_2;
-      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
-      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
-      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
-      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
-      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner2_of_four_0_3, 12)))) or (to_unsigned(slice0winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner2_of_four_0_0, 12))));
-      slice0winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_0_5, 12)) or
-        (to_unsigned(slice0winner2_of_four_0_6, 12)))) or (to_unsigned(slice0winner2_of_four_0_4, 12))));
-      slice0winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_1_2, 12)) or
-        (to_unsigned(slice0winner2_of_four_1_3, 12)))) or (to_unsigned(slice0winner2_of_four_1_1, 12)))) or
-        (to_unsigned(slice0winner2_of_four_1_0, 12))));
-      slice0winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_1_5, 12)) or
-        (to_unsigned(slice0winner2_of_four_1_6, 12)))) or (to_unsigned(slice0winner2_of_four_1_4, 12))));
-      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
-      slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
-      slice0winner2_best_index_1_0 <= slice0winner2_four_index_1_0;
-      slice0winner2_best_index_1_1 <= slice0winner2_four_index_1_1;
-      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
+      slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_7 when slice0winner2_best_cost_1_3_is_less else
+        slice0winner1_best_index_1_6;
+      slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_9 when slice0winner2_best_cost_1_4_is_less else
+        slice0winner1_best_index_1_8;
+      slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_11 when slice0winner2_best_cost_1_5_is_less else
+        slice0winner1_best_index_1_10;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_tag_valid then
+        slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+        slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
+      slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
       slice0winner3_best_cost_1_0_is_less := (slice0winner2_best_cost_1_1 - slice0winner2_best_cost_1_0) < 0;
+      slice0winner3_best_cost_1_1_is_less := (slice0winner2_best_cost_1_3 - slice0winner2_best_cost_1_2) < 0;
+      slice0winner3_best_cost_1_2_is_less := (slice0winner2_best_cost_1_5 - slice0winner2_best_cost_1_4) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_cost_0_4;
+      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
       slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_cost_1_0;
+      slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_3 when slice0winner3_best_cost_1_1_is_less else
+        slice0winner2_best_cost_1_2;
+      slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_5 when slice0winner3_best_cost_1_2_is_less else
+        slice0winner2_best_cost_1_4;
+      slice0winner3_best_cost_1_3 <= slice0winner2_best_cost_1_6;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_index_0_4;
+      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_index_1_0;
+      slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_3 when slice0winner3_best_cost_1_1_is_less else
+        slice0winner2_best_index_1_2;
+      slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_5 when slice0winner3_best_cost_1_2_is_less else
+        slice0winner2_best_index_1_4;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
+      slice0winner4_best_cost_1_0_is_less := (slice0winner3_best_cost_1_1 - slice0winner3_best_cost_1_0) < 0;
+      slice0winner4_best_cost_1_1_is_less := (slice0winner3_best_cost_1_3 - slice0winner3_best_cost_1_2) < 0;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_cost_0_2;
+      slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_1 when slice0winner4_best_cost_1_0_is_less else
+        slice0winner3_best_cost_1_0;
+      slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_3 when slice0winner4_best_cost_1_1_is_less else
+        slice0winner3_best_cost_1_2;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_index_0_2;
+      slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_1 when slice0winner4_best_cost_1_0_is_less else
+        slice0winner3_best_index_1_0;
+      slice0winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_1_1_is_less else
+        slice0winner3_best_index_1_2;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice0winner5
+      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
+      slice0winner5_best_cost_1_0_is_less := (slice0winner4_best_cost_1_1 - slice0winner4_best_cost_1_0) < 0;
+      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_cost_0_0;
+      slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_1 when slice0winner5_best_cost_1_0_is_less else
+        slice0winner4_best_cost_1_0;
+      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_index_0_0;
+      slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_1 when slice0winner5_best_cost_1_0_is_less else
+        slice0winner4_best_index_1_0;
+      slice0winner5_tag_valid <= slice0winner4_tag_valid;
+      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
+      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner3_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 75;
-      slice0_best_index_1_0 <= slice0winner3_best_index_1_0 + 75;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner5_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 75;
+      slice0_best_index_1_0 <= slice0winner5_best_index_1_0 + 75;
+      slice0_best_tag_valid <= slice0winner5_tag_valid;
+      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -3617,6 +3370,9 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_0;
       slice1shift_search_out_3 <= slice1shift_search_3_0;
       -- slice1cost
+      if slice0cost_difference_tag_valid then
+        slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
+      end if;
       slice1cost_difference_0_0_choice := slice1shift_reference_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
         slice1shift_search_0_0;
       slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
@@ -3913,7 +3669,6 @@ begin
       slice1cost_difference_3_22_difference := slice1shift_search_3_22 - slice1shift_reference_3;
       slice1cost_difference_3_23_difference := slice1shift_search_3_23 - slice1shift_reference_3;
       slice1cost_difference_3_24_difference := slice1shift_search_3_24 - slice1shift_reference_3;
-      slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
       slice1cost_signs_ready_words_0 <= to_integer(slice1cost_signs_read_words_0);
       slice1cost_signs_ready_words_1 <= to_integer(slice1cost_signs_read_words_1);
       slice1cost_difference_0_0 <= (slice1cost_difference_0_0_choice - slice1cost_difference_0_0_choice_2) mod 256;
@@ -4318,7 +4073,7 @@ begin
         slice1cost_pair_0_24 + slice1cost_single_3_24;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       if slice0cost_pair_tag_valid then
-        slice1cost_signs_write_column <= slice1cost_signs_difference_column;
+        slice1cost_signs_write_column <= slice0cost_signs_write_column;
         slice1cost_signs_write_words_0 <= (as_number(slice1cost_newest_negative_0_23) * 8388608) +
           (as_number(slice1cost_newest_negative_0_24) * 16777216) + (as_number(slice1cost_newest_negative_0_22) *
           4194304) + (as_number(slice1cost_newest_negative_0_21) * 2097152) +
@@ -4502,363 +4257,241 @@ begin
       slice1window_sum_1_23 <= slice1cost_column_1_23 + slice1window_partial_1_1_23;
       slice1window_sum_1_24 <= slice1cost_column_1_24 + slice1window_partial_1_1_24;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_of_pair_0_12_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
-      slice1winner1_of_pair_0_14_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_of_pair_0_16_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
-      slice1winner1_of_pair_0_18_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
-      slice1winner1_of_pair_0_20_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
-      slice1winner1_of_pair_0_22_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
-      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_of_pair_1_2_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
-      slice1winner1_of_pair_1_4_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
-      slice1winner1_of_pair_1_6_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
-      slice1winner1_of_pair_1_8_is_less := (slice1window_sum_1_9 - slice1window_sum_1_8) < 0;
-      slice1winner1_of_pair_1_10_is_less := (slice1window_sum_1_11 - slice1window_sum_1_10) < 0;
-      slice1winner1_of_pair_1_12_is_less := (slice1window_sum_1_13 - slice1window_sum_1_12) < 0;
-      slice1winner1_of_pair_1_14_is_less := (slice1window_sum_1_15 - slice1window_sum_1_14) < 0;
-      slice1winner1_of_pair_1_16_is_less := (slice1window_sum_1_17 - slice1window_sum_1_16) < 0;
-      slice1winner1_of_pair_1_18_is_less := (slice1window_sum_1_19 - slice1window_sum_1_18) < 0;
-      slice1winner1_of_pair_1_20_is_less := (slice1window_sum_1_21 - slice1window_sum_1_20) < 0;
-      slice1winner1_of_pair_1_22_is_less := (slice1window_sum_1_23 - slice1window_sum_1_22) < 0;
-      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
-      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_5, 12))))) < 0;
-      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_9, 12))))) < 0;
-      slice1winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_14, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_12, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_13, 12))))) < 0;
-      slice1winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_18, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_16, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_17, 12))))) < 0;
-      slice1winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_22, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_20, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_21, 12))))) < 0;
-      slice1winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_2, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
-      slice1winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_6, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_4, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_5, 12))))) < 0;
-      slice1winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_10, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_8, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_9, 12))))) < 0;
-      slice1winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_14, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_12, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_13, 12))))) < 0;
-      slice1winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_18, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_16, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_17, 12))))) < 0;
-      slice1winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_22, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_20, 12)) or
-        (to_unsigned(slice1winner1_of_pair_1_21, 12))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
-      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
-      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
-      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
-      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
-      slice1winner1_of_pair_0_12 <= 0 when slice1winner1_of_pair_0_12_is_less else slice1window_sum_0_12;
-      slice1winner1_of_pair_0_13 <= slice1window_sum_0_13 when slice1winner1_of_pair_0_12_is_less else 0;
-      slice1winner1_of_pair_0_14 <= 0 when slice1winner1_of_pair_0_14_is_less else slice1window_sum_0_14;
-      slice1winner1_of_pair_0_15 <= slice1window_sum_0_15 when slice1winner1_of_pair_0_14_is_less else 0;
-      slice1winner1_of_pair_0_16 <= 0 when slice1winner1_of_pair_0_16_is_less else slice1window_sum_0_16;
-      slice1winner1_of_pair_0_17 <= slice1window_sum_0_17 when slice1winner1_of_pair_0_16_is_less else 0;
-      slice1winner1_of_pair_0_18 <= 0 when slice1winner1_of_pair_0_18_is_less else slice1window_sum_0_18;
-      slice1winner1_of_pair_0_19 <= slice1window_sum_0_19 when slice1winner1_of_pair_0_18_is_less else 0;
-      slice1winner1_of_pair_0_20 <= 0 when slice1winner1_of_pair_0_20_is_less else slice1window_sum_0_20;
-      slice1winner1_of_pair_0_21 <= slice1window_sum_0_21 when slice1winner1_of_pair_0_20_is_less else 0;
-      slice1winner1_of_pair_0_22 <= 0 when slice1winner1_of_pair_0_22_is_less else slice1window_sum_0_22;
-      slice1winner1_of_pair_0_23 <= slice1window_sum_0_23 when slice1winner1_of_pair_0_22_is_less else 0;
-      slice1winner1_of_pair_0_24 <= slice1window_sum_0_24;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
-      slice1winner1_of_pair_1_2 <= 0 when slice1winner1_of_pair_1_2_is_less else slice1window_sum_1_2;
-      slice1winner1_of_pair_1_3 <= slice1window_sum_1_3 when slice1winner1_of_pair_1_2_is_less else 0;
-      slice1winner1_of_pair_1_4 <= 0 when slice1winner1_of_pair_1_4_is_less else slice1window_sum_1_4;
-      slice1winner1_of_pair_1_5 <= slice1window_sum_1_5 when slice1winner1_of_pair_1_4_is_less else 0;
-      slice1winner1_of_pair_1_6 <= 0 when slice1winner1_of_pair_1_6_is_less else slice1window_sum_1_6;
-      slice1winner1_of_pair_1_7 <= slice1window_sum_1_7 when slice1winner1_of_pair_1_6_is_less else 0;
-      slice1winner1_of_pair_1_8 <= 0 when slice1winner1_of_pair_1_8_is_less else slice1window_sum_1_8;
-      slice1winner1_of_pair_1_9 <= slice1window_sum_1_9 when slice1winner1_of_pair_1_8_is_less else 0;
-      slice1winner1_of_pair_1_10 <= 0 when slice1winner1_of_pair_1_10_is_less else slice1window_sum_1_10;
-      slice1winner1_of_pair_1_11 <= slice1window_sum_1_11 when slice1winner1_of_pair_1_10_is_less else 0;
-      slice1winner1_of_pair_1_12 <= 0 when slice1winner1_of_pair_1_12_is_less else slice1window_sum_1_12;
-      slice1winner1_of_pair_1_13 <= slice1window_sum_1_13 when slice1winner1_of_pair_1_12_is_less else 0;
-      slice1winner1_of_pair_1_14 <= 0 when slice1winner1_of_pair_1_14_is_less else slice1window_sum_1_14;
-      slice1winner1_of_pair_1_15 <= slice1window_sum_1_15 when slice1winner1_of_pair_1_14_is_less else 0;
-      slice1winner1_of_pair_1_16 <= 0 when slice1winner1_of_pair_1_16_is_less else slice1window_sum_1_16;
-      slice1winner1_of_pair_1_17 <= slice1window_sum_1_17 when slice1winner1_of_pair_1_16_is_less else 0;
-      slice1winner1_of_pair_1_18 <= 0 when slice1winner1_of_pair_1_18_is_less else slice1window_sum_1_18;
-      slice1winner1_of_pair_1_19 <= slice1window_sum_1_19 when slice1winner1_of_pair_1_18_is_less else 0;
-      slice1winner1_of_pair_1_20 <= 0 when slice1winner1_of_pair_1_20_is_less else slice1window_sum_1_20;
-      slice1winner1_of_pair_1_21 <= slice1window_sum_1_21 when slice1winner1_of_pair_1_20_is_less else 0;
-      slice1winner1_of_pair_1_22 <= 0 when slice1winner1_of_pair_1_22_is_less else slice1window_sum_1_22;
-      slice1winner1_of_pair_1_23 <= slice1window_sum_1_23 when slice1winner1_of_pair_1_22_is_less else 0;
-      slice1winner1_of_pair_1_24 <= slice1window_sum_1_24;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
-      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
-      slice1winner1_pair_index_0_6 <= 13 when slice1winner1_of_pair_0_12_is_less else 12;
-      slice1winner1_pair_index_0_7 <= 15 when slice1winner1_of_pair_0_14_is_less else 14;
-      slice1winner1_pair_index_0_8 <= 17 when slice1winner1_of_pair_0_16_is_less else 16;
-      slice1winner1_pair_index_0_9 <= 19 when slice1winner1_of_pair_0_18_is_less else 18;
-      slice1winner1_pair_index_0_10 <= 21 when slice1winner1_of_pair_0_20_is_less else 20;
-      slice1winner1_pair_index_0_11 <= 23 when slice1winner1_of_pair_0_22_is_less else 22;
-      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_pair_index_1_1 <= 3 when slice1winner1_of_pair_1_2_is_less else 2;
-      slice1winner1_pair_index_1_2 <= 5 when slice1winner1_of_pair_1_4_is_less else 4;
-      slice1winner1_pair_index_1_3 <= 7 when slice1winner1_of_pair_1_6_is_less else 6;
-      slice1winner1_pair_index_1_4 <= 9 when slice1winner1_of_pair_1_8_is_less else 8;
-      slice1winner1_pair_index_1_5 <= 11 when slice1winner1_of_pair_1_10_is_less else 10;
-      slice1winner1_pair_index_1_6 <= 13 when slice1winner1_of_pair_1_12_is_less else 12;
-      slice1winner1_pair_index_1_7 <= 15 when slice1winner1_of_pair_1_14_is_less else 14;
-      slice1winner1_pair_index_1_8 <= 17 when slice1winner1_of_pair_1_16_is_less else 16;
-      slice1winner1_pair_index_1_9 <= 19 when slice1winner1_of_pair_1_18_is_less else 18;
-      slice1winner1_pair_index_1_10 <= 21 when slice1winner1_of_pair_1_20_is_less else 20;
-      slice1winner1_pair_index_1_11 <= 23 when slice1winner1_of_pair_1_22_is_less else 22;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
-      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
-      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_12 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_12;
-      slice1winner1_of_four_0_13 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_13;
-      slice1winner1_of_four_0_14 <= slice1winner1_of_pair_0_14 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_15 <= slice1winner1_of_pair_0_15 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_16 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_16;
-      slice1winner1_of_four_0_17 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_17;
-      slice1winner1_of_four_0_18 <= slice1winner1_of_pair_0_18 when slice1winner1_of_four_0_16_is_less else 0;
-      slice1winner1_of_four_0_19 <= slice1winner1_of_pair_0_19 when slice1winner1_of_four_0_16_is_less else 0;
-      slice1winner1_of_four_0_20 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_20;
-      slice1winner1_of_four_0_21 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_21;
-      slice1winner1_of_four_0_22 <= slice1winner1_of_pair_0_22 when slice1winner1_of_four_0_20_is_less else 0;
-      slice1winner1_of_four_0_23 <= slice1winner1_of_pair_0_23 when slice1winner1_of_four_0_20_is_less else 0;
-      slice1winner1_of_four_0_24 <= slice1winner1_of_pair_0_24;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_of_four_1_3 <= slice1winner1_of_pair_1_3 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_of_four_1_4 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_4;
-      slice1winner1_of_four_1_5 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_5;
-      slice1winner1_of_four_1_6 <= slice1winner1_of_pair_1_6 when slice1winner1_of_four_1_4_is_less else 0;
-      slice1winner1_of_four_1_7 <= slice1winner1_of_pair_1_7 when slice1winner1_of_four_1_4_is_less else 0;
-      slice1winner1_of_four_1_8 <= 0 when slice1winner1_of_four_1_8_is_less else slice1winner1_of_pair_1_8;
-      slice1winner1_of_four_1_9 <= 0 when slice1winner1_of_four_1_8_is_less else slice1winner1_of_pair_1_9;
-      slice1winner1_of_four_1_10 <= slice1winner1_of_pair_1_10 when slice1winner1_of_four_1_8_is_less else 0;
-      slice1winner1_of_four_1_11 <= slice1winner1_of_pair_1_11 when slice1winner1_of_four_1_8_is_less else 0;
-      slice1winner1_of_four_1_12 <= 0 when slice1winner1_of_four_1_12_is_less else slice1winner1_of_pair_1_12;
-      slice1winner1_of_four_1_13 <= 0 when slice1winner1_of_four_1_12_is_less else slice1winner1_of_pair_1_13;
-      slice1winner1_of_four_1_14 <= slice1winner1_of_pair_1_14 when slice1winner1_of_four_1_12_is_less else 0;
-      slice1winner1_of_four_1_15 <= slice1winner1_of_pair_1_15 when slice1winner1_of_four_1_12_is_less else 0;
-      slice1winner1_of_four_1_16 <= 0 when slice1winner1_of_four_1_16_is_less else slice1winner1_of_pair_1_16;
-      slice1winner1_of_four_1_17 <= 0 when slice1winner1_of_four_1_16_is_less else slice1winner1_of_pair_1_17;
-      slice1winner1_of_four_1_18 <= slice1winner1_of_pair_1_18 when slice1winner1_of_four_1_16_is_less else 0;
-      slice1winner1_of_four_1_19 <= slice1winner1_of_pair_1_19 when slice1winner1_of_four_1_16_is_less else 0;
-      slice1winner1_of_four_1_20 <= 0 when slice1winner1_of_four_1_20_is_less else slice1winner1_of_pair_1_20;
-      slice1winner1_of_four_1_21 <= 0 when slice1winner1_of_four_1_20_is_less else slice1winner1_of_pair_1_21;
-      slice1winner1_of_four_1_22 <= slice1winner1_of_pair_1_22 when slice1winner1_of_four_1_20_is_less else 0;
-      slice1winner1_of_four_1_23 <= slice1winner1_of_pair_1_23 when slice1winner1_of_four_1_20_is_less else 0;
-      slice1winner1_of_four_1_24 <= slice1winner1_of_pair_1_24;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
-      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
-        slice1winner1_pair_index_0_4;
-      slice1winner1_four_index_0_3 <= slice1winner1_pair_index_0_7 when slice1winner1_of_four_0_12_is_less else
-        slice1winner1_pair_index_0_6;
-      slice1winner1_four_index_0_4 <= slice1winner1_pair_index_0_9 when slice1winner1_of_four_0_16_is_less else
-        slice1winner1_pair_index_0_8;
-      slice1winner1_four_index_0_5 <= slice1winner1_pair_index_0_11 when slice1winner1_of_four_0_20_is_less else
-        slice1winner1_pair_index_0_10;
-      slice1winner1_four_index_1_0 <= slice1winner1_pair_index_1_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
-      slice1winner1_four_index_1_1 <= slice1winner1_pair_index_1_3 when slice1winner1_of_four_1_4_is_less else
-        slice1winner1_pair_index_1_2;
-      slice1winner1_four_index_1_2 <= slice1winner1_pair_index_1_5 when slice1winner1_of_four_1_8_is_less else
-        slice1winner1_pair_index_1_4;
-      slice1winner1_four_index_1_3 <= slice1winner1_pair_index_1_7 when slice1winner1_of_four_1_12_is_less else
-        slice1winner1_pair_index_1_6;
-      slice1winner1_four_index_1_4 <= slice1winner1_pair_index_1_9 when slice1winner1_of_four_1_16_is_less else
-        slice1winner1_pair_index_1_8;
-      slice1winner1_four_index_1_5 <= slice1winner1_pair_index_1_11 when slice1winner1_of_four_1_20_is_less else
-        slice1winner1_pair_index_1_10;
-      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_3, 12)))) or (to_unsigned(slice1winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_0, 12))));
-      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_7, 12)))) or (to_unsigned(slice1winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_4, 12))));
-      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_11, 12)))) or (to_unsigned(slice1winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_8, 12))));
-      slice1winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_14, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_15, 12)))) or (to_unsigned(slice1winner1_of_four_0_13, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_12, 12))));
-      slice1winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_18, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_19, 12)))) or (to_unsigned(slice1winner1_of_four_0_17, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_16, 12))));
-      slice1winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_22, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_23, 12)))) or (to_unsigned(slice1winner1_of_four_0_21, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_20, 12))));
-      slice1winner1_best_cost_0_6 <= slice1winner1_of_four_0_24;
-      slice1winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_2, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_3, 12)))) or (to_unsigned(slice1winner1_of_four_1_1, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_0, 12))));
-      slice1winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_6, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_7, 12)))) or (to_unsigned(slice1winner1_of_four_1_5, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_4, 12))));
-      slice1winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_10, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_11, 12)))) or (to_unsigned(slice1winner1_of_four_1_9, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_8, 12))));
-      slice1winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_14, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_15, 12)))) or (to_unsigned(slice1winner1_of_four_1_13, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_12, 12))));
-      slice1winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_18, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_19, 12)))) or (to_unsigned(slice1winner1_of_four_1_17, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_16, 12))));
-      slice1winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_22, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_23, 12)))) or (to_unsigned(slice1winner1_of_four_1_21, 12)))) or
-        (to_unsigned(slice1winner1_of_four_1_20, 12))));
-      slice1winner1_best_cost_1_6 <= slice1winner1_of_four_1_24;
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
-      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
-      slice1winner1_best_index_0_3 <= slice1winner1_four_index_0_3;
-      slice1winner1_best_index_0_4 <= slice1winner1_four_index_0_4;
-      slice1winner1_best_index_0_5 <= slice1winner1_four_index_0_5;
-      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
-      slice1winner1_best_index_1_1 <= slice1winner1_four_index_1_1;
-      slice1winner1_best_index_1_2 <= slice1winner1_four_index_1_2;
-      slice1winner1_best_index_1_3 <= slice1winner1_four_index_1_3;
-      slice1winner1_best_index_1_4 <= slice1winner1_four_index_1_4;
-      slice1winner1_best_index_1_5 <= slice1winner1_four_index_1_5;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
+      slice1winner1_best_cost_0_8_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
+      slice1winner1_best_cost_0_9_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
+      slice1winner1_best_cost_0_10_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
+      slice1winner1_best_cost_0_11_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
+      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_best_cost_1_1_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
+      slice1winner1_best_cost_1_2_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
+      slice1winner1_best_cost_1_3_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
+      slice1winner1_best_cost_1_4_is_less := (slice1window_sum_1_9 - slice1window_sum_1_8) < 0;
+      slice1winner1_best_cost_1_5_is_less := (slice1window_sum_1_11 - slice1window_sum_1_10) < 0;
+      slice1winner1_best_cost_1_6_is_less := (slice1window_sum_1_13 - slice1window_sum_1_12) < 0;
+      slice1winner1_best_cost_1_7_is_less := (slice1window_sum_1_15 - slice1window_sum_1_14) < 0;
+      slice1winner1_best_cost_1_8_is_less := (slice1window_sum_1_17 - slice1window_sum_1_16) < 0;
+      slice1winner1_best_cost_1_9_is_less := (slice1window_sum_1_19 - slice1window_sum_1_18) < 0;
+      slice1winner1_best_cost_1_10_is_less := (slice1window_sum_1_21 - slice1window_sum_1_20) < 0;
+      slice1winner1_best_cost_1_11_is_less := (slice1window_sum_1_23 - slice1window_sum_1_22) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
+        slice1window_sum_0_8;
+      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
+        slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
+        slice1window_sum_0_12;
+      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
+        slice1window_sum_0_14;
+      slice1winner1_best_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_best_cost_0_8_is_less else
+        slice1window_sum_0_16;
+      slice1winner1_best_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_best_cost_0_9_is_less else
+        slice1window_sum_0_18;
+      slice1winner1_best_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_best_cost_0_10_is_less else
+        slice1window_sum_0_20;
+      slice1winner1_best_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_best_cost_0_11_is_less else
+        slice1window_sum_0_22;
+      slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_3 when slice1winner1_best_cost_1_1_is_less else
+        slice1window_sum_1_2;
+      slice1winner1_best_cost_1_2 <= slice1window_sum_1_5 when slice1winner1_best_cost_1_2_is_less else
+        slice1window_sum_1_4;
+      slice1winner1_best_cost_1_3 <= slice1window_sum_1_7 when slice1winner1_best_cost_1_3_is_less else
+        slice1window_sum_1_6;
+      slice1winner1_best_cost_1_4 <= slice1window_sum_1_9 when slice1winner1_best_cost_1_4_is_less else
+        slice1window_sum_1_8;
+      slice1winner1_best_cost_1_5 <= slice1window_sum_1_11 when slice1winner1_best_cost_1_5_is_less else
+        slice1window_sum_1_10;
+      slice1winner1_best_cost_1_6 <= slice1window_sum_1_13 when slice1winner1_best_cost_1_6_is_less else
+        slice1window_sum_1_12;
+      slice1winner1_best_cost_1_7 <= slice1window_sum_1_15 when slice1winner1_best_cost_1_7_is_less else
+        slice1window_sum_1_14;
+      slice1winner1_best_cost_1_8 <= slice1window_sum_1_17 when slice1winner1_best_cost_1_8_is_less else
+        slice1window_sum_1_16;
+      slice1winner1_best_cost_1_9 <= slice1window_sum_1_19 when slice1winner1_best_cost_1_9_is_less else
+        slice1window_sum_1_18;
+      slice1winner1_best_cost_1_10 <= slice1window_sum_1_21 when slice1winner1_best_cost_1_10_is_less else
+        slice1window_sum_1_20;
+      slice1winner1_best_cost_1_11 <= slice1window_sum_1_23 when slice1winner1_best_cost_1_11_is_less else
+        slice1window_sum_1_22;
+      slice1winner1_best_cost_1_12 <= slice1window_sum_1_24;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
+      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
+      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
+      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
+      slice1winner1_best_index_0_8 <= 17 when slice1winner1_best_cost_0_8_is_less else 16;
+      slice1winner1_best_index_0_9 <= 19 when slice1winner1_best_cost_0_9_is_less else 18;
+      slice1winner1_best_index_0_10 <= 21 when slice1winner1_best_cost_0_10_is_less else 20;
+      slice1winner1_best_index_0_11 <= 23 when slice1winner1_best_cost_0_11_is_less else 22;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      slice1winner1_best_index_1_1 <= 3 when slice1winner1_best_cost_1_1_is_less else 2;
+      slice1winner1_best_index_1_2 <= 5 when slice1winner1_best_cost_1_2_is_less else 4;
+      slice1winner1_best_index_1_3 <= 7 when slice1winner1_best_cost_1_3_is_less else 6;
+      slice1winner1_best_index_1_4 <= 9 when slice1winner1_best_cost_1_4_is_less else 8;
+      slice1winner1_best_index_1_5 <= 11 when slice1winner1_best_cost_1_5_is_less else 10;
+      slice1winner1_best_index_1_6 <= 13 when slice1winner1_best_cost_1_6_is_less else 12;
+      slice1winner1_best_index_1_7 <= 15 when slice1winner1_best_cost_1_7_is_less else 14;
+      slice1winner1_best_index_1_8 <= 17 when slice1winner1_best_cost_1_8_is_less else 16;
+      slice1winner1_best_index_1_9 <= 19 when slice1winner1_best_cost_1_9_is_less else 18;
+      slice1winner1_best_index_1_10 <= 21 when slice1winner1_best_cost_1_10_is_less else 20;
+      slice1winner1_best_index_1_11 <= 23 when slice1winner1_best_cost_1_11_is_less else 22;
       -- slice1winner2
-      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_of_pair_0_4_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
-      slice1winner2_of_pair_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
-      slice1winner2_of_pair_1_2_is_less := (slice1winner1_best_cost_1_3 - slice1winner1_best_cost_1_2) < 0;
-      slice1winner2_of_pair_1_4_is_less := (slice1winner1_best_cost_1_5 - slice1winner1_best_cost_1_4) < 0;
-      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice1winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice1winner2_of_pair_0_1, 12))))) < 0;
-      slice1winner2_of_four_0_4_is_less := (slice1winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice1winner2_of_pair_0_4, 12)) or (to_unsigned(slice1winner2_of_pair_0_5, 12))))) < 0;
-      slice1winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_1_2, 12)) or
-        (to_unsigned(slice1winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice1winner2_of_pair_1_0, 12)) or
-        (to_unsigned(slice1winner2_of_pair_1_1, 12))))) < 0;
-      slice1winner2_of_four_1_4_is_less := (slice1winner2_of_pair_1_6 -
-        to_integer(((to_unsigned(slice1winner2_of_pair_1_4, 12)) or (to_unsigned(slice1winner2_of_pair_1_5, 12))))) < 0;
-      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
-      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
-      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
-      slice1winner2_of_pair_0_4 <= 0 when slice1winner2_of_pair_0_4_is_less else slice1winner1_best_cost_0_4;
-      slice1winner2_of_pair_0_5 <= slice1winner1_best_cost_0_5 when slice1winner2_of_pair_0_4_is_less else 0;
-      slice1winner2_of_pair_0_6 <= slice1winner1_best_cost_0_6;
-      slice1winner2_of_pair_1_0 <= 0 when slice1winner2_of_pair_1_0_is_less else slice1winner1_best_cost_1_0;
-      slice1winner2_of_pair_1_1 <= slice1winner1_best_cost_1_1 when slice1winner2_of_pair_1_0_is_less else 0;
-      slice1winner2_of_pair_1_2 <= 0 when slice1winner2_of_pair_1_2_is_less else slice1winner1_best_cost_1_2;
-      slice1winner2_of_pair_1_3 <= slice1winner1_best_cost_1_3 when slice1winner2_of_pair_1_2_is_less else 0;
-      slice1winner2_of_pair_1_4 <= 0 when slice1winner2_of_pair_1_4_is_less else slice1winner1_best_cost_1_4;
-      slice1winner2_of_pair_1_5 <= slice1winner1_best_cost_1_5 when slice1winner2_of_pair_1_4_is_less else 0;
-      slice1winner2_of_pair_1_6 <= slice1winner1_best_cost_1_6;
-      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
-        slice1winner1_best_index_0_0;
-      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
+      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
+      slice1winner2_best_cost_0_4_is_less := (slice1winner1_best_cost_0_9 - slice1winner1_best_cost_0_8) < 0;
+      slice1winner2_best_cost_0_5_is_less := (slice1winner1_best_cost_0_11 - slice1winner1_best_cost_0_10) < 0;
+      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
+      slice1winner2_best_cost_1_1_is_less := (slice1winner1_best_cost_1_3 - slice1winner1_best_cost_1_2) < 0;
+      slice1winner2_best_cost_1_2_is_less := (slice1winner1_best_cost_1_5 - slice1winner1_best_cost_1_4) < 0;
+      slice1winner2_best_cost_1_3_is_less := (slice1winner1_best_cost_1_7 - slice1winner1_best_cost_1_6) < 0;
+      slice1winner2_best_cost_1_4_is_less := (slice1winner1_best_cost_1_9 - slice1winner1_best_cost_1_8) < 0;
+      slice1winner2_best_cost_1_5_is_less := (slice1winner1_best_cost_1_11 - slice1winner1_best_cost_1_10) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_cost_0_6;
+      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_cost_0_8;
+      slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_cost_0_10;
+      slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_3 when slice1winner2_best_cost_1_1_is_less else
+        slice1winner1_best_cost_1_2;
+      slice1winner2_best_cost_1_2 <= slice1winner1_best_cost_1_5 when slice1winner2_best_cost_1_2_is_less else
+        slice1winner1_best_cost_1_4;
+      slice1winner2_best_cost_1_3 <= slice1winner1_best_cost_1_7 when slice1winner2_best_cost_1_3_is_less else
+        slice1winner1_best_cost_1_6;
+      slice1winner2_best_cost_1_4 <= slice1winner1_best_cost_1_9 when slice1winner2_best_cost_1_4_is_less else
+        slice1winner1_best_cost_1_8;
+      slice1winner2_best_cost_1_5 <= slice1winner1_best_cost_1_11 when slice1winner2_best_cost_1_5_is_less else
+        slice1winner1_best_cost_1_10;
+      slice1winner2_best_cost_1_6 <= slice1winner1_best_cost_1_12;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_pair_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_of_pair_0_4_is_less else
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
         slice1winner1_best_index_0_4;
-      slice1winner2_pair_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_of_pair_1_0_is_less else
-        slice1winner1_best_index_1_0;
-      slice1winner2_pair_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_of_pair_1_2_is_less else
+      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_index_0_6;
+      slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_index_0_8;
+      slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_index_0_10;
+      slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_best_cost_1_0_is_less else
+        as_number(slice1winner1_best_index_1_0);
+      slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_best_cost_1_1_is_less else
         slice1winner1_best_index_1_2;
-      slice1winner2_pair_index_1_2 <= slice1winner1_best_index_1_5 when slice1winner2_of_pair_1_4_is_less else
+      slice1winner2_best_index_1_2 <= slice1winner1_best_index_1_5 when slice1winner2_best_cost_1_2_is_less else
         slice1winner1_best_index_1_4;
-      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
-      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
-      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_4 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_4;
-      slice1winner2_of_four_0_5 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_5;
-      slice1winner2_of_four_0_6 <= slice1winner2_of_pair_0_6 when slice1winner2_of_four_0_4_is_less else 0;
-      slice1winner2_of_four_1_0 <= 0 when slice1winner2_of_four_1_0_is_less else slice1winner2_of_pair_1_0;
-      slice1winner2_of_four_1_1 <= 0 when slice1winner2_of_four_1_0_is_less else slice1winner2_of_pair_1_1;
-      slice1winner2_of_four_1_2 <= slice1winner2_of_pair_1_2 when slice1winner2_of_four_1_0_is_less else 0;
-      slice1winner2_of_four_1_3 <= slice1winner2_of_pair_1_3 when slice1winner2_of_four_1_0_is_less else 0;
-      slice1winner2_of_four_1_4 <= 0 when slice1winner2_of_four_1_4_is_less else slice1winner2_of_pair_1_4;
-      slice1winner2_of_four_1_5 <= 0 when slice1winner2_of_four_1_4_is_less else slice1winner2_of_pair_1_5;
-      slice1winner2_of_four_1_6 <= slice1winner2_of_pair_1_6 when slice1winner2_of_four_1_4_is_less else 0;
-      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
-        slice1winner2_pair_index_0_0;
-      slice1winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_0_4_is_less else
-        slice1winner2_pair_index_0_2;
-      slice1winner2_four_index_1_0 <= slice1winner2_pair_index_1_1 when slice1winner2_of_four_1_0_is_less else
-        slice1winner2_pair_index_1_0;
-      slice1winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_1_4_is_less else
-        slice1winner2_pair_index_1_2;
-      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice1winner2_of_four_0_3, 12)))) or (to_unsigned(slice1winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice1winner2_of_four_0_0, 12))));
-      slice1winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_0_5, 12)) or
-        (to_unsigned(slice1winner2_of_four_0_6, 12)))) or (to_unsigned(slice1winner2_of_four_0_4, 12))));
-      slice1winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_1_2, 12)) or
-        (to_unsigned(slice1winner2_of_four_1_3, 12)))) or (to_unsigned(slice1winner2_of_four_1_1, 12)))) or
-        (to_unsigned(slice1winner2_of_four_1_0, 12))));
-      slice1winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_1_5, 12)) or
-        (to_unsigned(slice1winner2_of_four_1_6, 12)))) or (to_unsigned(slice1winner2_of_four_1_4, 12))));
-      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
-      slice1winner2_best_index_0_1 <= slice1winner2_four_index_0_1;
-      slice1winner2_best_index_1_0 <= slice1winner2_four_index_1_0;
-      slice1winner2_best_index_1_1 <= slice1winner2_four_index_1_1;
+      slice1winner2_best_index_1_3 <= slice1winner1_best_index_1_7 when slice1winner2_best_cost_1_3_is_less else
+        slice1winner1_best_index_1_6;
+      slice1winner2_best_index_1_4 <= slice1winner1_best_index_1_9 when slice1winner2_best_cost_1_4_is_less else
+        slice1winner1_best_index_1_8;
+      slice1winner2_best_index_1_5 <= slice1winner1_best_index_1_11 when slice1winner2_best_cost_1_5_is_less else
+        slice1winner1_best_index_1_10;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
+      slice1winner3_best_cost_0_2_is_less := (slice1winner2_best_cost_0_5 - slice1winner2_best_cost_0_4) < 0;
       slice1winner3_best_cost_1_0_is_less := (slice1winner2_best_cost_1_1 - slice1winner2_best_cost_1_0) < 0;
+      slice1winner3_best_cost_1_1_is_less := (slice1winner2_best_cost_1_3 - slice1winner2_best_cost_1_2) < 0;
+      slice1winner3_best_cost_1_2_is_less := (slice1winner2_best_cost_1_5 - slice1winner2_best_cost_1_4) < 0;
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_cost_0_2;
+      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_cost_0_4;
+      slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
       slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_1 when slice1winner3_best_cost_1_0_is_less else
         slice1winner2_best_cost_1_0;
+      slice1winner3_best_cost_1_1 <= slice1winner2_best_cost_1_3 when slice1winner3_best_cost_1_1_is_less else
+        slice1winner2_best_cost_1_2;
+      slice1winner3_best_cost_1_2 <= slice1winner2_best_cost_1_5 when slice1winner3_best_cost_1_2_is_less else
+        slice1winner2_best_cost_1_4;
+      slice1winner3_best_cost_1_3 <= slice1winner2_best_cost_1_6;
       slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_index_0_0;
+      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_index_0_2;
+      slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_index_0_4;
       slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_1 when slice1winner3_best_cost_1_0_is_less else
         slice1winner2_best_index_1_0;
+      slice1winner3_best_index_1_1 <= slice1winner2_best_index_1_3 when slice1winner3_best_cost_1_1_is_less else
+        slice1winner2_best_index_1_2;
+      slice1winner3_best_index_1_2 <= slice1winner2_best_index_1_5 when slice1winner3_best_cost_1_2_is_less else
+        slice1winner2_best_index_1_4;
+      -- slice1winner4
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
+      slice1winner4_best_cost_0_1_is_less := (slice1winner3_best_cost_0_3 - slice1winner3_best_cost_0_2) < 0;
+      slice1winner4_best_cost_1_0_is_less := (slice1winner3_best_cost_1_1 - slice1winner3_best_cost_1_0) < 0;
+      slice1winner4_best_cost_1_1_is_less := (slice1winner3_best_cost_1_3 - slice1winner3_best_cost_1_2) < 0;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_cost_0_0;
+      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_cost_0_2;
+      slice1winner4_best_cost_1_0 <= slice1winner3_best_cost_1_1 when slice1winner4_best_cost_1_0_is_less else
+        slice1winner3_best_cost_1_0;
+      slice1winner4_best_cost_1_1 <= slice1winner3_best_cost_1_3 when slice1winner4_best_cost_1_1_is_less else
+        slice1winner3_best_cost_1_2;
+      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
+      slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_index_0_2;
+      slice1winner4_best_index_1_0 <= slice1winner3_best_index_1_1 when slice1winner4_best_cost_1_0_is_less else
+        slice1winner3_best_index_1_0;
+      slice1winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_1_1_is_less else
+        slice1winner3_best_index_1_2;
+      -- slice1winner5
+      slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
+      slice1winner5_best_cost_1_0_is_less := (slice1winner4_best_cost_1_1 - slice1winner4_best_cost_1_0) < 0;
+      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_cost_0_0;
+      slice1winner5_best_cost_1_0 <= slice1winner4_best_cost_1_1 when slice1winner5_best_cost_1_0_is_less else
+        slice1winner4_best_cost_1_0;
+      slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_index_0_0;
+      slice1winner5_best_index_1_0 <= slice1winner4_best_index_1_1 when slice1winner5_best_cost_1_0_is_less else
+        slice1winner4_best_index_1_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
-      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner3_best_cost_1_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner3_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner3_best_cost_1_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner5_best_cost_1_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner5_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner5_best_cost_1_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner3_best_index_0_0 / 2) + 25) * 2) + (slice1winner3_best_index_0_0 mod 2);
+        (((slice1winner5_best_index_0_0 / 2) + 25) * 2) + (slice1winner5_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner3_best_index_1_0 / 2) + 25) * 2) + (slice1winner3_best_index_1_0 mod 2);
+        (((slice1winner5_best_index_1_0 / 2) + 25) * 2) + (slice1winner5_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -5271,9 +4904,10 @@ begin
       slice2cost_difference_3_22_difference := slice2shift_search_3_22 - slice2shift_reference_3;
       slice2cost_difference_3_23_difference := slice2shift_search_3_23 - slice2shift_reference_3;
       slice2cost_difference_3_24_difference := slice2shift_search_3_24 - slice2shift_reference_3;
-      slice2cost_signs_difference_column <= slice1cost_signs_difference_column;
+      slice2cost_signs_difference_column <= slice0cost_signs_write_column;
       slice2cost_signs_ready_words_0 <= to_integer(slice2cost_signs_read_words_0);
       slice2cost_signs_ready_words_1 <= to_integer(slice2cost_signs_read_words_1);
+      slice2cost_signs_write_column <= slice2cost_signs_difference_column;
       slice2cost_difference_0_0 <= (slice2cost_difference_0_0_choice - slice2cost_difference_0_0_choice_2) mod 256;
       slice2cost_difference_0_1 <= (slice2cost_difference_0_1_choice - slice2cost_difference_0_1_choice_2) mod 256;
       slice2cost_difference_0_2 <= (slice2cost_difference_0_2_choice - slice2cost_difference_0_2_choice_2) mod 256;
@@ -5676,7 +5310,6 @@ begin
         slice2cost_pair_0_24 + slice2cost_single_3_24;
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
       if slice0cost_tag_valid then
-        slice2cost_signs_write_column <= slice2cost_signs_difference_column;
         slice2cost_signs_write_words_0 <= (as_number(slice2cost_newest_negative_0_23) * 8388608) +
           (as_number(slice2cost_newest_negative_0_24) * 16777216) + (as_number(slice2cost_newest_negative_0_22) *
           4194304) + (as_number(slice2cost_newest_negative_0_21) * 2097152) +
@@ -5707,7 +5340,7 @@ begin
           as_number(slice2cost_newest_negative_1_0) + (as_number(slice2cost_newest_negative_1_1) * 2);
       end if;
       -- slice2window
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_0_2 <= slice2cost_column_0_2;
@@ -5860,363 +5493,241 @@ begin
       slice2window_sum_1_23 <= slice2cost_column_1_23 + slice2window_partial_1_1_23;
       slice2window_sum_1_24 <= slice2cost_column_1_24 + slice2window_partial_1_1_24;
       -- slice2winner1
-      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
-      slice2winner1_of_pair_0_4_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
-      slice2winner1_of_pair_0_6_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
-      slice2winner1_of_pair_0_8_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
-      slice2winner1_of_pair_0_10_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
-      slice2winner1_of_pair_0_12_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
-      slice2winner1_of_pair_0_14_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
-      slice2winner1_of_pair_0_16_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
-      slice2winner1_of_pair_0_18_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
-      slice2winner1_of_pair_0_20_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
-      slice2winner1_of_pair_0_22_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
-      slice2winner1_of_pair_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
-      slice2winner1_of_pair_1_2_is_less := (slice2window_sum_1_3 - slice2window_sum_1_2) < 0;
-      slice2winner1_of_pair_1_4_is_less := (slice2window_sum_1_5 - slice2window_sum_1_4) < 0;
-      slice2winner1_of_pair_1_6_is_less := (slice2window_sum_1_7 - slice2window_sum_1_6) < 0;
-      slice2winner1_of_pair_1_8_is_less := (slice2window_sum_1_9 - slice2window_sum_1_8) < 0;
-      slice2winner1_of_pair_1_10_is_less := (slice2window_sum_1_11 - slice2window_sum_1_10) < 0;
-      slice2winner1_of_pair_1_12_is_less := (slice2window_sum_1_13 - slice2window_sum_1_12) < 0;
-      slice2winner1_of_pair_1_14_is_less := (slice2window_sum_1_15 - slice2window_sum_1_14) < 0;
-      slice2winner1_of_pair_1_16_is_less := (slice2window_sum_1_17 - slice2window_sum_1_16) < 0;
-      slice2winner1_of_pair_1_18_is_less := (slice2window_sum_1_19 - slice2window_sum_1_18) < 0;
-      slice2winner1_of_pair_1_20_is_less := (slice2window_sum_1_21 - slice2window_sum_1_20) < 0;
-      slice2winner1_of_pair_1_22_is_less := (slice2window_sum_1_23 - slice2window_sum_1_22) < 0;
-      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_1, 12))))) < 0;
-      slice2winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_5, 12))))) < 0;
-      slice2winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_9, 12))))) < 0;
-      slice2winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_14, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_12, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_13, 12))))) < 0;
-      slice2winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_18, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_16, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_17, 12))))) < 0;
-      slice2winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_22, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_20, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_21, 12))))) < 0;
-      slice2winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_2, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_0, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_1, 12))))) < 0;
-      slice2winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_6, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_4, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_5, 12))))) < 0;
-      slice2winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_10, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_8, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_9, 12))))) < 0;
-      slice2winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_14, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_12, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_13, 12))))) < 0;
-      slice2winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_18, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_16, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_17, 12))))) < 0;
-      slice2winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_22, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_20, 12)) or
-        (to_unsigned(slice2winner1_of_pair_1_21, 12))))) < 0;
-      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
-      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
-      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
-      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
-      slice2winner1_of_pair_0_4 <= 0 when slice2winner1_of_pair_0_4_is_less else slice2window_sum_0_4;
-      slice2winner1_of_pair_0_5 <= slice2window_sum_0_5 when slice2winner1_of_pair_0_4_is_less else 0;
-      slice2winner1_of_pair_0_6 <= 0 when slice2winner1_of_pair_0_6_is_less else slice2window_sum_0_6;
-      slice2winner1_of_pair_0_7 <= slice2window_sum_0_7 when slice2winner1_of_pair_0_6_is_less else 0;
-      slice2winner1_of_pair_0_8 <= 0 when slice2winner1_of_pair_0_8_is_less else slice2window_sum_0_8;
-      slice2winner1_of_pair_0_9 <= slice2window_sum_0_9 when slice2winner1_of_pair_0_8_is_less else 0;
-      slice2winner1_of_pair_0_10 <= 0 when slice2winner1_of_pair_0_10_is_less else slice2window_sum_0_10;
-      slice2winner1_of_pair_0_11 <= slice2window_sum_0_11 when slice2winner1_of_pair_0_10_is_less else 0;
-      slice2winner1_of_pair_0_12 <= 0 when slice2winner1_of_pair_0_12_is_less else slice2window_sum_0_12;
-      slice2winner1_of_pair_0_13 <= slice2window_sum_0_13 when slice2winner1_of_pair_0_12_is_less else 0;
-      slice2winner1_of_pair_0_14 <= 0 when slice2winner1_of_pair_0_14_is_less else slice2window_sum_0_14;
-      slice2winner1_of_pair_0_15 <= slice2window_sum_0_15 when slice2winner1_of_pair_0_14_is_less else 0;
-      slice2winner1_of_pair_0_16 <= 0 when slice2winner1_of_pair_0_16_is_less else slice2window_sum_0_16;
-      slice2winner1_of_pair_0_17 <= slice2window_sum_0_17 when slice2winner1_of_pair_0_16_is_less else 0;
-      slice2winner1_of_pair_0_18 <= 0 when slice2winner1_of_pair_0_18_is_less else slice2window_sum_0_18;
-      slice2winner1_of_pair_0_19 <= slice2window_sum_0_19 when slice2winner1_of_pair_0_18_is_less else 0;
-      slice2winner1_of_pair_0_20 <= 0 when slice2winner1_of_pair_0_20_is_less else slice2window_sum_0_20;
-      slice2winner1_of_pair_0_21 <= slice2window_sum_0_21 when slice2winner1_of_pair_0_20_is_less else 0;
-      slice2winner1_of_pair_0_22 <= 0 when slice2winner1_of_pair_0_22_is_less else slice2window_sum_0_22;
-      slice2winner1_of_pair_0_23 <= slice2window_sum_0_23 when slice2winner1_of_pair_0_22_is_less else 0;
-      slice2winner1_of_pair_0_24 <= slice2window_sum_0_24;
-      slice2winner1_of_pair_1_0 <= 0 when slice2winner1_of_pair_1_0_is_less else slice2window_sum_1_0;
-      slice2winner1_of_pair_1_1 <= slice2window_sum_1_1 when slice2winner1_of_pair_1_0_is_less else 0;
-      slice2winner1_of_pair_1_2 <= 0 when slice2winner1_of_pair_1_2_is_less else slice2window_sum_1_2;
-      slice2winner1_of_pair_1_3 <= slice2window_sum_1_3 when slice2winner1_of_pair_1_2_is_less else 0;
-      slice2winner1_of_pair_1_4 <= 0 when slice2winner1_of_pair_1_4_is_less else slice2window_sum_1_4;
-      slice2winner1_of_pair_1_5 <= slice2window_sum_1_5 when slice2winner1_of_pair_1_4_is_less else 0;
-      slice2winner1_of_pair_1_6 <= 0 when slice2winner1_of_pair_1_6_is_less else slice2window_sum_1_6;
-      slice2winner1_of_pair_1_7 <= slice2window_sum_1_7 when slice2winner1_of_pair_1_6_is_less else 0;
-      slice2winner1_of_pair_1_8 <= 0 when slice2winner1_of_pair_1_8_is_less else slice2window_sum_1_8;
-      slice2winner1_of_pair_1_9 <= slice2window_sum_1_9 when slice2winner1_of_pair_1_8_is_less else 0;
-      slice2winner1_of_pair_1_10 <= 0 when slice2winner1_of_pair_1_10_is_less else slice2window_sum_1_10;
-      slice2winner1_of_pair_1_11 <= slice2window_sum_1_11 when slice2winner1_of_pair_1_10_is_less else 0;
-      slice2winner1_of_pair_1_12 <= 0 when slice2winner1_of_pair_1_12_is_less else slice2window_sum_1_12;
-      slice2winner1_of_pair_1_13 <= slice2window_sum_1_13 when slice2winner1_of_pair_1_12_is_less else 0;
-      slice2winner1_of_pair_1_14 <= 0 when slice2winner1_of_pair_1_14_is_less else slice2window_sum_1_14;
-      slice2winner1_of_pair_1_15 <= slice2window_sum_1_15 when slice2winner1_of_pair_1_14_is_less else 0;
-      slice2winner1_of_pair_1_16 <= 0 when slice2winner1_of_pair_1_16_is_less else slice2window_sum_1_16;
-      slice2winner1_of_pair_1_17 <= slice2window_sum_1_17 when slice2winner1_of_pair_1_16_is_less else 0;
-      slice2winner1_of_pair_1_18 <= 0 when slice2winner1_of_pair_1_18_is_less else slice2window_sum_1_18;
-      slice2winner1_of_pair_1_19 <= slice2window_sum_1_19 when slice2winner1_of_pair_1_18_is_less else 0;
-      slice2winner1_of_pair_1_20 <= 0 when slice2winner1_of_pair_1_20_is_less else slice2window_sum_1_20;
-      slice2winner1_of_pair_1_21 <= slice2window_sum_1_21 when slice2winner1_of_pair_1_20_is_less else 0;
-      slice2winner1_of_pair_1_22 <= 0 when slice2winner1_of_pair_1_22_is_less else slice2window_sum_1_22;
-      slice2winner1_of_pair_1_23 <= slice2window_sum_1_23 when slice2winner1_of_pair_1_22_is_less else 0;
-      slice2winner1_of_pair_1_24 <= slice2window_sum_1_24;
-      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
-      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
-      slice2winner1_pair_index_0_2 <= 5 when slice2winner1_of_pair_0_4_is_less else 4;
-      slice2winner1_pair_index_0_3 <= 7 when slice2winner1_of_pair_0_6_is_less else 6;
-      slice2winner1_pair_index_0_4 <= 9 when slice2winner1_of_pair_0_8_is_less else 8;
-      slice2winner1_pair_index_0_5 <= 11 when slice2winner1_of_pair_0_10_is_less else 10;
-      slice2winner1_pair_index_0_6 <= 13 when slice2winner1_of_pair_0_12_is_less else 12;
-      slice2winner1_pair_index_0_7 <= 15 when slice2winner1_of_pair_0_14_is_less else 14;
-      slice2winner1_pair_index_0_8 <= 17 when slice2winner1_of_pair_0_16_is_less else 16;
-      slice2winner1_pair_index_0_9 <= 19 when slice2winner1_of_pair_0_18_is_less else 18;
-      slice2winner1_pair_index_0_10 <= 21 when slice2winner1_of_pair_0_20_is_less else 20;
-      slice2winner1_pair_index_0_11 <= 23 when slice2winner1_of_pair_0_22_is_less else 22;
-      slice2winner1_pair_index_1_0 <= slice2winner1_of_pair_1_0_is_less;
-      slice2winner1_pair_index_1_1 <= 3 when slice2winner1_of_pair_1_2_is_less else 2;
-      slice2winner1_pair_index_1_2 <= 5 when slice2winner1_of_pair_1_4_is_less else 4;
-      slice2winner1_pair_index_1_3 <= 7 when slice2winner1_of_pair_1_6_is_less else 6;
-      slice2winner1_pair_index_1_4 <= 9 when slice2winner1_of_pair_1_8_is_less else 8;
-      slice2winner1_pair_index_1_5 <= 11 when slice2winner1_of_pair_1_10_is_less else 10;
-      slice2winner1_pair_index_1_6 <= 13 when slice2winner1_of_pair_1_12_is_less else 12;
-      slice2winner1_pair_index_1_7 <= 15 when slice2winner1_of_pair_1_14_is_less else 14;
-      slice2winner1_pair_index_1_8 <= 17 when slice2winner1_of_pair_1_16_is_less else 16;
-      slice2winner1_pair_index_1_9 <= 19 when slice2winner1_of_pair_1_18_is_less else 18;
-      slice2winner1_pair_index_1_10 <= 21 when slice2winner1_of_pair_1_20_is_less else 20;
-      slice2winner1_pair_index_1_11 <= 23 when slice2winner1_of_pair_1_22_is_less else 22;
-      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
-      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
-      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_4 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_4;
-      slice2winner1_of_four_0_5 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_5;
-      slice2winner1_of_four_0_6 <= slice2winner1_of_pair_0_6 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_7 <= slice2winner1_of_pair_0_7 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_8 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_8;
-      slice2winner1_of_four_0_9 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_9;
-      slice2winner1_of_four_0_10 <= slice2winner1_of_pair_0_10 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_11 <= slice2winner1_of_pair_0_11 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_12 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_12;
-      slice2winner1_of_four_0_13 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_13;
-      slice2winner1_of_four_0_14 <= slice2winner1_of_pair_0_14 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_of_four_0_15 <= slice2winner1_of_pair_0_15 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_of_four_0_16 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_16;
-      slice2winner1_of_four_0_17 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_17;
-      slice2winner1_of_four_0_18 <= slice2winner1_of_pair_0_18 when slice2winner1_of_four_0_16_is_less else 0;
-      slice2winner1_of_four_0_19 <= slice2winner1_of_pair_0_19 when slice2winner1_of_four_0_16_is_less else 0;
-      slice2winner1_of_four_0_20 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_20;
-      slice2winner1_of_four_0_21 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_21;
-      slice2winner1_of_four_0_22 <= slice2winner1_of_pair_0_22 when slice2winner1_of_four_0_20_is_less else 0;
-      slice2winner1_of_four_0_23 <= slice2winner1_of_pair_0_23 when slice2winner1_of_four_0_20_is_less else 0;
-      slice2winner1_of_four_0_24 <= slice2winner1_of_pair_0_24;
-      slice2winner1_of_four_1_0 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_0;
-      slice2winner1_of_four_1_1 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_1;
-      slice2winner1_of_four_1_2 <= slice2winner1_of_pair_1_2 when slice2winner1_of_four_1_0_is_less else 0;
-      slice2winner1_of_four_1_3 <= slice2winner1_of_pair_1_3 when slice2winner1_of_four_1_0_is_less else 0;
-      slice2winner1_of_four_1_4 <= 0 when slice2winner1_of_four_1_4_is_less else slice2winner1_of_pair_1_4;
-      slice2winner1_of_four_1_5 <= 0 when slice2winner1_of_four_1_4_is_less else slice2winner1_of_pair_1_5;
-      slice2winner1_of_four_1_6 <= slice2winner1_of_pair_1_6 when slice2winner1_of_four_1_4_is_less else 0;
-      slice2winner1_of_four_1_7 <= slice2winner1_of_pair_1_7 when slice2winner1_of_four_1_4_is_less else 0;
-      slice2winner1_of_four_1_8 <= 0 when slice2winner1_of_four_1_8_is_less else slice2winner1_of_pair_1_8;
-      slice2winner1_of_four_1_9 <= 0 when slice2winner1_of_four_1_8_is_less else slice2winner1_of_pair_1_9;
-      slice2winner1_of_four_1_10 <= slice2winner1_of_pair_1_10 when slice2winner1_of_four_1_8_is_less else 0;
-      slice2winner1_of_four_1_11 <= slice2winner1_of_pair_1_11 when slice2winner1_of_four_1_8_is_less else 0;
-      slice2winner1_of_four_1_12 <= 0 when slice2winner1_of_four_1_12_is_less else slice2winner1_of_pair_1_12;
-      slice2winner1_of_four_1_13 <= 0 when slice2winner1_of_four_1_12_is_less else slice2winner1_of_pair_1_13;
-      slice2winner1_of_four_1_14 <= slice2winner1_of_pair_1_14 when slice2winner1_of_four_1_12_is_less else 0;
-      slice2winner1_of_four_1_15 <= slice2winner1_of_pair_1_15 when slice2winner1_of_four_1_12_is_less else 0;
-      slice2winner1_of_four_1_16 <= 0 when slice2winner1_of_four_1_16_is_less else slice2winner1_of_pair_1_16;
-      slice2winner1_of_four_1_17 <= 0 when slice2winner1_of_four_1_16_is_less else slice2winner1_of_pair_1_17;
-      slice2winner1_of_four_1_18 <= slice2winner1_of_pair_1_18 when slice2winner1_of_four_1_16_is_less else 0;
-      slice2winner1_of_four_1_19 <= slice2winner1_of_pair_1_19 when slice2winner1_of_four_1_16_is_less else 0;
-      slice2winner1_of_four_1_20 <= 0 when slice2winner1_of_four_1_20_is_less else slice2winner1_of_pair_1_20;
-      slice2winner1_of_four_1_21 <= 0 when slice2winner1_of_four_1_20_is_less else slice2winner1_of_pair_1_21;
-      slice2winner1_of_four_1_22 <= slice2winner1_of_pair_1_22 when slice2winner1_of_four_1_20_is_less else 0;
-      slice2winner1_of_four_1_23 <= slice2winner1_of_pair_1_23 when slice2winner1_of_four_1_20_is_less else 0;
-      slice2winner1_of_four_1_24 <= slice2winner1_of_pair_1_24;
-      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
-        as_number(slice2winner1_pair_index_0_0);
-      slice2winner1_four_index_0_1 <= slice2winner1_pair_index_0_3 when slice2winner1_of_four_0_4_is_less else
-        slice2winner1_pair_index_0_2;
-      slice2winner1_four_index_0_2 <= slice2winner1_pair_index_0_5 when slice2winner1_of_four_0_8_is_less else
-        slice2winner1_pair_index_0_4;
-      slice2winner1_four_index_0_3 <= slice2winner1_pair_index_0_7 when slice2winner1_of_four_0_12_is_less else
-        slice2winner1_pair_index_0_6;
-      slice2winner1_four_index_0_4 <= slice2winner1_pair_index_0_9 when slice2winner1_of_four_0_16_is_less else
-        slice2winner1_pair_index_0_8;
-      slice2winner1_four_index_0_5 <= slice2winner1_pair_index_0_11 when slice2winner1_of_four_0_20_is_less else
-        slice2winner1_pair_index_0_10;
-      slice2winner1_four_index_1_0 <= slice2winner1_pair_index_1_1 when slice2winner1_of_four_1_0_is_less else
-        as_number(slice2winner1_pair_index_1_0);
-      slice2winner1_four_index_1_1 <= slice2winner1_pair_index_1_3 when slice2winner1_of_four_1_4_is_less else
-        slice2winner1_pair_index_1_2;
-      slice2winner1_four_index_1_2 <= slice2winner1_pair_index_1_5 when slice2winner1_of_four_1_8_is_less else
-        slice2winner1_pair_index_1_4;
-      slice2winner1_four_index_1_3 <= slice2winner1_pair_index_1_7 when slice2winner1_of_four_1_12_is_less else
-        slice2winner1_pair_index_1_6;
-      slice2winner1_four_index_1_4 <= slice2winner1_pair_index_1_9 when slice2winner1_of_four_1_16_is_less else
-        slice2winner1_pair_index_1_8;
-      slice2winner1_four_index_1_5 <= slice2winner1_pair_index_1_11 when slice2winner1_of_four_1_20_is_less else
-        slice2winner1_pair_index_1_10;
-      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_3, 12)))) or (to_unsigned(slice2winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_0, 12))));
-      slice2winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_7, 12)))) or (to_unsigned(slice2winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_4, 12))));
-      slice2winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_11, 12)))) or (to_unsigned(slice2winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_8, 12))));
-      slice2winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_14, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_15, 12)))) or (to_unsigned(slice2winner1_of_four_0_13, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_12, 12))));
-      slice2winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_18, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_19, 12)))) or (to_unsigned(slice2winner1_of_four_0_17, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_16, 12))));
-      slice2winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_22, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_23, 12)))) or (to_unsigned(slice2winner1_of_four_0_21, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_20, 12))));
-      slice2winner1_best_cost_0_6 <= slice2winner1_of_four_0_24;
-      slice2winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_2, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_3, 12)))) or (to_unsigned(slice2winner1_of_four_1_1, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_0, 12))));
-      slice2winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_6, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_7, 12)))) or (to_unsigned(slice2winner1_of_four_1_5, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_4, 12))));
-      slice2winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_10, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_11, 12)))) or (to_unsigned(slice2winner1_of_four_1_9, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_8, 12))));
-      slice2winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_14, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_15, 12)))) or (to_unsigned(slice2winner1_of_four_1_13, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_12, 12))));
-      slice2winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_18, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_19, 12)))) or (to_unsigned(slice2winner1_of_four_1_17, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_16, 12))));
-      slice2winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_22, 12)) or
-        (to_unsigned(slice2winner1_of_four_1_23, 12)))) or (to_unsigned(slice2winner1_of_four_1_21, 12)))) or
-        (to_unsigned(slice2winner1_of_four_1_20, 12))));
-      slice2winner1_best_cost_1_6 <= slice2winner1_of_four_1_24;
-      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
-      slice2winner1_best_index_0_1 <= slice2winner1_four_index_0_1;
-      slice2winner1_best_index_0_2 <= slice2winner1_four_index_0_2;
-      slice2winner1_best_index_0_3 <= slice2winner1_four_index_0_3;
-      slice2winner1_best_index_0_4 <= slice2winner1_four_index_0_4;
-      slice2winner1_best_index_0_5 <= slice2winner1_four_index_0_5;
-      slice2winner1_best_index_1_0 <= slice2winner1_four_index_1_0;
-      slice2winner1_best_index_1_1 <= slice2winner1_four_index_1_1;
-      slice2winner1_best_index_1_2 <= slice2winner1_four_index_1_2;
-      slice2winner1_best_index_1_3 <= slice2winner1_four_index_1_3;
-      slice2winner1_best_index_1_4 <= slice2winner1_four_index_1_4;
-      slice2winner1_best_index_1_5 <= slice2winner1_four_index_1_5;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_best_cost_0_4_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
+      slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
+      slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
+      slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
+      slice2winner1_best_cost_0_8_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
+      slice2winner1_best_cost_0_9_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
+      slice2winner1_best_cost_0_10_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
+      slice2winner1_best_cost_0_11_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
+      slice2winner1_best_cost_1_1_is_less := (slice2window_sum_1_3 - slice2window_sum_1_2) < 0;
+      slice2winner1_best_cost_1_2_is_less := (slice2window_sum_1_5 - slice2window_sum_1_4) < 0;
+      slice2winner1_best_cost_1_3_is_less := (slice2window_sum_1_7 - slice2window_sum_1_6) < 0;
+      slice2winner1_best_cost_1_4_is_less := (slice2window_sum_1_9 - slice2window_sum_1_8) < 0;
+      slice2winner1_best_cost_1_5_is_less := (slice2window_sum_1_11 - slice2window_sum_1_10) < 0;
+      slice2winner1_best_cost_1_6_is_less := (slice2window_sum_1_13 - slice2window_sum_1_12) < 0;
+      slice2winner1_best_cost_1_7_is_less := (slice2window_sum_1_15 - slice2window_sum_1_14) < 0;
+      slice2winner1_best_cost_1_8_is_less := (slice2window_sum_1_17 - slice2window_sum_1_16) < 0;
+      slice2winner1_best_cost_1_9_is_less := (slice2window_sum_1_19 - slice2window_sum_1_18) < 0;
+      slice2winner1_best_cost_1_10_is_less := (slice2window_sum_1_21 - slice2window_sum_1_20) < 0;
+      slice2winner1_best_cost_1_11_is_less := (slice2window_sum_1_23 - slice2window_sum_1_22) < 0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
+        slice2window_sum_0_2;
+      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
+        slice2window_sum_0_4;
+      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
+        slice2window_sum_0_6;
+      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
+        slice2window_sum_0_8;
+      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
+        slice2window_sum_0_10;
+      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
+        slice2window_sum_0_12;
+      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
+        slice2window_sum_0_14;
+      slice2winner1_best_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_best_cost_0_8_is_less else
+        slice2window_sum_0_16;
+      slice2winner1_best_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_best_cost_0_9_is_less else
+        slice2window_sum_0_18;
+      slice2winner1_best_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_best_cost_0_10_is_less else
+        slice2window_sum_0_20;
+      slice2winner1_best_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_best_cost_0_11_is_less else
+        slice2window_sum_0_22;
+      slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
+      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
+        slice2window_sum_1_0;
+      slice2winner1_best_cost_1_1 <= slice2window_sum_1_3 when slice2winner1_best_cost_1_1_is_less else
+        slice2window_sum_1_2;
+      slice2winner1_best_cost_1_2 <= slice2window_sum_1_5 when slice2winner1_best_cost_1_2_is_less else
+        slice2window_sum_1_4;
+      slice2winner1_best_cost_1_3 <= slice2window_sum_1_7 when slice2winner1_best_cost_1_3_is_less else
+        slice2window_sum_1_6;
+      slice2winner1_best_cost_1_4 <= slice2window_sum_1_9 when slice2winner1_best_cost_1_4_is_less else
+        slice2window_sum_1_8;
+      slice2winner1_best_cost_1_5 <= slice2window_sum_1_11 when slice2winner1_best_cost_1_5_is_less else
+        slice2window_sum_1_10;
+      slice2winner1_best_cost_1_6 <= slice2window_sum_1_13 when slice2winner1_best_cost_1_6_is_less else
+        slice2window_sum_1_12;
+      slice2winner1_best_cost_1_7 <= slice2window_sum_1_15 when slice2winner1_best_cost_1_7_is_less else
+        slice2window_sum_1_14;
+      slice2winner1_best_cost_1_8 <= slice2window_sum_1_17 when slice2winner1_best_cost_1_8_is_less else
+        slice2window_sum_1_16;
+      slice2winner1_best_cost_1_9 <= slice2window_sum_1_19 when slice2winner1_best_cost_1_9_is_less else
+        slice2window_sum_1_18;
+      slice2winner1_best_cost_1_10 <= slice2window_sum_1_21 when slice2winner1_best_cost_1_10_is_less else
+        slice2window_sum_1_20;
+      slice2winner1_best_cost_1_11 <= slice2window_sum_1_23 when slice2winner1_best_cost_1_11_is_less else
+        slice2window_sum_1_22;
+      slice2winner1_best_cost_1_12 <= slice2window_sum_1_24;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
+      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
+      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
+      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
+      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
+      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
+      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
+      slice2winner1_best_index_0_8 <= 17 when slice2winner1_best_cost_0_8_is_less else 16;
+      slice2winner1_best_index_0_9 <= 19 when slice2winner1_best_cost_0_9_is_less else 18;
+      slice2winner1_best_index_0_10 <= 21 when slice2winner1_best_cost_0_10_is_less else 20;
+      slice2winner1_best_index_0_11 <= 23 when slice2winner1_best_cost_0_11_is_less else 22;
+      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      slice2winner1_best_index_1_1 <= 3 when slice2winner1_best_cost_1_1_is_less else 2;
+      slice2winner1_best_index_1_2 <= 5 when slice2winner1_best_cost_1_2_is_less else 4;
+      slice2winner1_best_index_1_3 <= 7 when slice2winner1_best_cost_1_3_is_less else 6;
+      slice2winner1_best_index_1_4 <= 9 when slice2winner1_best_cost_1_4_is_less else 8;
+      slice2winner1_best_index_1_5 <= 11 when slice2winner1_best_cost_1_5_is_less else 10;
+      slice2winner1_best_index_1_6 <= 13 when slice2winner1_best_cost_1_6_is_less else 12;
+      slice2winner1_best_index_1_7 <= 15 when slice2winner1_best_cost_1_7_is_less else 14;
+      slice2winner1_best_index_1_8 <= 17 when slice2winner1_best_cost_1_8_is_less else 16;
+      slice2winner1_best_index_1_9 <= 19 when slice2winner1_best_cost_1_9_is_less else 18;
+      slice2winner1_best_index_1_10 <= 21 when slice2winner1_best_cost_1_10_is_less else 20;
+      slice2winner1_best_index_1_11 <= 23 when slice2winner1_best_cost_1_11_is_less else 22;
       -- slice2winner2
-      slice2winner2_of_pair_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
-      slice2winner2_of_pair_0_2_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
-      slice2winner2_of_pair_0_4_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
-      slice2winner2_of_pair_1_0_is_less := (slice2winner1_best_cost_1_1 - slice2winner1_best_cost_1_0) < 0;
-      slice2winner2_of_pair_1_2_is_less := (slice2winner1_best_cost_1_3 - slice2winner1_best_cost_1_2) < 0;
-      slice2winner2_of_pair_1_4_is_less := (slice2winner1_best_cost_1_5 - slice2winner1_best_cost_1_4) < 0;
-      slice2winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice2winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice2winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice2winner2_of_pair_0_1, 12))))) < 0;
-      slice2winner2_of_four_0_4_is_less := (slice2winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice2winner2_of_pair_0_4, 12)) or (to_unsigned(slice2winner2_of_pair_0_5, 12))))) < 0;
-      slice2winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_1_2, 12)) or
-        (to_unsigned(slice2winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice2winner2_of_pair_1_0, 12)) or
-        (to_unsigned(slice2winner2_of_pair_1_1, 12))))) < 0;
-      slice2winner2_of_four_1_4_is_less := (slice2winner2_of_pair_1_6 -
-        to_integer(((to_unsigned(slice2winner2_of_pair_1_4, 12)) or (to_unsigned(slice2winner2_of_pair_1_5, 12))))) < 0;
-      slice2winner2_of_pair_0_0 <= 0 when slice2winner2_of_pair_0_0_is_less else slice2winner1_best_cost_0_0;
-      slice2winner2_of_pair_0_1 <= slice2winner1_best_cost_0_1 when slice2winner2_of_pair_0_0_is_less else 0;
-      slice2winner2_of_pair_0_2 <= 0 when slice2winner2_of_pair_0_2_is_less else slice2winner1_best_cost_0_2;
-      slice2winner2_of_pair_0_3 <= slice2winner1_best_cost_0_3 when slice2winner2_of_pair_0_2_is_less else 0;
-      slice2winner2_of_pair_0_4 <= 0 when slice2winner2_of_pair_0_4_is_less else slice2winner1_best_cost_0_4;
-      slice2winner2_of_pair_0_5 <= slice2winner1_best_cost_0_5 when slice2winner2_of_pair_0_4_is_less else 0;
-      slice2winner2_of_pair_0_6 <= slice2winner1_best_cost_0_6;
-      slice2winner2_of_pair_1_0 <= 0 when slice2winner2_of_pair_1_0_is_less else slice2winner1_best_cost_1_0;
-      slice2winner2_of_pair_1_1 <= slice2winner1_best_cost_1_1 when slice2winner2_of_pair_1_0_is_less else 0;
-      slice2winner2_of_pair_1_2 <= 0 when slice2winner2_of_pair_1_2_is_less else slice2winner1_best_cost_1_2;
-      slice2winner2_of_pair_1_3 <= slice2winner1_best_cost_1_3 when slice2winner2_of_pair_1_2_is_less else 0;
-      slice2winner2_of_pair_1_4 <= 0 when slice2winner2_of_pair_1_4_is_less else slice2winner1_best_cost_1_4;
-      slice2winner2_of_pair_1_5 <= slice2winner1_best_cost_1_5 when slice2winner2_of_pair_1_4_is_less else 0;
-      slice2winner2_of_pair_1_6 <= slice2winner1_best_cost_1_6;
-      slice2winner2_pair_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_of_pair_0_0_is_less else
-        slice2winner1_best_index_0_0;
-      slice2winner2_pair_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_of_pair_0_2_is_less else
+      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
+      slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
+      slice2winner2_best_cost_0_4_is_less := (slice2winner1_best_cost_0_9 - slice2winner1_best_cost_0_8) < 0;
+      slice2winner2_best_cost_0_5_is_less := (slice2winner1_best_cost_0_11 - slice2winner1_best_cost_0_10) < 0;
+      slice2winner2_best_cost_1_0_is_less := (slice2winner1_best_cost_1_1 - slice2winner1_best_cost_1_0) < 0;
+      slice2winner2_best_cost_1_1_is_less := (slice2winner1_best_cost_1_3 - slice2winner1_best_cost_1_2) < 0;
+      slice2winner2_best_cost_1_2_is_less := (slice2winner1_best_cost_1_5 - slice2winner1_best_cost_1_4) < 0;
+      slice2winner2_best_cost_1_3_is_less := (slice2winner1_best_cost_1_7 - slice2winner1_best_cost_1_6) < 0;
+      slice2winner2_best_cost_1_4_is_less := (slice2winner1_best_cost_1_9 - slice2winner1_best_cost_1_8) < 0;
+      slice2winner2_best_cost_1_5_is_less := (slice2winner1_best_cost_1_11 - slice2winner1_best_cost_1_10) < 0;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_cost_0_4;
+      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_cost_0_6;
+      slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_cost_0_8;
+      slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_cost_0_10;
+      slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
+      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_1 when slice2winner2_best_cost_1_0_is_less else
+        slice2winner1_best_cost_1_0;
+      slice2winner2_best_cost_1_1 <= slice2winner1_best_cost_1_3 when slice2winner2_best_cost_1_1_is_less else
+        slice2winner1_best_cost_1_2;
+      slice2winner2_best_cost_1_2 <= slice2winner1_best_cost_1_5 when slice2winner2_best_cost_1_2_is_less else
+        slice2winner1_best_cost_1_4;
+      slice2winner2_best_cost_1_3 <= slice2winner1_best_cost_1_7 when slice2winner2_best_cost_1_3_is_less else
+        slice2winner1_best_cost_1_6;
+      slice2winner2_best_cost_1_4 <= slice2winner1_best_cost_1_9 when slice2winner2_best_cost_1_4_is_less else
+        slice2winner1_best_cost_1_8;
+      slice2winner2_best_cost_1_5 <= slice2winner1_best_cost_1_11 when slice2winner2_best_cost_1_5_is_less else
+        slice2winner1_best_cost_1_10;
+      slice2winner2_best_cost_1_6 <= slice2winner1_best_cost_1_12;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
+        as_number(slice2winner1_best_index_0_0);
+      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
         slice2winner1_best_index_0_2;
-      slice2winner2_pair_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_of_pair_0_4_is_less else
+      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
         slice2winner1_best_index_0_4;
-      slice2winner2_pair_index_1_0 <= slice2winner1_best_index_1_1 when slice2winner2_of_pair_1_0_is_less else
-        slice2winner1_best_index_1_0;
-      slice2winner2_pair_index_1_1 <= slice2winner1_best_index_1_3 when slice2winner2_of_pair_1_2_is_less else
+      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_index_0_6;
+      slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_index_0_8;
+      slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_index_0_10;
+      slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_1 when slice2winner2_best_cost_1_0_is_less else
+        as_number(slice2winner1_best_index_1_0);
+      slice2winner2_best_index_1_1 <= slice2winner1_best_index_1_3 when slice2winner2_best_cost_1_1_is_less else
         slice2winner1_best_index_1_2;
-      slice2winner2_pair_index_1_2 <= slice2winner1_best_index_1_5 when slice2winner2_of_pair_1_4_is_less else
+      slice2winner2_best_index_1_2 <= slice2winner1_best_index_1_5 when slice2winner2_best_cost_1_2_is_less else
         slice2winner1_best_index_1_4;
-      slice2winner2_of_four_0_0 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_0;
-      slice2winner2_of_four_0_1 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_1;
-      slice2winner2_of_four_0_2 <= slice2winner2_of_pair_0_2 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_3 <= slice2winner2_of_pair_0_3 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_4 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_4;
-      slice2winner2_of_four_0_5 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_5;
-      slice2winner2_of_four_0_6 <= slice2winner2_of_pair_0_6 when slice2winner2_of_four_0_4_is_less else 0;
-      slice2winner2_of_four_1_0 <= 0 when slice2winner2_of_four_1_0_is_less else slice2winner2_of_pair_1_0;
-      slice2winner2_of_four_1_1 <= 0 when slice2winner2_of_four_1_0_is_less else slice2winner2_of_pair_1_1;
-      slice2winner2_of_four_1_2 <= slice2winner2_of_pair_1_2 when slice2winner2_of_four_1_0_is_less else 0;
-      slice2winner2_of_four_1_3 <= slice2winner2_of_pair_1_3 when slice2winner2_of_four_1_0_is_less else 0;
-      slice2winner2_of_four_1_4 <= 0 when slice2winner2_of_four_1_4_is_less else slice2winner2_of_pair_1_4;
-      slice2winner2_of_four_1_5 <= 0 when slice2winner2_of_four_1_4_is_less else slice2winner2_of_pair_1_5;
-      slice2winner2_of_four_1_6 <= slice2winner2_of_pair_1_6 when slice2winner2_of_four_1_4_is_less else 0;
-      slice2winner2_four_index_0_0 <= slice2winner2_pair_index_0_1 when slice2winner2_of_four_0_0_is_less else
-        slice2winner2_pair_index_0_0;
-      slice2winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_0_4_is_less else
-        slice2winner2_pair_index_0_2;
-      slice2winner2_four_index_1_0 <= slice2winner2_pair_index_1_1 when slice2winner2_of_four_1_0_is_less else
-        slice2winner2_pair_index_1_0;
-      slice2winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_1_4_is_less else
-        slice2winner2_pair_index_1_2;
-      slice2winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice2winner2_of_four_0_3, 12)))) or (to_unsigned(slice2winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice2winner2_of_four_0_0, 12))));
-      slice2winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_0_5, 12)) or
-        (to_unsigned(slice2winner2_of_four_0_6, 12)))) or (to_unsigned(slice2winner2_of_four_0_4, 12))));
-      slice2winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_1_2, 12)) or
-        (to_unsigned(slice2winner2_of_four_1_3, 12)))) or (to_unsigned(slice2winner2_of_four_1_1, 12)))) or
-        (to_unsigned(slice2winner2_of_four_1_0, 12))));
-      slice2winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_1_5, 12)) or
-        (to_unsigned(slice2winner2_of_four_1_6, 12)))) or (to_unsigned(slice2winner2_of_four_1_4, 12))));
-      slice2winner2_best_index_0_0 <= slice2winner2_four_index_0_0;
-      slice2winner2_best_index_0_1 <= slice2winner2_four_index_0_1;
-      slice2winner2_best_index_1_0 <= slice2winner2_four_index_1_0;
-      slice2winner2_best_index_1_1 <= slice2winner2_four_index_1_1;
+      slice2winner2_best_index_1_3 <= slice2winner1_best_index_1_7 when slice2winner2_best_cost_1_3_is_less else
+        slice2winner1_best_index_1_6;
+      slice2winner2_best_index_1_4 <= slice2winner1_best_index_1_9 when slice2winner2_best_cost_1_4_is_less else
+        slice2winner1_best_index_1_8;
+      slice2winner2_best_index_1_5 <= slice2winner1_best_index_1_11 when slice2winner2_best_cost_1_5_is_less else
+        slice2winner1_best_index_1_10;
       -- slice2winner3
       slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
+      slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
+      slice2winner3_best_cost_0_2_is_less := (slice2winner2_best_cost_0_5 - slice2winner2_best_cost_0_4) < 0;
       slice2winner3_best_cost_1_0_is_less := (slice2winner2_best_cost_1_1 - slice2winner2_best_cost_1_0) < 0;
+      slice2winner3_best_cost_1_1_is_less := (slice2winner2_best_cost_1_3 - slice2winner2_best_cost_1_2) < 0;
+      slice2winner3_best_cost_1_2_is_less := (slice2winner2_best_cost_1_5 - slice2winner2_best_cost_1_4) < 0;
       slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_cost_0_2;
+      slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_cost_0_4;
+      slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
       slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_1 when slice2winner3_best_cost_1_0_is_less else
         slice2winner2_best_cost_1_0;
+      slice2winner3_best_cost_1_1 <= slice2winner2_best_cost_1_3 when slice2winner3_best_cost_1_1_is_less else
+        slice2winner2_best_cost_1_2;
+      slice2winner3_best_cost_1_2 <= slice2winner2_best_cost_1_5 when slice2winner3_best_cost_1_2_is_less else
+        slice2winner2_best_cost_1_4;
+      slice2winner3_best_cost_1_3 <= slice2winner2_best_cost_1_6;
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_index_0_0;
+      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_index_0_2;
+      slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_index_0_4;
       slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_1 when slice2winner3_best_cost_1_0_is_less else
         slice2winner2_best_index_1_0;
+      slice2winner3_best_index_1_1 <= slice2winner2_best_index_1_3 when slice2winner3_best_cost_1_1_is_less else
+        slice2winner2_best_index_1_2;
+      slice2winner3_best_index_1_2 <= slice2winner2_best_index_1_5 when slice2winner3_best_cost_1_2_is_less else
+        slice2winner2_best_index_1_4;
+      -- slice2winner4
+      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
+      slice2winner4_best_cost_0_1_is_less := (slice2winner3_best_cost_0_3 - slice2winner3_best_cost_0_2) < 0;
+      slice2winner4_best_cost_1_0_is_less := (slice2winner3_best_cost_1_1 - slice2winner3_best_cost_1_0) < 0;
+      slice2winner4_best_cost_1_1_is_less := (slice2winner3_best_cost_1_3 - slice2winner3_best_cost_1_2) < 0;
+      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_cost_0_0;
+      slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_cost_0_2;
+      slice2winner4_best_cost_1_0 <= slice2winner3_best_cost_1_1 when slice2winner4_best_cost_1_0_is_less else
+        slice2winner3_best_cost_1_0;
+      slice2winner4_best_cost_1_1 <= slice2winner3_best_cost_1_3 when slice2winner4_best_cost_1_1_is_less else
+        slice2winner3_best_cost_1_2;
+      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_index_0_0;
+      slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_index_0_2;
+      slice2winner4_best_index_1_0 <= slice2winner3_best_index_1_1 when slice2winner4_best_cost_1_0_is_less else
+        slice2winner3_best_index_1_0;
+      slice2winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_1_1_is_less else
+        slice2winner3_best_index_1_2;
+      -- slice2winner5
+      slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0_1 - slice2winner4_best_cost_0_0) < 0;
+      slice2winner5_best_cost_1_0_is_less := (slice2winner4_best_cost_1_1 - slice2winner4_best_cost_1_0) < 0;
+      slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_cost_0_0;
+      slice2winner5_best_cost_1_0 <= slice2winner4_best_cost_1_1 when slice2winner5_best_cost_1_0_is_less else
+        slice2winner4_best_cost_1_0;
+      slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_index_0_0;
+      slice2winner5_best_index_1_0 <= slice2winner4_best_index_1_1 when slice2winner5_best_cost_1_0_is_less else
+        slice2winner4_best_index_1_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0;
-      slice2_best_cost_1_0_is_less := (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner3_best_cost_0_0;
-      slice2_best_cost_1_0 <= slice1_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice2winner3_best_cost_1_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
+      slice2_best_cost_1_0_is_less := (slice1_best_cost_1_0 - slice2winner5_best_cost_1_0) < 0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner5_best_cost_0_0;
+      slice2_best_cost_1_0 <= slice1_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice2winner5_best_cost_1_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0 + 25;
+        slice2winner5_best_index_0_0 + 25;
       slice2_best_index_1_0 <= slice1_best_index_1_0 when slice2_best_cost_1_0_is_less else
-        slice2winner3_best_index_1_0 + 25;
+        slice2winner5_best_index_1_0 + 25;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -6329,6 +5840,9 @@ begin
       slice3shift_reference_2 <= slice2shift_reference_2;
       slice3shift_reference_3 <= slice2shift_reference_3;
       -- slice3cost
+      if slice0cost_tag_valid then
+        slice3cost_signs_difference_column <= slice2cost_signs_difference_column;
+      end if;
       slice3cost_difference_0_0_choice := slice3shift_reference_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
         slice3shift_search_0_0;
       slice3cost_difference_0_0_choice_2 := slice3shift_search_0_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
@@ -6625,7 +6139,6 @@ begin
       slice3cost_difference_3_22_difference := slice3shift_search_3_22 - slice3shift_reference_3;
       slice3cost_difference_3_23_difference := slice3shift_search_3_23 - slice3shift_reference_3;
       slice3cost_difference_3_24_difference := slice3shift_search_3_24 - slice3shift_reference_3;
-      slice3cost_signs_difference_column <= slice2cost_signs_difference_column;
       slice3cost_signs_ready_words_0 <= to_integer(slice3cost_signs_read_words_0);
       slice3cost_signs_ready_words_1 <= to_integer(slice3cost_signs_read_words_1);
       slice3cost_difference_0_0 <= (slice3cost_difference_0_0_choice - slice3cost_difference_0_0_choice_2) mod 256;
@@ -7029,7 +6542,7 @@ begin
       slice3cost_column_1_24 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_24) +
         slice3cost_pair_0_24 + slice3cost_single_3_24;
       if slice0window_tag_valid then
-        slice3cost_signs_write_column <= slice3cost_signs_difference_column;
+        slice3cost_signs_write_column <= slice2cost_signs_write_column;
         slice3cost_signs_write_words_0 <= (as_number(slice3cost_newest_negative_0_23) * 8388608) +
           (as_number(slice3cost_newest_negative_0_24) * 16777216) + (as_number(slice3cost_newest_negative_0_22) *
           4194304) + (as_number(slice3cost_newest_negative_0_21) * 2097152) +
@@ -7060,7 +6573,7 @@ begin
           as_number(slice3cost_newest_negative_1_0) + (as_number(slice3cost_newest_negative_1_1) * 2);
       end if;
       -- slice3window
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice3window_partial_0_0_0 <= slice3cost_column_0_0;
         slice3window_partial_0_0_1 <= slice3cost_column_0_1;
         slice3window_partial_0_0_2 <= slice3cost_column_0_2;
@@ -7213,359 +6726,237 @@ begin
       slice3window_sum_1_23 <= slice3cost_column_1_23 + slice3window_partial_1_1_23;
       slice3window_sum_1_24 <= slice3cost_column_1_24 + slice3window_partial_1_1_24;
       -- slice3winner1
-      slice3winner1_of_pair_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
-      slice3winner1_of_pair_0_2_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
-      slice3winner1_of_pair_0_4_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
-      slice3winner1_of_pair_0_6_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
-      slice3winner1_of_pair_0_8_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
-      slice3winner1_of_pair_0_10_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
-      slice3winner1_of_pair_0_12_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
-      slice3winner1_of_pair_0_14_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
-      slice3winner1_of_pair_0_16_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
-      slice3winner1_of_pair_0_18_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
-      slice3winner1_of_pair_0_20_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
-      slice3winner1_of_pair_0_22_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
-      slice3winner1_of_pair_1_0_is_less := (slice3window_sum_1_1 - slice3window_sum_1_0) < 0;
-      slice3winner1_of_pair_1_2_is_less := (slice3window_sum_1_3 - slice3window_sum_1_2) < 0;
-      slice3winner1_of_pair_1_4_is_less := (slice3window_sum_1_5 - slice3window_sum_1_4) < 0;
-      slice3winner1_of_pair_1_6_is_less := (slice3window_sum_1_7 - slice3window_sum_1_6) < 0;
-      slice3winner1_of_pair_1_8_is_less := (slice3window_sum_1_9 - slice3window_sum_1_8) < 0;
-      slice3winner1_of_pair_1_10_is_less := (slice3window_sum_1_11 - slice3window_sum_1_10) < 0;
-      slice3winner1_of_pair_1_12_is_less := (slice3window_sum_1_13 - slice3window_sum_1_12) < 0;
-      slice3winner1_of_pair_1_14_is_less := (slice3window_sum_1_15 - slice3window_sum_1_14) < 0;
-      slice3winner1_of_pair_1_16_is_less := (slice3window_sum_1_17 - slice3window_sum_1_16) < 0;
-      slice3winner1_of_pair_1_18_is_less := (slice3window_sum_1_19 - slice3window_sum_1_18) < 0;
-      slice3winner1_of_pair_1_20_is_less := (slice3window_sum_1_21 - slice3window_sum_1_20) < 0;
-      slice3winner1_of_pair_1_22_is_less := (slice3window_sum_1_23 - slice3window_sum_1_22) < 0;
-      slice3winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_1, 12))))) < 0;
-      slice3winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_5, 12))))) < 0;
-      slice3winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_9, 12))))) < 0;
-      slice3winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_14, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_12, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_13, 12))))) < 0;
-      slice3winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_18, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_16, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_17, 12))))) < 0;
-      slice3winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_22, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_20, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_21, 12))))) < 0;
-      slice3winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_2, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_0, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_1, 12))))) < 0;
-      slice3winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_6, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_4, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_5, 12))))) < 0;
-      slice3winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_10, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_8, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_9, 12))))) < 0;
-      slice3winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_14, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_12, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_13, 12))))) < 0;
-      slice3winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_18, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_16, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_17, 12))))) < 0;
-      slice3winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_22, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_20, 12)) or
-        (to_unsigned(slice3winner1_of_pair_1_21, 12))))) < 0;
-      slice3winner1_of_pair_0_0 <= 0 when slice3winner1_of_pair_0_0_is_less else slice3window_sum_0_0;
-      slice3winner1_of_pair_0_1 <= slice3window_sum_0_1 when slice3winner1_of_pair_0_0_is_less else 0;
-      slice3winner1_of_pair_0_2 <= 0 when slice3winner1_of_pair_0_2_is_less else slice3window_sum_0_2;
-      slice3winner1_of_pair_0_3 <= slice3window_sum_0_3 when slice3winner1_of_pair_0_2_is_less else 0;
-      slice3winner1_of_pair_0_4 <= 0 when slice3winner1_of_pair_0_4_is_less else slice3window_sum_0_4;
-      slice3winner1_of_pair_0_5 <= slice3window_sum_0_5 when slice3winner1_of_pair_0_4_is_less else 0;
-      slice3winner1_of_pair_0_6 <= 0 when slice3winner1_of_pair_0_6_is_less else slice3window_sum_0_6;
-      slice3winner1_of_pair_0_7 <= slice3window_sum_0_7 when slice3winner1_of_pair_0_6_is_less else 0;
-      slice3winner1_of_pair_0_8 <= 0 when slice3winner1_of_pair_0_8_is_less else slice3window_sum_0_8;
-      slice3winner1_of_pair_0_9 <= slice3window_sum_0_9 when slice3winner1_of_pair_0_8_is_less else 0;
-      slice3winner1_of_pair_0_10 <= 0 when slice3winner1_of_pair_0_10_is_less else slice3window_sum_0_10;
-      slice3winner1_of_pair_0_11 <= slice3window_sum_0_11 when slice3winner1_of_pair_0_10_is_less else 0;
-      slice3winner1_of_pair_0_12 <= 0 when slice3winner1_of_pair_0_12_is_less else slice3window_sum_0_12;
-      slice3winner1_of_pair_0_13 <= slice3window_sum_0_13 when slice3winner1_of_pair_0_12_is_less else 0;
-      slice3winner1_of_pair_0_14 <= 0 when slice3winner1_of_pair_0_14_is_less else slice3window_sum_0_14;
-      slice3winner1_of_pair_0_15 <= slice3window_sum_0_15 when slice3winner1_of_pair_0_14_is_less else 0;
-      slice3winner1_of_pair_0_16 <= 0 when slice3winner1_of_pair_0_16_is_less else slice3window_sum_0_16;
-      slice3winner1_of_pair_0_17 <= slice3window_sum_0_17 when slice3winner1_of_pair_0_16_is_less else 0;
-      slice3winner1_of_pair_0_18 <= 0 when slice3winner1_of_pair_0_18_is_less else slice3window_sum_0_18;
-      slice3winner1_of_pair_0_19 <= slice3window_sum_0_19 when slice3winner1_of_pair_0_18_is_less else 0;
-      slice3winner1_of_pair_0_20 <= 0 when slice3winner1_of_pair_0_20_is_less else slice3window_sum_0_20;
-      slice3winner1_of_pair_0_21 <= slice3window_sum_0_21 when slice3winner1_of_pair_0_20_is_less else 0;
-      slice3winner1_of_pair_0_22 <= 0 when slice3winner1_of_pair_0_22_is_less else slice3window_sum_0_22;
-      slice3winner1_of_pair_0_23 <= slice3window_sum_0_23 when slice3winner1_of_pair_0_22_is_less else 0;
-      slice3winner1_of_pair_0_24 <= slice3window_sum_0_24;
-      slice3winner1_of_pair_1_0 <= 0 when slice3winner1_of_pair_1_0_is_less else slice3window_sum_1_0;
-      slice3winner1_of_pair_1_1 <= slice3window_sum_1_1 when slice3winner1_of_pair_1_0_is_less else 0;
-      slice3winner1_of_pair_1_2 <= 0 when slice3winner1_of_pair_1_2_is_less else slice3window_sum_1_2;
-      slice3winner1_of_pair_1_3 <= slice3window_sum_1_3 when slice3winner1_of_pair_1_2_is_less else 0;
-      slice3winner1_of_pair_1_4 <= 0 when slice3winner1_of_pair_1_4_is_less else slice3window_sum_1_4;
-      slice3winner1_of_pair_1_5 <= slice3window_sum_1_5 when slice3winner1_of_pair_1_4_is_less else 0;
-      slice3winner1_of_pair_1_6 <= 0 when slice3winner1_of_pair_1_6_is_less else slice3window_sum_1_6;
-      slice3winner1_of_pair_1_7 <= slice3window_sum_1_7 when slice3winner1_of_pair_1_6_is_less else 0;
-      slice3winner1_of_pair_1_8 <= 0 when slice3winner1_of_pair_1_8_is_less else slice3window_sum_1_8;
-      slice3winner1_of_pair_1_9 <= slice3window_sum_1_9 when slice3winner1_of_pair_1_8_is_less else 0;
-      slice3winner1_of_pair_1_10 <= 0 when slice3winner1_of_pair_1_10_is_less else slice3window_sum_1_10;
-      slice3winner1_of_pair_1_11 <= slice3window_sum_1_11 when slice3winner1_of_pair_1_10_is_less else 0;
-      slice3winner1_of_pair_1_12 <= 0 when slice3winner1_of_pair_1_12_is_less else slice3window_sum_1_12;
-      slice3winner1_of_pair_1_13 <= slice3window_sum_1_13 when slice3winner1_of_pair_1_12_is_less else 0;
-      slice3winner1_of_pair_1_14 <= 0 when slice3winner1_of_pair_1_14_is_less else slice3window_sum_1_14;
-      slice3winner1_of_pair_1_15 <= slice3window_sum_1_15 when slice3winner1_of_pair_1_14_is_less else 0;
-      slice3winner1_of_pair_1_16 <= 0 when slice3winner1_of_pair_1_16_is_less else slice3window_sum_1_16;
-      slice3winner1_of_pair_1_17 <= slice3window_sum_1_17 when slice3winner1_of_pair_1_16_is_less else 0;
-      slice3winner1_of_pair_1_18 <= 0 when slice3winner1_of_pair_1_18_is_less else slice3window_sum_1_18;
-      slice3winner1_of_pair_1_19 <= slice3window_sum_1_19 when slice3winner1_of_pair_1_18_is_less else 0;
-      slice3winner1_of_pair_1_20 <= 0 when slice3winner1_of_pair_1_20_is_less else slice3window_sum_1_20;
-      slice3winner1_of_pair_1_21 <= slice3window_sum_1_21 when slice3winner1_of_pair_1_20_is_less else 0;
-      slice3winner1_of_pair_1_22 <= 0 when slice3winner1_of_pair_1_22_is_less else slice3window_sum_1_22;
-      slice3winner1_of_pair_1_23 <= slice3window_sum_1_23 when slice3winner1_of_pair_1_22_is_less else 0;
-      slice3winner1_of_pair_1_24 <= slice3window_sum_1_24;
-      slice3winner1_pair_index_0_0 <= slice3winner1_of_pair_0_0_is_less;
-      slice3winner1_pair_index_0_1 <= 3 when slice3winner1_of_pair_0_2_is_less else 2;
-      slice3winner1_pair_index_0_2 <= 5 when slice3winner1_of_pair_0_4_is_less else 4;
-      slice3winner1_pair_index_0_3 <= 7 when slice3winner1_of_pair_0_6_is_less else 6;
-      slice3winner1_pair_index_0_4 <= 9 when slice3winner1_of_pair_0_8_is_less else 8;
-      slice3winner1_pair_index_0_5 <= 11 when slice3winner1_of_pair_0_10_is_less else 10;
-      slice3winner1_pair_index_0_6 <= 13 when slice3winner1_of_pair_0_12_is_less else 12;
-      slice3winner1_pair_index_0_7 <= 15 when slice3winner1_of_pair_0_14_is_less else 14;
-      slice3winner1_pair_index_0_8 <= 17 when slice3winner1_of_pair_0_16_is_less else 16;
-      slice3winner1_pair_index_0_9 <= 19 when slice3winner1_of_pair_0_18_is_less else 18;
-      slice3winner1_pair_index_0_10 <= 21 when slice3winner1_of_pair_0_20_is_less else 20;
-      slice3winner1_pair_index_0_11 <= 23 when slice3winner1_of_pair_0_22_is_less else 22;
-      slice3winner1_pair_index_1_0 <= slice3winner1_of_pair_1_0_is_less;
-      slice3winner1_pair_index_1_1 <= 3 when slice3winner1_of_pair_1_2_is_less else 2;
-      slice3winner1_pair_index_1_2 <= 5 when slice3winner1_of_pair_1_4_is_less else 4;
-      slice3winner1_pair_index_1_3 <= 7 when slice3winner1_of_pair_1_6_is_less else 6;
-      slice3winner1_pair_index_1_4 <= 9 when slice3winner1_of_pair_1_8_is_less else 8;
-      slice3winner1_pair_index_1_5 <= 11 when slice3winner1_of_pair_1_10_is_less else 10;
-      slice3winner1_pair_index_1_6 <= 13 when slice3winner1_of_pair_1_12_is_less else 12;
-      slice3winner1_pair_index_1_7 <= 15 when slice3winner1_of_pair_1_14_is_less else 14;
-      slice3winner1_pair_index_1_8 <= 17 when slice3winner1_of_pair_1_16_is_less else 16;
-      slice3winner1_pair_index_1_9 <= 19 when slice3winner1_of_pair_1_18_is_less else 18;
-      slice3winner1_pair_index_1_10 <= 21 when slice3winner1_of_pair_1_20_is_less else 20;
-      slice3winner1_pair_index_1_11 <= 23 when slice3winner1_of_pair_1_22_is_less else 22;
-      slice3winner1_of_four_0_0 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_0;
-      slice3winner1_of_four_0_1 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_1;
-      slice3winner1_of_four_0_2 <= slice3winner1_of_pair_0_2 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_3 <= slice3winner1_of_pair_0_3 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_4 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_4;
-      slice3winner1_of_four_0_5 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_5;
-      slice3winner1_of_four_0_6 <= slice3winner1_of_pair_0_6 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_7 <= slice3winner1_of_pair_0_7 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_8 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_8;
-      slice3winner1_of_four_0_9 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_9;
-      slice3winner1_of_four_0_10 <= slice3winner1_of_pair_0_10 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_11 <= slice3winner1_of_pair_0_11 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_12 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_12;
-      slice3winner1_of_four_0_13 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_13;
-      slice3winner1_of_four_0_14 <= slice3winner1_of_pair_0_14 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_of_four_0_15 <= slice3winner1_of_pair_0_15 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_of_four_0_16 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_16;
-      slice3winner1_of_four_0_17 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_17;
-      slice3winner1_of_four_0_18 <= slice3winner1_of_pair_0_18 when slice3winner1_of_four_0_16_is_less else 0;
-      slice3winner1_of_four_0_19 <= slice3winner1_of_pair_0_19 when slice3winner1_of_four_0_16_is_less else 0;
-      slice3winner1_of_four_0_20 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_20;
-      slice3winner1_of_four_0_21 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_21;
-      slice3winner1_of_four_0_22 <= slice3winner1_of_pair_0_22 when slice3winner1_of_four_0_20_is_less else 0;
-      slice3winner1_of_four_0_23 <= slice3winner1_of_pair_0_23 when slice3winner1_of_four_0_20_is_less else 0;
-      slice3winner1_of_four_0_24 <= slice3winner1_of_pair_0_24;
-      slice3winner1_of_four_1_0 <= 0 when slice3winner1_of_four_1_0_is_less else slice3winner1_of_pair_1_0;
-      slice3winner1_of_four_1_1 <= 0 when slice3winner1_of_four_1_0_is_less else slice3winner1_of_pair_1_1;
-      slice3winner1_of_four_1_2 <= slice3winner1_of_pair_1_2 when slice3winner1_of_four_1_0_is_less else 0;
-      slice3winner1_of_four_1_3 <= slice3winner1_of_pair_1_3 when slice3winner1_of_four_1_0_is_less else 0;
-      slice3winner1_of_four_1_4 <= 0 when slice3winner1_of_four_1_4_is_less else slice3winner1_of_pair_1_4;
-      slice3winner1_of_four_1_5 <= 0 when slice3winner1_of_four_1_4_is_less else slice3winner1_of_pair_1_5;
-      slice3winner1_of_four_1_6 <= slice3winner1_of_pair_1_6 when slice3winner1_of_four_1_4_is_less else 0;
-      slice3winner1_of_four_1_7 <= slice3winner1_of_pair_1_7 when slice3winner1_of_four_1_4_is_less else 0;
-      slice3winner1_of_four_1_8 <= 0 when slice3winner1_of_four_1_8_is_less else slice3winner1_of_pair_1_8;
-      slice3winner1_of_four_1_9 <= 0 when slice3winner1_of_four_1_8_is_less else slice3winner1_of_pair_1_9;
-      slice3winner1_of_four_1_10 <= slice3winner1_of_pair_1_10 when slice3winner1_of_four_1_8_is_less else 0;
-      slice3winner1_of_four_1_11 <= slice3winner1_of_pair_1_11 when slice3winner1_of_four_1_8_is_less else 0;
-      slice3winner1_of_four_1_12 <= 0 when slice3winner1_of_four_1_12_is_less else slice3winner1_of_pair_1_12;
-      slice3winner1_of_four_1_13 <= 0 when slice3winner1_of_four_1_12_is_less else slice3winner1_of_pair_1_13;
-      slice3winner1_of_four_1_14 <= slice3winner1_of_pair_1_14 when slice3winner1_of_four_1_12_is_less else 0;
-      slice3winner1_of_four_1_15 <= slice3winner1_of_pair_1_15 when slice3winner1_of_four_1_12_is_less else 0;
-      slice3winner1_of_four_1_16 <= 0 when slice3winner1_of_four_1_16_is_less else slice3winner1_of_pair_1_16;
-      slice3winner1_of_four_1_17 <= 0 when slice3winner1_of_four_1_16_is_less else slice3winner1_of_pair_1_17;
-      slice3winner1_of_four_1_18 <= slice3winner1_of_pair_1_18 when slice3winner1_of_four_1_16_is_less else 0;
-      slice3winner1_of_four_1_19 <= slice3winner1_of_pair_1_19 when slice3winner1_of_four_1_16_is_less else 0;
-      slice3winner1_of_four_1_20 <= 0 when slice3winner1_of_four_1_20_is_less else slice3winner1_of_pair_1_20;
-      slice3winner1_of_four_1_21 <= 0 when slice3winner1_of_four_1_20_is_less else slice3winner1_of_pair_1_21;
-      slice3winner1_of_four_1_22 <= slice3winner1_of_pair_1_22 when slice3winner1_of_four_1_20_is_less else 0;
-      slice3winner1_of_four_1_23 <= slice3winner1_of_pair_1_23 when slice3winner1_of_four_1_20_is_less else 0;
-      slice3winner1_of_four_1_24 <= slice3winner1_of_pair_1_24;
-      slice3winner1_four_index_0_0 <= slice3winner1_pair_index_0_1 when slice3winner1_of_four_0_0_is_less else
-        as_number(slice3winner1_pair_index_0_0);
-      slice3winner1_four_index_0_1 <= slice3winner1_pair_index_0_3 when slice3winner1_of_four_0_4_is_less else
-        slice3winner1_pair_index_0_2;
-      slice3winner1_four_index_0_2 <= slice3winner1_pair_index_0_5 when slice3winner1_of_four_0_8_is_less else
-        slice3winner1_pair_index_0_4;
-      slice3winner1_four_index_0_3 <= slice3winner1_pair_index_0_7 when slice3winner1_of_four_0_12_is_less else
-        slice3winner1_pair_index_0_6;
-      slice3winner1_four_index_0_4 <= slice3winner1_pair_index_0_9 when slice3winner1_of_four_0_16_is_less else
-        slice3winner1_pair_index_0_8;
-      slice3winner1_four_index_0_5 <= slice3winner1_pair_index_0_11 when slice3winner1_of_four_0_20_is_less else
-        slice3winner1_pair_index_0_10;
-      slice3winner1_four_index_1_0 <= slice3winner1_pair_index_1_1 when slice3winner1_of_four_1_0_is_less else
-        as_number(slice3winner1_pair_index_1_0);
-      slice3winner1_four_index_1_1 <= slice3winner1_pair_index_1_3 when slice3winner1_of_four_1_4_is_less else
-        slice3winner1_pair_index_1_2;
-      slice3winner1_four_index_1_2 <= slice3winner1_pair_index_1_5 when slice3winner1_of_four_1_8_is_less else
-        slice3winner1_pair_index_1_4;
-      slice3winner1_four_index_1_3 <= slice3winner1_pair_index_1_7 when slice3winner1_of_four_1_12_is_less else
-        slice3winner1_pair_index_1_6;
-      slice3winner1_four_index_1_4 <= slice3winner1_pair_index_1_9 when slice3winner1_of_four_1_16_is_less else
-        slice3winner1_pair_index_1_8;
-      slice3winner1_four_index_1_5 <= slice3winner1_pair_index_1_11 when slice3winner1_of_four_1_20_is_less else
-        slice3winner1_pair_index_1_10;
-      slice3winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_3, 12)))) or (to_unsigned(slice3winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_0, 12))));
-      slice3winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_7, 12)))) or (to_unsigned(slice3winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_4, 12))));
-      slice3winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_11, 12)))) or (to_unsigned(slice3winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_8, 12))));
-      slice3winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_14, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_15, 12)))) or (to_unsigned(slice3winner1_of_four_0_13, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_12, 12))));
-      slice3winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_18, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_19, 12)))) or (to_unsigned(slice3winner1_of_four_0_17, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_16, 12))));
-      slice3winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_22, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_23, 12)))) or (to_unsigned(slice3winner1_of_four_0_21, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_20, 12))));
-      slice3winner1_best_cost_0_6 <= slice3winner1_of_four_0_24;
-      slice3winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_2, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_3, 12)))) or (to_unsigned(slice3winner1_of_four_1_1, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_0, 12))));
-      slice3winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_6, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_7, 12)))) or (to_unsigned(slice3winner1_of_four_1_5, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_4, 12))));
-      slice3winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_10, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_11, 12)))) or (to_unsigned(slice3winner1_of_four_1_9, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_8, 12))));
-      slice3winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_14, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_15, 12)))) or (to_unsigned(slice3winner1_of_four_1_13, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_12, 12))));
-      slice3winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_18, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_19, 12)))) or (to_unsigned(slice3winner1_of_four_1_17, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_16, 12))));
-      slice3winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_22, 12)) or
-        (to_unsigned(slice3winner1_of_four_1_23, 12)))) or (to_unsigned(slice3winner1_of_four_1_21, 12)))) or
-        (to_unsigned(slice3winner1_of_four_1_20, 12))));
-      slice3winner1_best_cost_1_6 <= slice3winner1_of_four_1_24;
-      slice3winner1_best_index_0_0 <= slice3winner1_four_index_0_0;
-      slice3winner1_best_index_0_1 <= slice3winner1_four_index_0_1;
-      slice3winner1_best_index_0_2 <= slice3winner1_four_index_0_2;
-      slice3winner1_best_index_0_3 <= slice3winner1_four_index_0_3;
-      slice3winner1_best_index_0_4 <= slice3winner1_four_index_0_4;
-      slice3winner1_best_index_0_5 <= slice3winner1_four_index_0_5;
-      slice3winner1_best_index_1_0 <= slice3winner1_four_index_1_0;
-      slice3winner1_best_index_1_1 <= slice3winner1_four_index_1_1;
-      slice3winner1_best_index_1_2 <= slice3winner1_four_index_1_2;
-      slice3winner1_best_index_1_3 <= slice3winner1_four_index_1_3;
-      slice3winner1_best_index_1_4 <= slice3winner1_four_index_1_4;
-      slice3winner1_best_index_1_5 <= slice3winner1_four_index_1_5;
+      slice3winner1_best_cost_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
+      slice3winner1_best_cost_0_1_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
+      slice3winner1_best_cost_0_2_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
+      slice3winner1_best_cost_0_3_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
+      slice3winner1_best_cost_0_4_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
+      slice3winner1_best_cost_0_5_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
+      slice3winner1_best_cost_0_6_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
+      slice3winner1_best_cost_0_7_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
+      slice3winner1_best_cost_0_8_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
+      slice3winner1_best_cost_0_9_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
+      slice3winner1_best_cost_0_10_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
+      slice3winner1_best_cost_0_11_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
+      slice3winner1_best_cost_1_0_is_less := (slice3window_sum_1_1 - slice3window_sum_1_0) < 0;
+      slice3winner1_best_cost_1_1_is_less := (slice3window_sum_1_3 - slice3window_sum_1_2) < 0;
+      slice3winner1_best_cost_1_2_is_less := (slice3window_sum_1_5 - slice3window_sum_1_4) < 0;
+      slice3winner1_best_cost_1_3_is_less := (slice3window_sum_1_7 - slice3window_sum_1_6) < 0;
+      slice3winner1_best_cost_1_4_is_less := (slice3window_sum_1_9 - slice3window_sum_1_8) < 0;
+      slice3winner1_best_cost_1_5_is_less := (slice3window_sum_1_11 - slice3window_sum_1_10) < 0;
+      slice3winner1_best_cost_1_6_is_less := (slice3window_sum_1_13 - slice3window_sum_1_12) < 0;
+      slice3winner1_best_cost_1_7_is_less := (slice3window_sum_1_15 - slice3window_sum_1_14) < 0;
+      slice3winner1_best_cost_1_8_is_less := (slice3window_sum_1_17 - slice3window_sum_1_16) < 0;
+      slice3winner1_best_cost_1_9_is_less := (slice3window_sum_1_19 - slice3window_sum_1_18) < 0;
+      slice3winner1_best_cost_1_10_is_less := (slice3window_sum_1_21 - slice3window_sum_1_20) < 0;
+      slice3winner1_best_cost_1_11_is_less := (slice3window_sum_1_23 - slice3window_sum_1_22) < 0;
+      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
+        slice3window_sum_0_0;
+      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
+        slice3window_sum_0_2;
+      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
+        slice3window_sum_0_4;
+      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
+        slice3window_sum_0_6;
+      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
+        slice3window_sum_0_8;
+      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
+        slice3window_sum_0_10;
+      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
+        slice3window_sum_0_12;
+      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
+        slice3window_sum_0_14;
+      slice3winner1_best_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_best_cost_0_8_is_less else
+        slice3window_sum_0_16;
+      slice3winner1_best_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_best_cost_0_9_is_less else
+        slice3window_sum_0_18;
+      slice3winner1_best_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_best_cost_0_10_is_less else
+        slice3window_sum_0_20;
+      slice3winner1_best_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_best_cost_0_11_is_less else
+        slice3window_sum_0_22;
+      slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
+      slice3winner1_best_cost_1_0 <= slice3window_sum_1_1 when slice3winner1_best_cost_1_0_is_less else
+        slice3window_sum_1_0;
+      slice3winner1_best_cost_1_1 <= slice3window_sum_1_3 when slice3winner1_best_cost_1_1_is_less else
+        slice3window_sum_1_2;
+      slice3winner1_best_cost_1_2 <= slice3window_sum_1_5 when slice3winner1_best_cost_1_2_is_less else
+        slice3window_sum_1_4;
+      slice3winner1_best_cost_1_3 <= slice3window_sum_1_7 when slice3winner1_best_cost_1_3_is_less else
+        slice3window_sum_1_6;
+      slice3winner1_best_cost_1_4 <= slice3window_sum_1_9 when slice3winner1_best_cost_1_4_is_less else
+        slice3window_sum_1_8;
+      slice3winner1_best_cost_1_5 <= slice3window_sum_1_11 when slice3winner1_best_cost_1_5_is_less else
+        slice3window_sum_1_10;
+      slice3winner1_best_cost_1_6 <= slice3window_sum_1_13 when slice3winner1_best_cost_1_6_is_less else
+        slice3window_sum_1_12;
+      slice3winner1_best_cost_1_7 <= slice3window_sum_1_15 when slice3winner1_best_cost_1_7_is_less else
+        slice3window_sum_1_14;
+      slice3winner1_best_cost_1_8 <= slice3window_sum_1_17 when slice3winner1_best_cost_1_8_is_less else
+        slice3window_sum_1_16;
+      slice3winner1_best_cost_1_9 <= slice3window_sum_1_19 when slice3winner1_best_cost_1_9_is_less else
+        slice3window_sum_1_18;
+      slice3winner1_best_cost_1_10 <= slice3window_sum_1_21 when slice3winner1_best_cost_1_10_is_less else
+        slice3window_sum_1_20;
+      slice3winner1_best_cost_1_11 <= slice3window_sum_1_23 when slice3winner1_best_cost_1_11_is_less else
+        slice3window_sum_1_22;
+      slice3winner1_best_cost_1_12 <= slice3window_sum_1_24;
+      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
+      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
+      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
+      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
+      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
+      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
+      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
+      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
+      slice3winner1_best_index_0_8 <= 17 when slice3winner1_best_cost_0_8_is_less else 16;
+      slice3winner1_best_index_0_9 <= 19 when slice3winner1_best_cost_0_9_is_less else 18;
+      slice3winner1_best_index_0_10 <= 21 when slice3winner1_best_cost_0_10_is_less else 20;
+      slice3winner1_best_index_0_11 <= 23 when slice3winner1_best_cost_0_11_is_less else 22;
+      slice3winner1_best_index_1_0 <= slice3winner1_best_cost_1_0_is_less;
+      slice3winner1_best_index_1_1 <= 3 when slice3winner1_best_cost_1_1_is_less else 2;
+      slice3winner1_best_index_1_2 <= 5 when slice3winner1_best_cost_1_2_is_less else 4;
+      slice3winner1_best_index_1_3 <= 7 when slice3winner1_best_cost_1_3_is_less else 6;
+      slice3winner1_best_index_1_4 <= 9 when slice3winner1_best_cost_1_4_is_less else 8;
+      slice3winner1_best_index_1_5 <= 11 when slice3winner1_best_cost_1_5_is_less else 10;
+      slice3winner1_best_index_1_6 <= 13 when slice3winner1_best_cost_1_6_is_less else 12;
+      slice3winner1_best_index_1_7 <= 15 when slice3winner1_best_cost_1_7_is_less else 14;
+      slice3winner1_best_index_1_8 <= 17 when slice3winner1_best_cost_1_8_is_less else 16;
+      slice3winner1_best_index_1_9 <= 19 when slice3winner1_best_cost_1_9_is_less else 18;
+      slice3winner1_best_index_1_10 <= 21 when slice3winner1_best_cost_1_10_is_less else 20;
+      slice3winner1_best_index_1_11 <= 23 when slice3winner1_best_cost_1_11_is_less else 22;
       -- slice3winner2
-      slice3winner2_of_pair_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
-      slice3winner2_of_pair_0_2_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
-      slice3winner2_of_pair_0_4_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
-      slice3winner2_of_pair_1_0_is_less := (slice3winner1_best_cost_1_1 - slice3winner1_best_cost_1_0) < 0;
-      slice3winner2_of_pair_1_2_is_less := (slice3winner1_best_cost_1_3 - slice3winner1_best_cost_1_2) < 0;
-      slice3winner2_of_pair_1_4_is_less := (slice3winner1_best_cost_1_5 - slice3winner1_best_cost_1_4) < 0;
-      slice3winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice3winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice3winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice3winner2_of_pair_0_1, 12))))) < 0;
-      slice3winner2_of_four_0_4_is_less := (slice3winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice3winner2_of_pair_0_4, 12)) or (to_unsigned(slice3winner2_of_pair_0_5, 12))))) < 0;
-      slice3winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_1_2, 12)) or
-        (to_unsigned(slice3winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice3winner2_of_pair_1_0, 12)) or
-        (to_unsigned(slice3winner2_of_pair_1_1, 12))))) < 0;
-      slice3winner2_of_four_1_4_is_less := (slice3winner2_of_pair_1_6 -
-        to_integer(((to_unsigned(slice3winner2_of_pair_1_4, 12)) or (to_unsigned(slice3winner2_of_pair_1_5, 12))))) < 0;
-      slice3winner2_of_pair_0_0 <= 0 when slice3winner2_of_pair_0_0_is_less else slice3winner1_best_cost_0_0;
-      slice3winner2_of_pair_0_1 <= slice3winner1_best_cost_0_1 when slice3winner2_of_pair_0_0_is_less else 0;
-      slice3winner2_of_pair_0_2 <= 0 when slice3winner2_of_pair_0_2_is_less else slice3winner1_best_cost_0_2;
-      slice3winner2_of_pair_0_3 <= slice3winner1_best_cost_0_3 when slice3winner2_of_pair_0_2_is_less else 0;
-      slice3winner2_of_pair_0_4 <= 0 when slice3winner2_of_pair_0_4_is_less else slice3winner1_best_cost_0_4;
-      slice3winner2_of_pair_0_5 <= slice3winner1_best_cost_0_5 when slice3winner2_of_pair_0_4_is_less else 0;
-      slice3winner2_of_pair_0_6 <= slice3winner1_best_cost_0_6;
-      slice3winner2_of_pair_1_0 <= 0 when slice3winner2_of_pair_1_0_is_less else slice3winner1_best_cost_1_0;
-      slice3winner2_of_pair_1_1 <= slice3winner1_best_cost_1_1 when slice3winner2_of_pair_1_0_is_less else 0;
-      slice3winner2_of_pair_1_2 <= 0 when slice3winner2_of_pair_1_2_is_less else slice3winner1_best_cost_1_2;
-      slice3winner2_of_pair_1_3 <= slice3winner1_best_cost_1_3 when slice3winner2_of_pair_1_2_is_less else 0;
-      slice3winner2_of_pair_1_4 <= 0 when slice3winner2_of_pair_1_4_is_less else slice3winner1_best_cost_1_4;
-      slice3winner2_of_pair_1_5 <= slice3winner1_best_cost_1_5 when slice3winner2_of_pair_1_4_is_less else 0;
-      slice3winner2_of_pair_1_6 <= slice3winner1_best_cost_1_6;
-      slice3winner2_pair_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_of_pair_0_0_is_less else
-        slice3winner1_best_index_0_0;
-      slice3winner2_pair_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_of_pair_0_2_is_less else
+      slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
+      slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
+      slice3winner2_best_cost_0_2_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
+      slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
+      slice3winner2_best_cost_0_4_is_less := (slice3winner1_best_cost_0_9 - slice3winner1_best_cost_0_8) < 0;
+      slice3winner2_best_cost_0_5_is_less := (slice3winner1_best_cost_0_11 - slice3winner1_best_cost_0_10) < 0;
+      slice3winner2_best_cost_1_0_is_less := (slice3winner1_best_cost_1_1 - slice3winner1_best_cost_1_0) < 0;
+      slice3winner2_best_cost_1_1_is_less := (slice3winner1_best_cost_1_3 - slice3winner1_best_cost_1_2) < 0;
+      slice3winner2_best_cost_1_2_is_less := (slice3winner1_best_cost_1_5 - slice3winner1_best_cost_1_4) < 0;
+      slice3winner2_best_cost_1_3_is_less := (slice3winner1_best_cost_1_7 - slice3winner1_best_cost_1_6) < 0;
+      slice3winner2_best_cost_1_4_is_less := (slice3winner1_best_cost_1_9 - slice3winner1_best_cost_1_8) < 0;
+      slice3winner2_best_cost_1_5_is_less := (slice3winner1_best_cost_1_11 - slice3winner1_best_cost_1_10) < 0;
+      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
+        slice3winner1_best_cost_0_0;
+      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
+        slice3winner1_best_cost_0_2;
+      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_cost_0_4;
+      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_cost_0_6;
+      slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_cost_0_8;
+      slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_cost_0_10;
+      slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
+      slice3winner2_best_cost_1_0 <= slice3winner1_best_cost_1_1 when slice3winner2_best_cost_1_0_is_less else
+        slice3winner1_best_cost_1_0;
+      slice3winner2_best_cost_1_1 <= slice3winner1_best_cost_1_3 when slice3winner2_best_cost_1_1_is_less else
+        slice3winner1_best_cost_1_2;
+      slice3winner2_best_cost_1_2 <= slice3winner1_best_cost_1_5 when slice3winner2_best_cost_1_2_is_less else
+        slice3winner1_best_cost_1_4;
+      slice3winner2_best_cost_1_3 <= slice3winner1_best_cost_1_7 when slice3winner2_best_cost_1_3_is_less else
+        slice3winner1_best_cost_1_6;
+      slice3winner2_best_cost_1_4 <= slice3winner1_best_cost_1_9 when slice3winner2_best_cost_1_4_is_less else
+        slice3winner1_best_cost_1_8;
+      slice3winner2_best_cost_1_5 <= slice3winner1_best_cost_1_11 when slice3winner2_best_cost_1_5_is_less else
+        slice3winner1_best_cost_1_10;
+      slice3winner2_best_cost_1_6 <= slice3winner1_best_cost_1_12;
+      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
+        as_number(slice3winner1_best_index_0_0);
+      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
         slice3winner1_best_index_0_2;
-      slice3winner2_pair_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_of_pair_0_4_is_less else
+      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
         slice3winner1_best_index_0_4;
-      slice3winner2_pair_index_1_0 <= slice3winner1_best_index_1_1 when slice3winner2_of_pair_1_0_is_less else
-        slice3winner1_best_index_1_0;
-      slice3winner2_pair_index_1_1 <= slice3winner1_best_index_1_3 when slice3winner2_of_pair_1_2_is_less else
+      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_index_0_6;
+      slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_index_0_8;
+      slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_index_0_10;
+      slice3winner2_best_index_1_0 <= slice3winner1_best_index_1_1 when slice3winner2_best_cost_1_0_is_less else
+        as_number(slice3winner1_best_index_1_0);
+      slice3winner2_best_index_1_1 <= slice3winner1_best_index_1_3 when slice3winner2_best_cost_1_1_is_less else
         slice3winner1_best_index_1_2;
-      slice3winner2_pair_index_1_2 <= slice3winner1_best_index_1_5 when slice3winner2_of_pair_1_4_is_less else
+      slice3winner2_best_index_1_2 <= slice3winner1_best_index_1_5 when slice3winner2_best_cost_1_2_is_less else
         slice3winner1_best_index_1_4;
-      slice3winner2_of_four_0_0 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_0;
-      slice3winner2_of_four_0_1 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_1;
-      slice3winner2_of_four_0_2 <= slice3winner2_of_pair_0_2 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_3 <= slice3winner2_of_pair_0_3 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_4 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_4;
-      slice3winner2_of_four_0_5 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_5;
-      slice3winner2_of_four_0_6 <= slice3winner2_of_pair_0_6 when slice3winner2_of_four_0_4_is_less else 0;
-      slice3winner2_of_four_1_0 <= 0 when slice3winner2_of_four_1_0_is_less else slice3winner2_of_pair_1_0;
-      slice3winner2_of_four_1_1 <= 0 when slice3winner2_of_four_1_0_is_less else slice3winner2_of_pair_1_1;
-      slice3winner2_of_four_1_2 <= slice3winner2_of_pair_1_2 when slice3winner2_of_four_1_0_is_less else 0;
-      slice3winner2_of_four_1_3 <= slice3winner2_of_pair_1_3 when slice3winner2_of_four_1_0_is_less else 0;
-      slice3winner2_of_four_1_4 <= 0 when slice3winner2_of_four_1_4_is_less else slice3winner2_of_pair_1_4;
-      slice3winner2_of_four_1_5 <= 0 when slice3winner2_of_four_1_4_is_less else slice3winner2_of_pair_1_5;
-      slice3winner2_of_four_1_6 <= slice3winner2_of_pair_1_6 when slice3winner2_of_four_1_4_is_less else 0;
-      slice3winner2_four_index_0_0 <= slice3winner2_pair_index_0_1 when slice3winner2_of_four_0_0_is_less else
-        slice3winner2_pair_index_0_0;
-      slice3winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_0_4_is_less else
-        slice3winner2_pair_index_0_2;
-      slice3winner2_four_index_1_0 <= slice3winner2_pair_index_1_1 when slice3winner2_of_four_1_0_is_less else
-        slice3winner2_pair_index_1_0;
-      slice3winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_1_4_is_less else
-        slice3winner2_pair_index_1_2;
-      slice3winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice3winner2_of_four_0_3, 12)))) or (to_unsigned(slice3winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice3winner2_of_four_0_0, 12))));
-      slice3winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_0_5, 12)) or
-        (to_unsigned(slice3winner2_of_four_0_6, 12)))) or (to_unsigned(slice3winner2_of_four_0_4, 12))));
-      slice3winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_1_2, 12)) or
-        (to_unsigned(slice3winner2_of_four_1_3, 12)))) or (to_unsigned(slice3winner2_of_four_1_1, 12)))) or
-        (to_unsigned(slice3winner2_of_four_1_0, 12))));
-      slice3winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_1_5, 12)) or
-        (to_unsigned(slice3winner2_of_four_1_6, 12)))) or (to_unsigned(slice3winner2_of_four_1_4, 12))));
-      slice3winner2_best_index_0_0 <= slice3winner2_four_index_0_0;
-      slice3winner2_best_index_0_1 <= slice3winner2_four_index_0_1;
-      slice3winner2_best_index_1_0 <= slice3winner2_four_index_1_0;
-      slice3winner2_best_index_1_1 <= slice3winner2_four_index_1_1;
+      slice3winner2_best_index_1_3 <= slice3winner1_best_index_1_7 when slice3winner2_best_cost_1_3_is_less else
+        slice3winner1_best_index_1_6;
+      slice3winner2_best_index_1_4 <= slice3winner1_best_index_1_9 when slice3winner2_best_cost_1_4_is_less else
+        slice3winner1_best_index_1_8;
+      slice3winner2_best_index_1_5 <= slice3winner1_best_index_1_11 when slice3winner2_best_cost_1_5_is_less else
+        slice3winner1_best_index_1_10;
       -- slice3winner3
       slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
+      slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
+      slice3winner3_best_cost_0_2_is_less := (slice3winner2_best_cost_0_5 - slice3winner2_best_cost_0_4) < 0;
       slice3winner3_best_cost_1_0_is_less := (slice3winner2_best_cost_1_1 - slice3winner2_best_cost_1_0) < 0;
+      slice3winner3_best_cost_1_1_is_less := (slice3winner2_best_cost_1_3 - slice3winner2_best_cost_1_2) < 0;
+      slice3winner3_best_cost_1_2_is_less := (slice3winner2_best_cost_1_5 - slice3winner2_best_cost_1_4) < 0;
       slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_cost_0_0;
+      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_cost_0_2;
+      slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_cost_0_4;
+      slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
       slice3winner3_best_cost_1_0 <= slice3winner2_best_cost_1_1 when slice3winner3_best_cost_1_0_is_less else
         slice3winner2_best_cost_1_0;
+      slice3winner3_best_cost_1_1 <= slice3winner2_best_cost_1_3 when slice3winner3_best_cost_1_1_is_less else
+        slice3winner2_best_cost_1_2;
+      slice3winner3_best_cost_1_2 <= slice3winner2_best_cost_1_5 when slice3winner3_best_cost_1_2_is_less else
+        slice3winner2_best_cost_1_4;
+      slice3winner3_best_cost_1_3 <= slice3winner2_best_cost_1_6;
       slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_index_0_0;
+      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_index_0_2;
+      slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_index_0_4;
       slice3winner3_best_index_1_0 <= slice3winner2_best_index_1_1 when slice3winner3_best_cost_1_0_is_less else
         slice3winner2_best_index_1_0;
-      -- slice3
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner3_best_cost_0_0) < 0 else
+      slice3winner3_best_index_1_1 <= slice3winner2_best_index_1_3 when slice3winner3_best_cost_1_1_is_less else
+        slice3winner2_best_index_1_2;
+      slice3winner3_best_index_1_2 <= slice3winner2_best_index_1_5 when slice3winner3_best_cost_1_2_is_less else
+        slice3winner2_best_index_1_4;
+      -- slice3winner4
+      slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
+      slice3winner4_best_cost_0_1_is_less := (slice3winner3_best_cost_0_3 - slice3winner3_best_cost_0_2) < 0;
+      slice3winner4_best_cost_1_0_is_less := (slice3winner3_best_cost_1_1 - slice3winner3_best_cost_1_0) < 0;
+      slice3winner4_best_cost_1_1_is_less := (slice3winner3_best_cost_1_3 - slice3winner3_best_cost_1_2) < 0;
+      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_cost_0_0;
+      slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_cost_0_2;
+      slice3winner4_best_cost_1_0 <= slice3winner3_best_cost_1_1 when slice3winner4_best_cost_1_0_is_less else
+        slice3winner3_best_cost_1_0;
+      slice3winner4_best_cost_1_1 <= slice3winner3_best_cost_1_3 when slice3winner4_best_cost_1_1_is_less else
+        slice3winner3_best_cost_1_2;
+      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
         slice3winner3_best_index_0_0;
-      slice3_best_index_1_0 <= slice2_best_index_1_0 when (slice2_best_cost_1_0 - slice3winner3_best_cost_1_0) < 0 else
+      slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_index_0_2;
+      slice3winner4_best_index_1_0 <= slice3winner3_best_index_1_1 when slice3winner4_best_cost_1_0_is_less else
         slice3winner3_best_index_1_0;
+      slice3winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_1_1_is_less else
+        slice3winner3_best_index_1_2;
+      -- slice3winner5
+      slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0_1 - slice3winner4_best_cost_0_0) < 0;
+      slice3winner5_best_cost_1_0_is_less := (slice3winner4_best_cost_1_1 - slice3winner4_best_cost_1_0) < 0;
+      slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_cost_0_0;
+      slice3winner5_best_cost_1_0 <= slice3winner4_best_cost_1_1 when slice3winner5_best_cost_1_0_is_less else
+        slice3winner4_best_cost_1_0;
+      slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_index_0_0;
+      slice3winner5_best_index_1_0 <= slice3winner4_best_index_1_1 when slice3winner5_best_cost_1_0_is_less else
+        slice3winner4_best_index_1_0;
+      -- slice3
+      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0 else
+        slice3winner5_best_index_0_0;
+      slice3_best_index_1_0 <= slice2_best_index_1_0 when (slice2_best_cost_1_0 - slice3winner5_best_cost_1_0) < 0 else
+        slice3winner5_best_index_1_0;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -7624,26 +7015,10 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_end_of_line <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_pair_tag_valid <= false;
-        slice0winner2_pair_tag_output_column <= false;
-        slice0winner2_pair_tag_start_of_frame <= false;
-        slice0winner2_pair_tag_end_of_line <= false;
-        slice0winner2_four_tag_valid <= false;
-        slice0winner2_four_tag_output_column <= false;
-        slice0winner2_four_tag_start_of_frame <= false;
-        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
@@ -7652,6 +7027,14 @@ begin
         slice0winner3_tag_output_column <= false;
         slice0winner3_tag_start_of_frame <= false;
         slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
+        slice0winner5_tag_valid <= false;
+        slice0winner5_tag_output_column <= false;
+        slice0winner5_tag_start_of_frame <= false;
+        slice0winner5_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -18,7 +18,7 @@ entity stereo_core_deepsea_512 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 460;
-    latency_clocks : positive := 29;
+    latency_clocks : positive := 27;
     flush_groups : positive := 3077;
     gap_groups : positive := 1536
   );
@@ -42,7 +42,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_deepsea_512: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_deepsea_512: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 460 report "stereo_core_deepsea_512: output_width_px is " & integer'image(output_width_px) & " but this core has 460" severity failure;
-  assert latency_clocks = 29 report "stereo_core_deepsea_512: latency_clocks is " & integer'image(latency_clocks) & " but this core has 29" severity failure;
+  assert latency_clocks = 27 report "stereo_core_deepsea_512: latency_clocks is " & integer'image(latency_clocks) & " but this core has 27" severity failure;
   assert flush_groups = 3077 report "stereo_core_deepsea_512: flush_groups is " & integer'image(flush_groups) & " but this core has 3077" severity failure;
   assert gap_groups = 1536 report "stereo_core_deepsea_512: gap_groups is " & integer'image(gap_groups) & " but this core has 1536" severity failure;
 end entity;
@@ -524,43 +524,37 @@ architecture rtl of stereo_core_deepsea_512 is
   signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 4095;
   signal slice0window_sum_0_12 : natural range 0 to 4095;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 4095;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 4095;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 4095;
-  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 4095;
-  signal slice0winner1_of_pair_0_12, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 4095;
-  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 4095;
-  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 4095;
-  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9, slice0winner1_of_four_0_10 : natural range 0 to 4095;
-  signal slice0winner1_of_four_0_11, slice0winner1_of_four_0_12, slice0winner1_best_cost_0_0 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_start_of_frame : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
-  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_pair_index_0_5, slice0winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_pair_index_0_6, slice0winner1_four_index_0_3 : natural range 0 to 12;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 12;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_6 : natural range 0 to 4095;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_6 : natural range 0 to 12;
   -- slice0winner2
-  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_0_3, slice0winner2_of_four_0_0, slice0winner2_of_four_0_1 : natural range 0 to 4095;
-  signal slice0winner2_of_four_0_2, slice0winner2_of_four_0_3, slice0winner2_best_cost_0_0 : natural range 0 to 4095;
-  signal slice0winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_0_1, slice0winner2_four_index_0_0 : natural range 0 to 12;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 12;
-  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
-  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
-  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
-  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
-  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 4095;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 4095;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_0_3 : natural range 0 to 12;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 4095;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1 : natural range 0 to 12;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0 : natural range 0 to 4095;
+  signal slice0winner4_best_index_0_0 : natural range 0 to 12;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0 : natural range 0 to 51;
@@ -836,33 +830,29 @@ architecture rtl of stereo_core_deepsea_512 is
   signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 4095;
   signal slice1window_sum_0_12 : natural range 0 to 4095;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 4095;
-  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 4095;
-  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 4095;
-  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 4095;
-  signal slice1winner1_of_pair_0_12, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 4095;
-  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 4095;
-  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 4095;
-  signal slice1winner1_of_four_0_8, slice1winner1_of_four_0_9, slice1winner1_of_four_0_10 : natural range 0 to 4095;
-  signal slice1winner1_of_four_0_11, slice1winner1_of_four_0_12, slice1winner1_best_cost_0_0 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice1winner1_pair_index_0_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_pair_index_0_5, slice1winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_6 : natural range 0 to 4095;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
   -- slice1winner2
-  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice1winner2_of_pair_0_3, slice1winner2_of_four_0_0, slice1winner2_of_four_0_1 : natural range 0 to 4095;
-  signal slice1winner2_of_four_0_2, slice1winner2_of_four_0_3, slice1winner2_best_cost_0_0 : natural range 0 to 4095;
-  signal slice1winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice1winner2_pair_index_0_1, slice1winner2_four_index_0_0 : natural range 0 to 12;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 12;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 4095;
+  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 4095;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
+  -- slice1winner3
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 4095;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_0_1 : natural range 0 to 12;
+  -- slice1winner4
+  signal slice1winner4_best_cost_0_0 : natural range 0 to 4095;
+  signal slice1winner4_best_index_0_0 : natural range 0 to 12;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0 : natural range 0 to 51;
@@ -1138,33 +1128,29 @@ architecture rtl of stereo_core_deepsea_512 is
   signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 4095;
   signal slice2window_sum_0_12 : natural range 0 to 4095;
   -- slice2winner1
-  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 4095;
-  signal slice2winner1_of_pair_0_3, slice2winner1_of_pair_0_4, slice2winner1_of_pair_0_5 : natural range 0 to 4095;
-  signal slice2winner1_of_pair_0_6, slice2winner1_of_pair_0_7, slice2winner1_of_pair_0_8 : natural range 0 to 4095;
-  signal slice2winner1_of_pair_0_9, slice2winner1_of_pair_0_10, slice2winner1_of_pair_0_11 : natural range 0 to 4095;
-  signal slice2winner1_of_pair_0_12, slice2winner1_of_four_0_0, slice2winner1_of_four_0_1 : natural range 0 to 4095;
-  signal slice2winner1_of_four_0_2, slice2winner1_of_four_0_3, slice2winner1_of_four_0_4 : natural range 0 to 4095;
-  signal slice2winner1_of_four_0_5, slice2winner1_of_four_0_6, slice2winner1_of_four_0_7 : natural range 0 to 4095;
-  signal slice2winner1_of_four_0_8, slice2winner1_of_four_0_9, slice2winner1_of_four_0_10 : natural range 0 to 4095;
-  signal slice2winner1_of_four_0_11, slice2winner1_of_four_0_12, slice2winner1_best_cost_0_0 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_0_1, slice2winner1_best_cost_0_2 : natural range 0 to 4095;
-  signal slice2winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice2winner1_pair_index_0_0 : boolean;
-  signal slice2winner1_pair_index_0_1, slice2winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_pair_index_0_3, slice2winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_pair_index_0_5, slice2winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_0_6 : natural range 0 to 4095;
+  signal slice2winner1_best_index_0_0 : boolean;
+  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
   -- slice2winner2
-  signal slice2winner2_of_pair_0_0, slice2winner2_of_pair_0_1, slice2winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_0_3, slice2winner2_of_four_0_0, slice2winner2_of_four_0_1 : natural range 0 to 4095;
-  signal slice2winner2_of_four_0_2, slice2winner2_of_four_0_3, slice2winner2_best_cost_0_0 : natural range 0 to 4095;
-  signal slice2winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice2winner2_pair_index_0_1, slice2winner2_four_index_0_0 : natural range 0 to 12;
-  signal slice2winner2_best_index_0_0 : natural range 0 to 12;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 4095;
+  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 4095;
+  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 4095;
+  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice2winner3_best_index_0_1 : natural range 0 to 12;
+  -- slice2winner4
+  signal slice2winner4_best_cost_0_0 : natural range 0 to 4095;
+  signal slice2winner4_best_index_0_0 : natural range 0 to 12;
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 4095;
   signal slice2_best_index_0_0 : natural range 0 to 51;
@@ -1440,33 +1426,29 @@ architecture rtl of stereo_core_deepsea_512 is
   signal slice3window_centre_output_column_0, slice3window_centre_output_column_1 : boolean;
   signal slice3window_centre_end_of_line_0, slice3window_centre_end_of_line_1 : boolean;
   -- slice3winner1
-  signal slice3winner1_of_pair_0_0, slice3winner1_of_pair_0_1, slice3winner1_of_pair_0_2 : natural range 0 to 4095;
-  signal slice3winner1_of_pair_0_3, slice3winner1_of_pair_0_4, slice3winner1_of_pair_0_5 : natural range 0 to 4095;
-  signal slice3winner1_of_pair_0_6, slice3winner1_of_pair_0_7, slice3winner1_of_pair_0_8 : natural range 0 to 4095;
-  signal slice3winner1_of_pair_0_9, slice3winner1_of_pair_0_10, slice3winner1_of_pair_0_11 : natural range 0 to 4095;
-  signal slice3winner1_of_pair_0_12, slice3winner1_of_four_0_0, slice3winner1_of_four_0_1 : natural range 0 to 4095;
-  signal slice3winner1_of_four_0_2, slice3winner1_of_four_0_3, slice3winner1_of_four_0_4 : natural range 0 to 4095;
-  signal slice3winner1_of_four_0_5, slice3winner1_of_four_0_6, slice3winner1_of_four_0_7 : natural range 0 to 4095;
-  signal slice3winner1_of_four_0_8, slice3winner1_of_four_0_9, slice3winner1_of_four_0_10 : natural range 0 to 4095;
-  signal slice3winner1_of_four_0_11, slice3winner1_of_four_0_12, slice3winner1_best_cost_0_0 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_0_1, slice3winner1_best_cost_0_2 : natural range 0 to 4095;
-  signal slice3winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice3winner1_pair_index_0_0 : boolean;
-  signal slice3winner1_pair_index_0_1, slice3winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice3winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice3winner1_pair_index_0_3, slice3winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice3winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice3winner1_pair_index_0_5, slice3winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_0_6 : natural range 0 to 4095;
+  signal slice3winner1_best_index_0_0 : boolean;
+  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice3winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice3winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice3winner1_best_index_0_5 : natural range 0 to 11;
   -- slice3winner2
-  signal slice3winner2_of_pair_0_0, slice3winner2_of_pair_0_1, slice3winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice3winner2_of_pair_0_3, slice3winner2_of_four_0_0, slice3winner2_of_four_0_1 : natural range 0 to 4095;
-  signal slice3winner2_of_four_0_2, slice3winner2_of_four_0_3, slice3winner2_best_cost_0_0 : natural range 0 to 4095;
-  signal slice3winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice3winner2_pair_index_0_1, slice3winner2_four_index_0_0 : natural range 0 to 12;
-  signal slice3winner2_best_index_0_0 : natural range 0 to 12;
+  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 4095;
+  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 4095;
+  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice3winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice3winner2_best_index_0_2 : natural range 0 to 11;
+  -- slice3winner3
+  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 4095;
+  signal slice3winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice3winner3_best_index_0_1 : natural range 0 to 12;
+  -- slice3winner4
+  signal slice3winner4_best_cost_0_0 : natural range 0 to 4095;
+  signal slice3winner4_best_index_0_0 : natural range 0 to 12;
   -- slice3
   signal slice3_best_index_0_0 : natural range 0 to 51;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
@@ -2461,13 +2443,13 @@ begin
     variable slice0cost_pixels_first_1_0_count_13_value_2, slice0cost_pixels_first_1_0_count_13_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_14_value, slice0cost_pixels_first_1_0_count_14_value_2 : boolean;
     variable slice0cost_pixels_first_1_0_count_14_value_3, slice0cost_pixels_first_1_0_count_15_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_15_value_2, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
-    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
-    variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_0_4_is_less, slice0winner1_of_four_0_8_is_less : boolean;
-    variable slice0winner2_of_pair_0_0_is_less, slice0winner2_of_pair_0_2_is_less : boolean;
-    variable slice0winner2_of_four_0_0_is_less, slice1cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_15_value_2, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
+    variable slice0winner1_best_cost_0_5_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_cost_0_1_is_less : boolean;
+    variable slice0winner4_best_cost_0_0_is_less, slice1cost_pixels_first_0_0_count_0_value : boolean;
     variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
     variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
@@ -2512,13 +2494,13 @@ begin
     variable slice1cost_pixels_first_1_0_count_13_value_2, slice1cost_pixels_first_1_0_count_13_value_3 : boolean;
     variable slice1cost_pixels_first_1_0_count_14_value, slice1cost_pixels_first_1_0_count_14_value_2 : boolean;
     variable slice1cost_pixels_first_1_0_count_14_value_3, slice1cost_pixels_first_1_0_count_15_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_15_value_2, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
-    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
-    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
-    variable slice1winner2_of_pair_0_0_is_less, slice1winner2_of_pair_0_2_is_less : boolean;
-    variable slice1winner2_of_four_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
+    variable slice1cost_pixels_first_1_0_count_15_value_2, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
+    variable slice1winner1_best_cost_0_5_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
+    variable slice1winner3_best_cost_0_0_is_less, slice1winner3_best_cost_0_1_is_less : boolean;
+    variable slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
     variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
@@ -2564,12 +2546,12 @@ begin
     variable slice2cost_pixels_first_1_0_count_13_value_3, slice2cost_pixels_first_1_0_count_14_value : boolean;
     variable slice2cost_pixels_first_1_0_count_14_value_2, slice2cost_pixels_first_1_0_count_14_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_15_value, slice2cost_pixels_first_1_0_count_15_value_2 : boolean;
-    variable slice2winner1_of_pair_0_0_is_less, slice2winner1_of_pair_0_2_is_less : boolean;
-    variable slice2winner1_of_pair_0_4_is_less, slice2winner1_of_pair_0_6_is_less : boolean;
-    variable slice2winner1_of_pair_0_8_is_less, slice2winner1_of_pair_0_10_is_less : boolean;
-    variable slice2winner1_of_four_0_0_is_less, slice2winner1_of_four_0_4_is_less : boolean;
-    variable slice2winner1_of_four_0_8_is_less, slice2winner2_of_pair_0_0_is_less : boolean;
-    variable slice2winner2_of_pair_0_2_is_less, slice2winner2_of_four_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
+    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
+    variable slice2winner1_best_cost_0_4_is_less, slice2winner1_best_cost_0_5_is_less : boolean;
+    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
+    variable slice2winner2_best_cost_0_2_is_less, slice2winner3_best_cost_0_0_is_less : boolean;
+    variable slice2winner3_best_cost_0_1_is_less, slice2winner4_best_cost_0_0_is_less : boolean;
     variable slice2_best_cost_0_0_is_less, slice3cost_pixels_first_0_0_count_0_value : boolean;
     variable slice3cost_pixels_first_0_0_count_0_value_2, slice3cost_pixels_first_0_0_count_1_value : boolean;
     variable slice3cost_pixels_first_0_0_count_1_value_2, slice3cost_pixels_first_0_0_count_1_value_3 : boolean;
@@ -2615,13 +2597,13 @@ begin
     variable slice3cost_pixels_first_1_0_count_13_value_2, slice3cost_pixels_first_1_0_count_13_value_3 : boolean;
     variable slice3cost_pixels_first_1_0_count_14_value, slice3cost_pixels_first_1_0_count_14_value_2 : boolean;
     variable slice3cost_pixels_first_1_0_count_14_value_3, slice3cost_pixels_first_1_0_count_15_value : boolean;
-    variable slice3cost_pixels_first_1_0_count_15_value_2, slice3winner1_of_pair_0_0_is_less : boolean;
-    variable slice3winner1_of_pair_0_2_is_less, slice3winner1_of_pair_0_4_is_less : boolean;
-    variable slice3winner1_of_pair_0_6_is_less, slice3winner1_of_pair_0_8_is_less : boolean;
-    variable slice3winner1_of_pair_0_10_is_less, slice3winner1_of_four_0_0_is_less : boolean;
-    variable slice3winner1_of_four_0_4_is_less, slice3winner1_of_four_0_8_is_less : boolean;
-    variable slice3winner2_of_pair_0_0_is_less, slice3winner2_of_pair_0_2_is_less : boolean;
-    variable slice3winner2_of_four_0_0_is_less : boolean;
+    variable slice3cost_pixels_first_1_0_count_15_value_2, slice3winner1_best_cost_0_0_is_less : boolean;
+    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
+    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
+    variable slice3winner1_best_cost_0_5_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
+    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
+    variable slice3winner3_best_cost_0_0_is_less, slice3winner3_best_cost_0_1_is_less : boolean;
+    variable slice3winner4_best_cost_0_0_is_less : boolean;
     variable transform_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 511;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 511;
@@ -7859,134 +7841,96 @@ begin
         slice0window_sum_0_11 <= (slice0window_sum_0_11_choice + slice0window_change_0_11) mod 4096;
         slice0window_sum_0_12 <= (slice0window_sum_0_12_choice + slice0window_change_0_12) mod 4096;
       end if;
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_2;
       end if;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 12))))) < 0;
-      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_9, 12))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
-      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
-      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
-      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
-      slice0winner1_of_pair_0_12 <= slice0window_sum_0_12;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
-      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
-      slice0winner1_pair_index_0_6 <= 12;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
-      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
-      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_12 <= slice0winner1_of_pair_0_12;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
-        slice0winner1_pair_index_0_4;
-      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_6;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 12))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 12)))) or (to_unsigned(slice0winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 12))));
-      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_11, 12)))) or (to_unsigned(slice0winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_8, 12))));
-      slice0winner1_best_cost_0_3 <= slice0winner1_of_four_0_12;
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
-      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
-      if slice0winner1_four_tag_valid then
-        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_four_tag_output_column <= slice3window_centre_output_column_1;
-        slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-        slice0winner1_four_tag_end_of_line <= slice3window_centre_end_of_line_1;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
+        slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
+      slice0winner1_best_index_0_6 <= 12;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner2_tag_valid then
+        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       end if;
       -- slice0winner2
-      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner2_of_pair_0_1, 12))))) < 0;
-      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
-      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
-      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
-      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
-      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
-        slice0winner1_best_index_0_0;
-      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
-      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
-      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
-        slice0winner2_pair_index_0_0;
-      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
-      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
-      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
-      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
-      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner2_of_four_0_3, 12)))) or (to_unsigned(slice0winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner2_of_four_0_0, 12))));
-      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
-      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_index_0_4;
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_tag_valid then
+        slice0winner2_tag_output_column <= slice3window_centre_output_column_1;
+        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line_1;
+      end if;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
+      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_cost_0_2;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 39;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner4_best_index_0_0 + 39;
+      slice0_best_tag_valid <= slice0winner4_tag_valid;
+      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -10304,101 +10248,70 @@ begin
         slice1window_sum_0_12 <= (slice1window_sum_0_12_choice + slice1window_change_0_12) mod 4096;
       end if;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
-      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_5, 12))))) < 0;
-      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_9, 12))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
-      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
-      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
-      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
-      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
-      slice1winner1_of_pair_0_12 <= slice1window_sum_0_12;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
-      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
-      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
-      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_12 <= slice1winner1_of_pair_0_12;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
-      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
-        slice1winner1_pair_index_0_4;
-      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_3, 12)))) or (to_unsigned(slice1winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_0, 12))));
-      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_7, 12)))) or (to_unsigned(slice1winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_4, 12))));
-      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_11, 12)))) or (to_unsigned(slice1winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_8, 12))));
-      slice1winner1_best_cost_0_3 <= slice1winner1_of_four_0_12;
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
-      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
+        slice1window_sum_0_8;
+      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
+        slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
+      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
       -- slice1winner2
-      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice1winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice1winner2_of_pair_0_1, 12))))) < 0;
-      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
-      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
-      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
-      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
-        slice1winner1_best_index_0_0;
-      slice1winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
-      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
-      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
-        slice1winner2_pair_index_0_0;
-      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice1winner2_of_four_0_3, 12)))) or (to_unsigned(slice1winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice1winner2_of_four_0_0, 12))));
-      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_index_0_4;
+      -- slice1winner3
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
+      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_cost_0_2;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_index_0_0;
+      slice1winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_index_0_2;
+      -- slice1winner4
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_cost_0_0;
+      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner4_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 13) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner4_best_index_0_0 / 2) + 13) * 2) + (slice1winner4_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -12718,7 +12631,7 @@ begin
       slice2window_sum_0_10_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_10;
       slice2window_sum_0_11_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_11;
       slice2window_sum_0_12_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_12;
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 4096;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 4096;
         slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 4096;
@@ -12734,101 +12647,70 @@ begin
         slice2window_sum_0_12 <= (slice2window_sum_0_12_choice + slice2window_change_0_12) mod 4096;
       end if;
       -- slice2winner1
-      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
-      slice2winner1_of_pair_0_4_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
-      slice2winner1_of_pair_0_6_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
-      slice2winner1_of_pair_0_8_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
-      slice2winner1_of_pair_0_10_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
-      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_1, 12))))) < 0;
-      slice2winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_5, 12))))) < 0;
-      slice2winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_9, 12))))) < 0;
-      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
-      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
-      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
-      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
-      slice2winner1_of_pair_0_4 <= 0 when slice2winner1_of_pair_0_4_is_less else slice2window_sum_0_4;
-      slice2winner1_of_pair_0_5 <= slice2window_sum_0_5 when slice2winner1_of_pair_0_4_is_less else 0;
-      slice2winner1_of_pair_0_6 <= 0 when slice2winner1_of_pair_0_6_is_less else slice2window_sum_0_6;
-      slice2winner1_of_pair_0_7 <= slice2window_sum_0_7 when slice2winner1_of_pair_0_6_is_less else 0;
-      slice2winner1_of_pair_0_8 <= 0 when slice2winner1_of_pair_0_8_is_less else slice2window_sum_0_8;
-      slice2winner1_of_pair_0_9 <= slice2window_sum_0_9 when slice2winner1_of_pair_0_8_is_less else 0;
-      slice2winner1_of_pair_0_10 <= 0 when slice2winner1_of_pair_0_10_is_less else slice2window_sum_0_10;
-      slice2winner1_of_pair_0_11 <= slice2window_sum_0_11 when slice2winner1_of_pair_0_10_is_less else 0;
-      slice2winner1_of_pair_0_12 <= slice2window_sum_0_12;
-      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
-      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
-      slice2winner1_pair_index_0_2 <= 5 when slice2winner1_of_pair_0_4_is_less else 4;
-      slice2winner1_pair_index_0_3 <= 7 when slice2winner1_of_pair_0_6_is_less else 6;
-      slice2winner1_pair_index_0_4 <= 9 when slice2winner1_of_pair_0_8_is_less else 8;
-      slice2winner1_pair_index_0_5 <= 11 when slice2winner1_of_pair_0_10_is_less else 10;
-      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
-      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
-      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_4 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_4;
-      slice2winner1_of_four_0_5 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_5;
-      slice2winner1_of_four_0_6 <= slice2winner1_of_pair_0_6 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_7 <= slice2winner1_of_pair_0_7 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_8 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_8;
-      slice2winner1_of_four_0_9 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_9;
-      slice2winner1_of_four_0_10 <= slice2winner1_of_pair_0_10 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_11 <= slice2winner1_of_pair_0_11 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_12 <= slice2winner1_of_pair_0_12;
-      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
-        as_number(slice2winner1_pair_index_0_0);
-      slice2winner1_four_index_0_1 <= slice2winner1_pair_index_0_3 when slice2winner1_of_four_0_4_is_less else
-        slice2winner1_pair_index_0_2;
-      slice2winner1_four_index_0_2 <= slice2winner1_pair_index_0_5 when slice2winner1_of_four_0_8_is_less else
-        slice2winner1_pair_index_0_4;
-      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_3, 12)))) or (to_unsigned(slice2winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_0, 12))));
-      slice2winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_7, 12)))) or (to_unsigned(slice2winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_4, 12))));
-      slice2winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_11, 12)))) or (to_unsigned(slice2winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_8, 12))));
-      slice2winner1_best_cost_0_3 <= slice2winner1_of_four_0_12;
-      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
-      slice2winner1_best_index_0_1 <= slice2winner1_four_index_0_1;
-      slice2winner1_best_index_0_2 <= slice2winner1_four_index_0_2;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_best_cost_0_4_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
+      slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
+        slice2window_sum_0_2;
+      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
+        slice2window_sum_0_4;
+      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
+        slice2window_sum_0_6;
+      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
+        slice2window_sum_0_8;
+      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
+        slice2window_sum_0_10;
+      slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
+      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
+      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
+      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
+      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
       -- slice2winner2
-      slice2winner2_of_pair_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
-      slice2winner2_of_pair_0_2_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
-      slice2winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice2winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice2winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice2winner2_of_pair_0_1, 12))))) < 0;
-      slice2winner2_of_pair_0_0 <= 0 when slice2winner2_of_pair_0_0_is_less else slice2winner1_best_cost_0_0;
-      slice2winner2_of_pair_0_1 <= slice2winner1_best_cost_0_1 when slice2winner2_of_pair_0_0_is_less else 0;
-      slice2winner2_of_pair_0_2 <= 0 when slice2winner2_of_pair_0_2_is_less else slice2winner1_best_cost_0_2;
-      slice2winner2_of_pair_0_3 <= slice2winner1_best_cost_0_3 when slice2winner2_of_pair_0_2_is_less else 0;
-      slice2winner2_pair_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_of_pair_0_0_is_less else
-        slice2winner1_best_index_0_0;
-      slice2winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice2winner2_of_pair_0_2_is_less else
+      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_cost_0_4;
+      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
+        as_number(slice2winner1_best_index_0_0);
+      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
         slice2winner1_best_index_0_2;
-      slice2winner2_of_four_0_0 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_0;
-      slice2winner2_of_four_0_1 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_1;
-      slice2winner2_of_four_0_2 <= slice2winner2_of_pair_0_2 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_3 <= slice2winner2_of_pair_0_3 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_four_index_0_0 <= slice2winner2_pair_index_0_1 when slice2winner2_of_four_0_0_is_less else
-        slice2winner2_pair_index_0_0;
-      slice2winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice2winner2_of_four_0_3, 12)))) or (to_unsigned(slice2winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice2winner2_of_four_0_0, 12))));
-      slice2winner2_best_index_0_0 <= slice2winner2_four_index_0_0;
+      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_index_0_4;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
+      slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
+        slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_cost_0_2;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
+        slice2winner2_best_index_0_0;
+      slice2winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_index_0_2;
+      -- slice2winner4
+      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
+      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_cost_0_0;
+      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_index_0_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner2_best_cost_0_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner4_best_cost_0_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner2_best_index_0_0 + 13;
+        slice2winner4_best_index_0_0 + 13;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -15133,7 +15015,7 @@ begin
       slice3window_sum_0_10_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_10;
       slice3window_sum_0_11_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_11;
       slice3window_sum_0_12_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_12;
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 4096;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 4096;
         slice3window_sum_0_2 <= (slice3window_sum_0_2_choice + slice3window_change_0_2) mod 4096;
@@ -15153,99 +15035,68 @@ begin
         slice3window_centre_end_of_line_1 <= slice3window_centre_end_of_line_0;
       end if;
       -- slice3winner1
-      slice3winner1_of_pair_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
-      slice3winner1_of_pair_0_2_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
-      slice3winner1_of_pair_0_4_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
-      slice3winner1_of_pair_0_6_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
-      slice3winner1_of_pair_0_8_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
-      slice3winner1_of_pair_0_10_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
-      slice3winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_1, 12))))) < 0;
-      slice3winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_5, 12))))) < 0;
-      slice3winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice3winner1_of_pair_0_9, 12))))) < 0;
-      slice3winner1_of_pair_0_0 <= 0 when slice3winner1_of_pair_0_0_is_less else slice3window_sum_0_0;
-      slice3winner1_of_pair_0_1 <= slice3window_sum_0_1 when slice3winner1_of_pair_0_0_is_less else 0;
-      slice3winner1_of_pair_0_2 <= 0 when slice3winner1_of_pair_0_2_is_less else slice3window_sum_0_2;
-      slice3winner1_of_pair_0_3 <= slice3window_sum_0_3 when slice3winner1_of_pair_0_2_is_less else 0;
-      slice3winner1_of_pair_0_4 <= 0 when slice3winner1_of_pair_0_4_is_less else slice3window_sum_0_4;
-      slice3winner1_of_pair_0_5 <= slice3window_sum_0_5 when slice3winner1_of_pair_0_4_is_less else 0;
-      slice3winner1_of_pair_0_6 <= 0 when slice3winner1_of_pair_0_6_is_less else slice3window_sum_0_6;
-      slice3winner1_of_pair_0_7 <= slice3window_sum_0_7 when slice3winner1_of_pair_0_6_is_less else 0;
-      slice3winner1_of_pair_0_8 <= 0 when slice3winner1_of_pair_0_8_is_less else slice3window_sum_0_8;
-      slice3winner1_of_pair_0_9 <= slice3window_sum_0_9 when slice3winner1_of_pair_0_8_is_less else 0;
-      slice3winner1_of_pair_0_10 <= 0 when slice3winner1_of_pair_0_10_is_less else slice3window_sum_0_10;
-      slice3winner1_of_pair_0_11 <= slice3window_sum_0_11 when slice3winner1_of_pair_0_10_is_less else 0;
-      slice3winner1_of_pair_0_12 <= slice3window_sum_0_12;
-      slice3winner1_pair_index_0_0 <= slice3winner1_of_pair_0_0_is_less;
-      slice3winner1_pair_index_0_1 <= 3 when slice3winner1_of_pair_0_2_is_less else 2;
-      slice3winner1_pair_index_0_2 <= 5 when slice3winner1_of_pair_0_4_is_less else 4;
-      slice3winner1_pair_index_0_3 <= 7 when slice3winner1_of_pair_0_6_is_less else 6;
-      slice3winner1_pair_index_0_4 <= 9 when slice3winner1_of_pair_0_8_is_less else 8;
-      slice3winner1_pair_index_0_5 <= 11 when slice3winner1_of_pair_0_10_is_less else 10;
-      slice3winner1_of_four_0_0 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_0;
-      slice3winner1_of_four_0_1 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_1;
-      slice3winner1_of_four_0_2 <= slice3winner1_of_pair_0_2 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_3 <= slice3winner1_of_pair_0_3 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_4 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_4;
-      slice3winner1_of_four_0_5 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_5;
-      slice3winner1_of_four_0_6 <= slice3winner1_of_pair_0_6 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_7 <= slice3winner1_of_pair_0_7 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_8 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_8;
-      slice3winner1_of_four_0_9 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_9;
-      slice3winner1_of_four_0_10 <= slice3winner1_of_pair_0_10 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_11 <= slice3winner1_of_pair_0_11 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_12 <= slice3winner1_of_pair_0_12;
-      slice3winner1_four_index_0_0 <= slice3winner1_pair_index_0_1 when slice3winner1_of_four_0_0_is_less else
-        as_number(slice3winner1_pair_index_0_0);
-      slice3winner1_four_index_0_1 <= slice3winner1_pair_index_0_3 when slice3winner1_of_four_0_4_is_less else
-        slice3winner1_pair_index_0_2;
-      slice3winner1_four_index_0_2 <= slice3winner1_pair_index_0_5 when slice3winner1_of_four_0_8_is_less else
-        slice3winner1_pair_index_0_4;
-      slice3winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_3, 12)))) or (to_unsigned(slice3winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_0, 12))));
-      slice3winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_7, 12)))) or (to_unsigned(slice3winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_4, 12))));
-      slice3winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice3winner1_of_four_0_11, 12)))) or (to_unsigned(slice3winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice3winner1_of_four_0_8, 12))));
-      slice3winner1_best_cost_0_3 <= slice3winner1_of_four_0_12;
-      slice3winner1_best_index_0_0 <= slice3winner1_four_index_0_0;
-      slice3winner1_best_index_0_1 <= slice3winner1_four_index_0_1;
-      slice3winner1_best_index_0_2 <= slice3winner1_four_index_0_2;
+      slice3winner1_best_cost_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
+      slice3winner1_best_cost_0_1_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
+      slice3winner1_best_cost_0_2_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
+      slice3winner1_best_cost_0_3_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
+      slice3winner1_best_cost_0_4_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
+      slice3winner1_best_cost_0_5_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
+      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
+        slice3window_sum_0_0;
+      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
+        slice3window_sum_0_2;
+      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
+        slice3window_sum_0_4;
+      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
+        slice3window_sum_0_6;
+      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
+        slice3window_sum_0_8;
+      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
+        slice3window_sum_0_10;
+      slice3winner1_best_cost_0_6 <= slice3window_sum_0_12;
+      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
+      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
+      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
+      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
+      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
+      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
       -- slice3winner2
-      slice3winner2_of_pair_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
-      slice3winner2_of_pair_0_2_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
-      slice3winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice3winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice3winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice3winner2_of_pair_0_1, 12))))) < 0;
-      slice3winner2_of_pair_0_0 <= 0 when slice3winner2_of_pair_0_0_is_less else slice3winner1_best_cost_0_0;
-      slice3winner2_of_pair_0_1 <= slice3winner1_best_cost_0_1 when slice3winner2_of_pair_0_0_is_less else 0;
-      slice3winner2_of_pair_0_2 <= 0 when slice3winner2_of_pair_0_2_is_less else slice3winner1_best_cost_0_2;
-      slice3winner2_of_pair_0_3 <= slice3winner1_best_cost_0_3 when slice3winner2_of_pair_0_2_is_less else 0;
-      slice3winner2_pair_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_of_pair_0_0_is_less else
-        slice3winner1_best_index_0_0;
-      slice3winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice3winner2_of_pair_0_2_is_less else
+      slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
+      slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
+      slice3winner2_best_cost_0_2_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
+      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
+        slice3winner1_best_cost_0_0;
+      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
+        slice3winner1_best_cost_0_2;
+      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_cost_0_4;
+      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_6;
+      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
+        as_number(slice3winner1_best_index_0_0);
+      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
         slice3winner1_best_index_0_2;
-      slice3winner2_of_four_0_0 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_0;
-      slice3winner2_of_four_0_1 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_1;
-      slice3winner2_of_four_0_2 <= slice3winner2_of_pair_0_2 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_3 <= slice3winner2_of_pair_0_3 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_four_index_0_0 <= slice3winner2_pair_index_0_1 when slice3winner2_of_four_0_0_is_less else
-        slice3winner2_pair_index_0_0;
-      slice3winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice3winner2_of_four_0_3, 12)))) or (to_unsigned(slice3winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice3winner2_of_four_0_0, 12))));
-      slice3winner2_best_index_0_0 <= slice3winner2_four_index_0_0;
-      -- slice3
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner2_best_cost_0_0) < 0 else
+      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_index_0_4;
+      -- slice3winner3
+      slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
+      slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
+      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
+        slice3winner2_best_cost_0_0;
+      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_cost_0_2;
+      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_index_0_0;
+      slice3winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_index_0_2;
+      -- slice3winner4
+      slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
+      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_cost_0_0;
+      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_index_0_0;
+      -- slice3
+      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0 else
+        slice3winner4_best_index_0_0;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -15342,28 +15193,20 @@ begin
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
-        slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
-        slice0winner1_tag_end_of_line <= false;
-        slice0winner2_pair_tag_valid <= false;
-        slice0winner2_pair_tag_output_column <= false;
-        slice0winner2_pair_tag_start_of_frame <= false;
-        slice0winner2_pair_tag_end_of_line <= false;
-        slice0winner2_four_tag_valid <= false;
-        slice0winner2_four_tag_output_column <= false;
-        slice0winner2_four_tag_start_of_frame <= false;
-        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

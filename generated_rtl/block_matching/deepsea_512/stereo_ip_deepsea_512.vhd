@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 460,
-      latency_clocks => 29,
+      latency_clocks => 27,
       flush_groups => 3077,
       gap_groups => 1536,
-      core_id => x"310d274d",
+      core_id => x"c8c2e97c",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 460,
-      latency_clocks => 29,
+      latency_clocks => 27,
       flush_groups => 3077,
       gap_groups => 1536)
     port map (

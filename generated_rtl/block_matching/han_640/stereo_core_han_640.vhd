@@ -17,7 +17,7 @@ entity stereo_core_han_640 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 512;
-    latency_clocks : positive := 26;
+    latency_clocks : positive := 24;
     flush_groups : positive := 2563;
     gap_groups : positive := 2560
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_han_640: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_han_640: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 512 report "stereo_core_han_640: output_width_px is " & integer'image(output_width_px) & " but this core has 512" severity failure;
-  assert latency_clocks = 26 report "stereo_core_han_640: latency_clocks is " & integer'image(latency_clocks) & " but this core has 26" severity failure;
+  assert latency_clocks = 24 report "stereo_core_han_640: latency_clocks is " & integer'image(latency_clocks) & " but this core has 24" severity failure;
   assert flush_groups = 2563 report "stereo_core_han_640: flush_groups is " & integer'image(flush_groups) & " but this core has 2563" severity failure;
   assert gap_groups = 2560 report "stereo_core_han_640: gap_groups is " & integer'image(gap_groups) & " but this core has 2560" severity failure;
 end entity;
@@ -285,70 +285,58 @@ architecture rtl of stereo_core_han_640 is
   signal slice0window_sum_0_21, slice0window_sum_0_22, slice0window_sum_0_23 : natural range 0 to 32767;
   signal slice0window_sum_0_24 : natural range 0 to 32767;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_15, slice0winner1_of_pair_0_16, slice0winner1_of_pair_0_17 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_18, slice0winner1_of_pair_0_19, slice0winner1_of_pair_0_20 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_21, slice0winner1_of_pair_0_22, slice0winner1_of_pair_0_23 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_24, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9, slice0winner1_of_four_0_10 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_11, slice0winner1_of_four_0_12, slice0winner1_of_four_0_13 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_14, slice0winner1_of_four_0_15, slice0winner1_of_four_0_16 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_17, slice0winner1_of_four_0_18, slice0winner1_of_four_0_19 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_20, slice0winner1_of_four_0_21, slice0winner1_of_four_0_22 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_23, slice0winner1_of_four_0_24, slice0winner1_best_cost_0_0 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_3, slice0winner1_best_cost_0_4 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_5, slice0winner1_best_cost_0_6 : natural range 0 to 32767;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_start_of_frame : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_pair_index_0_5, slice0winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_pair_index_0_7, slice0winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice0winner1_pair_index_0_9, slice0winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice0winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice0winner1_pair_index_0_11, slice0winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 23;
-  signal slice0winner1_pair_index_0_12, slice0winner1_four_index_0_6 : natural range 0 to 24;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_12 : natural range 0 to 32767;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice0winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice0winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice0winner1_best_index_0_11 : natural range 0 to 23;
+  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
   -- slice0winner2
-  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 32767;
-  signal slice0winner2_of_pair_0_3, slice0winner2_of_pair_0_4, slice0winner2_of_pair_0_5 : natural range 0 to 32767;
-  signal slice0winner2_of_pair_0_6, slice0winner2_of_four_0_0, slice0winner2_of_four_0_1 : natural range 0 to 32767;
-  signal slice0winner2_of_four_0_2, slice0winner2_of_four_0_3, slice0winner2_of_four_0_4 : natural range 0 to 32767;
-  signal slice0winner2_of_four_0_5, slice0winner2_of_four_0_6, slice0winner2_best_cost_0_0 : natural range 0 to 32767;
-  signal slice0winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_0_1, slice0winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice0winner2_pair_index_0_3, slice0winner2_four_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
-  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
-  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
-  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
-  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 32767;
+  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 32767;
+  signal slice0winner2_best_cost_0_6 : natural range 0 to 32767;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice0winner2_best_index_0_5 : natural range 0 to 23;
+  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner2_tag_valid : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0 : natural range 0 to 32767;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 24;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 32767;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice0winner3_best_index_0_2 : natural range 0 to 23;
+  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
+  signal slice0winner3_tag_valid : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice0winner4_best_index_0_1 : natural range 0 to 24;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
+  -- slice0winner5
+  signal slice0winner5_best_cost_0_0 : natural range 0 to 32767;
+  signal slice0winner5_best_index_0_0 : natural range 0 to 24;
+  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
+  signal slice0winner5_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 32767;
   signal slice0_best_index_0_0 : natural range 0 to 127;
@@ -487,59 +475,49 @@ architecture rtl of stereo_core_han_640 is
   signal slice1window_sum_0_21, slice1window_sum_0_22, slice1window_sum_0_23 : natural range 0 to 32767;
   signal slice1window_sum_0_24 : natural range 0 to 32767;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_12, slice1winner1_of_pair_0_13, slice1winner1_of_pair_0_14 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_15, slice1winner1_of_pair_0_16, slice1winner1_of_pair_0_17 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_18, slice1winner1_of_pair_0_19, slice1winner1_of_pair_0_20 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_21, slice1winner1_of_pair_0_22, slice1winner1_of_pair_0_23 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_24, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_8, slice1winner1_of_four_0_9, slice1winner1_of_four_0_10 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_11, slice1winner1_of_four_0_12, slice1winner1_of_four_0_13 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_14, slice1winner1_of_four_0_15, slice1winner1_of_four_0_16 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_17, slice1winner1_of_four_0_18, slice1winner1_of_four_0_19 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_20, slice1winner1_of_four_0_21, slice1winner1_of_four_0_22 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_23, slice1winner1_of_four_0_24, slice1winner1_best_cost_0_0 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_3, slice1winner1_best_cost_0_4 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_5, slice1winner1_best_cost_0_6 : natural range 0 to 32767;
-  signal slice1winner1_pair_index_0_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_pair_index_0_5, slice1winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_pair_index_0_7, slice1winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice1winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice1winner1_pair_index_0_9, slice1winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice1winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice1winner1_pair_index_0_11, slice1winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_8, slice1winner1_best_cost_0_9 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_10, slice1winner1_best_cost_0_11 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_12 : natural range 0 to 32767;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice1winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice1winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice1winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice1winner1_best_index_0_11 : natural range 0 to 23;
   -- slice1winner2
-  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 32767;
-  signal slice1winner2_of_pair_0_3, slice1winner2_of_pair_0_4, slice1winner2_of_pair_0_5 : natural range 0 to 32767;
-  signal slice1winner2_of_pair_0_6, slice1winner2_of_four_0_0, slice1winner2_of_four_0_1 : natural range 0 to 32767;
-  signal slice1winner2_of_four_0_2, slice1winner2_of_four_0_3, slice1winner2_of_four_0_4 : natural range 0 to 32767;
-  signal slice1winner2_of_four_0_5, slice1winner2_of_four_0_6, slice1winner2_best_cost_0_0 : natural range 0 to 32767;
-  signal slice1winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice1winner2_pair_index_0_1, slice1winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice1winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice1winner2_four_index_0_1, slice1winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 32767;
+  signal slice1winner2_best_cost_0_4, slice1winner2_best_cost_0_5 : natural range 0 to 32767;
+  signal slice1winner2_best_cost_0_6 : natural range 0 to 32767;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice1winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice1winner2_best_index_0_5 : natural range 0 to 23;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0 : natural range 0 to 32767;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner3_best_cost_0_2, slice1winner3_best_cost_0_3 : natural range 0 to 32767;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice1winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice1winner4
+  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice1winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice1winner5
+  signal slice1winner5_best_cost_0_0 : natural range 0 to 32767;
+  signal slice1winner5_best_index_0_0 : natural range 0 to 24;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 32767;
   signal slice1_best_index_0_0 : natural range 0 to 127;
@@ -678,59 +656,49 @@ architecture rtl of stereo_core_han_640 is
   signal slice2window_sum_0_21, slice2window_sum_0_22, slice2window_sum_0_23 : natural range 0 to 32767;
   signal slice2window_sum_0_24 : natural range 0 to 32767;
   -- slice2winner1
-  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_0_3, slice2winner1_of_pair_0_4, slice2winner1_of_pair_0_5 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_0_6, slice2winner1_of_pair_0_7, slice2winner1_of_pair_0_8 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_0_9, slice2winner1_of_pair_0_10, slice2winner1_of_pair_0_11 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_0_12, slice2winner1_of_pair_0_13, slice2winner1_of_pair_0_14 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_0_15, slice2winner1_of_pair_0_16, slice2winner1_of_pair_0_17 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_0_18, slice2winner1_of_pair_0_19, slice2winner1_of_pair_0_20 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_0_21, slice2winner1_of_pair_0_22, slice2winner1_of_pair_0_23 : natural range 0 to 32767;
-  signal slice2winner1_of_pair_0_24, slice2winner1_of_four_0_0, slice2winner1_of_four_0_1 : natural range 0 to 32767;
-  signal slice2winner1_of_four_0_2, slice2winner1_of_four_0_3, slice2winner1_of_four_0_4 : natural range 0 to 32767;
-  signal slice2winner1_of_four_0_5, slice2winner1_of_four_0_6, slice2winner1_of_four_0_7 : natural range 0 to 32767;
-  signal slice2winner1_of_four_0_8, slice2winner1_of_four_0_9, slice2winner1_of_four_0_10 : natural range 0 to 32767;
-  signal slice2winner1_of_four_0_11, slice2winner1_of_four_0_12, slice2winner1_of_four_0_13 : natural range 0 to 32767;
-  signal slice2winner1_of_four_0_14, slice2winner1_of_four_0_15, slice2winner1_of_four_0_16 : natural range 0 to 32767;
-  signal slice2winner1_of_four_0_17, slice2winner1_of_four_0_18, slice2winner1_of_four_0_19 : natural range 0 to 32767;
-  signal slice2winner1_of_four_0_20, slice2winner1_of_four_0_21, slice2winner1_of_four_0_22 : natural range 0 to 32767;
-  signal slice2winner1_of_four_0_23, slice2winner1_of_four_0_24, slice2winner1_best_cost_0_0 : natural range 0 to 32767;
-  signal slice2winner1_best_cost_0_1, slice2winner1_best_cost_0_2 : natural range 0 to 32767;
-  signal slice2winner1_best_cost_0_3, slice2winner1_best_cost_0_4 : natural range 0 to 32767;
-  signal slice2winner1_best_cost_0_5, slice2winner1_best_cost_0_6 : natural range 0 to 32767;
-  signal slice2winner1_pair_index_0_0 : boolean;
-  signal slice2winner1_pair_index_0_1, slice2winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_pair_index_0_3, slice2winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_pair_index_0_5, slice2winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice2winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice2winner1_pair_index_0_7, slice2winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice2winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice2winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice2winner1_pair_index_0_9, slice2winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice2winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice2winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice2winner1_pair_index_0_11, slice2winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice2winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_0_8, slice2winner1_best_cost_0_9 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_0_10, slice2winner1_best_cost_0_11 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_0_12 : natural range 0 to 32767;
+  signal slice2winner1_best_index_0_0 : boolean;
+  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice2winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice2winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice2winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice2winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice2winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice2winner1_best_index_0_11 : natural range 0 to 23;
   -- slice2winner2
-  signal slice2winner2_of_pair_0_0, slice2winner2_of_pair_0_1, slice2winner2_of_pair_0_2 : natural range 0 to 32767;
-  signal slice2winner2_of_pair_0_3, slice2winner2_of_pair_0_4, slice2winner2_of_pair_0_5 : natural range 0 to 32767;
-  signal slice2winner2_of_pair_0_6, slice2winner2_of_four_0_0, slice2winner2_of_four_0_1 : natural range 0 to 32767;
-  signal slice2winner2_of_four_0_2, slice2winner2_of_four_0_3, slice2winner2_of_four_0_4 : natural range 0 to 32767;
-  signal slice2winner2_of_four_0_5, slice2winner2_of_four_0_6, slice2winner2_best_cost_0_0 : natural range 0 to 32767;
-  signal slice2winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice2winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice2winner2_pair_index_0_1, slice2winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice2winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice2winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice2winner2_four_index_0_1, slice2winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 32767;
+  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 32767;
+  signal slice2winner2_best_cost_0_4, slice2winner2_best_cost_0_5 : natural range 0 to 32767;
+  signal slice2winner2_best_cost_0_6 : natural range 0 to 32767;
+  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice2winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice2winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice2winner2_best_index_0_5 : natural range 0 to 23;
   -- slice2winner3
-  signal slice2winner3_best_cost_0_0 : natural range 0 to 32767;
-  signal slice2winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 32767;
+  signal slice2winner3_best_cost_0_2, slice2winner3_best_cost_0_3 : natural range 0 to 32767;
+  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice2winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice2winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice2winner4
+  signal slice2winner4_best_cost_0_0, slice2winner4_best_cost_0_1 : natural range 0 to 32767;
+  signal slice2winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice2winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice2winner5
+  signal slice2winner5_best_cost_0_0 : natural range 0 to 32767;
+  signal slice2winner5_best_index_0_0 : natural range 0 to 24;
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 32767;
   signal slice2_best_index_0_0 : natural range 0 to 127;
@@ -867,59 +835,49 @@ architecture rtl of stereo_core_han_640 is
   signal slice3window_sum_0_21, slice3window_sum_0_22, slice3window_sum_0_23 : natural range 0 to 32767;
   signal slice3window_sum_0_24 : natural range 0 to 32767;
   -- slice3winner1
-  signal slice3winner1_of_pair_0_0, slice3winner1_of_pair_0_1, slice3winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice3winner1_of_pair_0_3, slice3winner1_of_pair_0_4, slice3winner1_of_pair_0_5 : natural range 0 to 32767;
-  signal slice3winner1_of_pair_0_6, slice3winner1_of_pair_0_7, slice3winner1_of_pair_0_8 : natural range 0 to 32767;
-  signal slice3winner1_of_pair_0_9, slice3winner1_of_pair_0_10, slice3winner1_of_pair_0_11 : natural range 0 to 32767;
-  signal slice3winner1_of_pair_0_12, slice3winner1_of_pair_0_13, slice3winner1_of_pair_0_14 : natural range 0 to 32767;
-  signal slice3winner1_of_pair_0_15, slice3winner1_of_pair_0_16, slice3winner1_of_pair_0_17 : natural range 0 to 32767;
-  signal slice3winner1_of_pair_0_18, slice3winner1_of_pair_0_19, slice3winner1_of_pair_0_20 : natural range 0 to 32767;
-  signal slice3winner1_of_pair_0_21, slice3winner1_of_pair_0_22, slice3winner1_of_pair_0_23 : natural range 0 to 32767;
-  signal slice3winner1_of_pair_0_24, slice3winner1_of_four_0_0, slice3winner1_of_four_0_1 : natural range 0 to 32767;
-  signal slice3winner1_of_four_0_2, slice3winner1_of_four_0_3, slice3winner1_of_four_0_4 : natural range 0 to 32767;
-  signal slice3winner1_of_four_0_5, slice3winner1_of_four_0_6, slice3winner1_of_four_0_7 : natural range 0 to 32767;
-  signal slice3winner1_of_four_0_8, slice3winner1_of_four_0_9, slice3winner1_of_four_0_10 : natural range 0 to 32767;
-  signal slice3winner1_of_four_0_11, slice3winner1_of_four_0_12, slice3winner1_of_four_0_13 : natural range 0 to 32767;
-  signal slice3winner1_of_four_0_14, slice3winner1_of_four_0_15, slice3winner1_of_four_0_16 : natural range 0 to 32767;
-  signal slice3winner1_of_four_0_17, slice3winner1_of_four_0_18, slice3winner1_of_four_0_19 : natural range 0 to 32767;
-  signal slice3winner1_of_four_0_20, slice3winner1_of_four_0_21, slice3winner1_of_four_0_22 : natural range 0 to 32767;
-  signal slice3winner1_of_four_0_23, slice3winner1_of_four_0_24, slice3winner1_best_cost_0_0 : natural range 0 to 32767;
-  signal slice3winner1_best_cost_0_1, slice3winner1_best_cost_0_2 : natural range 0 to 32767;
-  signal slice3winner1_best_cost_0_3, slice3winner1_best_cost_0_4 : natural range 0 to 32767;
-  signal slice3winner1_best_cost_0_5, slice3winner1_best_cost_0_6 : natural range 0 to 32767;
-  signal slice3winner1_pair_index_0_0 : boolean;
-  signal slice3winner1_pair_index_0_1, slice3winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice3winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice3winner1_pair_index_0_3, slice3winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice3winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice3winner1_pair_index_0_5, slice3winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice3winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice3winner1_pair_index_0_7, slice3winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice3winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice3winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice3winner1_pair_index_0_9, slice3winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice3winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice3winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice3winner1_pair_index_0_11, slice3winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice3winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 32767;
+  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 32767;
+  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 32767;
+  signal slice3winner1_best_cost_0_8, slice3winner1_best_cost_0_9 : natural range 0 to 32767;
+  signal slice3winner1_best_cost_0_10, slice3winner1_best_cost_0_11 : natural range 0 to 32767;
+  signal slice3winner1_best_cost_0_12 : natural range 0 to 32767;
+  signal slice3winner1_best_index_0_0 : boolean;
+  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice3winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice3winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice3winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice3winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice3winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice3winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice3winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice3winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice3winner1_best_index_0_11 : natural range 0 to 23;
   -- slice3winner2
-  signal slice3winner2_of_pair_0_0, slice3winner2_of_pair_0_1, slice3winner2_of_pair_0_2 : natural range 0 to 32767;
-  signal slice3winner2_of_pair_0_3, slice3winner2_of_pair_0_4, slice3winner2_of_pair_0_5 : natural range 0 to 32767;
-  signal slice3winner2_of_pair_0_6, slice3winner2_of_four_0_0, slice3winner2_of_four_0_1 : natural range 0 to 32767;
-  signal slice3winner2_of_four_0_2, slice3winner2_of_four_0_3, slice3winner2_of_four_0_4 : natural range 0 to 32767;
-  signal slice3winner2_of_four_0_5, slice3winner2_of_four_0_6, slice3winner2_best_cost_0_0 : natural range 0 to 32767;
-  signal slice3winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice3winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice3winner2_pair_index_0_1, slice3winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice3winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice3winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice3winner2_four_index_0_1, slice3winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 32767;
+  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 32767;
+  signal slice3winner2_best_cost_0_4, slice3winner2_best_cost_0_5 : natural range 0 to 32767;
+  signal slice3winner2_best_cost_0_6 : natural range 0 to 32767;
+  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice3winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice3winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice3winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice3winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice3winner2_best_index_0_5 : natural range 0 to 23;
   -- slice3winner3
-  signal slice3winner3_best_cost_0_0 : natural range 0 to 32767;
-  signal slice3winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 32767;
+  signal slice3winner3_best_cost_0_2, slice3winner3_best_cost_0_3 : natural range 0 to 32767;
+  signal slice3winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice3winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice3winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice3winner4
+  signal slice3winner4_best_cost_0_0, slice3winner4_best_cost_0_1 : natural range 0 to 32767;
+  signal slice3winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice3winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice3winner5
+  signal slice3winner5_best_cost_0_0 : natural range 0 to 32767;
+  signal slice3winner5_best_index_0_0 : natural range 0 to 24;
   -- slice3
   signal slice3_best_cost_0_0 : natural range 0 to 32767;
   signal slice3_best_index_0_0 : natural range 0 to 127;
@@ -1056,59 +1014,49 @@ architecture rtl of stereo_core_han_640 is
   signal slice4window_sum_0_21, slice4window_sum_0_22, slice4window_sum_0_23 : natural range 0 to 32767;
   signal slice4window_sum_0_24 : natural range 0 to 32767;
   -- slice4winner1
-  signal slice4winner1_of_pair_0_0, slice4winner1_of_pair_0_1, slice4winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice4winner1_of_pair_0_3, slice4winner1_of_pair_0_4, slice4winner1_of_pair_0_5 : natural range 0 to 32767;
-  signal slice4winner1_of_pair_0_6, slice4winner1_of_pair_0_7, slice4winner1_of_pair_0_8 : natural range 0 to 32767;
-  signal slice4winner1_of_pair_0_9, slice4winner1_of_pair_0_10, slice4winner1_of_pair_0_11 : natural range 0 to 32767;
-  signal slice4winner1_of_pair_0_12, slice4winner1_of_pair_0_13, slice4winner1_of_pair_0_14 : natural range 0 to 32767;
-  signal slice4winner1_of_pair_0_15, slice4winner1_of_pair_0_16, slice4winner1_of_pair_0_17 : natural range 0 to 32767;
-  signal slice4winner1_of_pair_0_18, slice4winner1_of_pair_0_19, slice4winner1_of_pair_0_20 : natural range 0 to 32767;
-  signal slice4winner1_of_pair_0_21, slice4winner1_of_pair_0_22, slice4winner1_of_pair_0_23 : natural range 0 to 32767;
-  signal slice4winner1_of_pair_0_24, slice4winner1_of_four_0_0, slice4winner1_of_four_0_1 : natural range 0 to 32767;
-  signal slice4winner1_of_four_0_2, slice4winner1_of_four_0_3, slice4winner1_of_four_0_4 : natural range 0 to 32767;
-  signal slice4winner1_of_four_0_5, slice4winner1_of_four_0_6, slice4winner1_of_four_0_7 : natural range 0 to 32767;
-  signal slice4winner1_of_four_0_8, slice4winner1_of_four_0_9, slice4winner1_of_four_0_10 : natural range 0 to 32767;
-  signal slice4winner1_of_four_0_11, slice4winner1_of_four_0_12, slice4winner1_of_four_0_13 : natural range 0 to 32767;
-  signal slice4winner1_of_four_0_14, slice4winner1_of_four_0_15, slice4winner1_of_four_0_16 : natural range 0 to 32767;
-  signal slice4winner1_of_four_0_17, slice4winner1_of_four_0_18, slice4winner1_of_four_0_19 : natural range 0 to 32767;
-  signal slice4winner1_of_four_0_20, slice4winner1_of_four_0_21, slice4winner1_of_four_0_22 : natural range 0 to 32767;
-  signal slice4winner1_of_four_0_23, slice4winner1_of_four_0_24, slice4winner1_best_cost_0_0 : natural range 0 to 32767;
-  signal slice4winner1_best_cost_0_1, slice4winner1_best_cost_0_2 : natural range 0 to 32767;
-  signal slice4winner1_best_cost_0_3, slice4winner1_best_cost_0_4 : natural range 0 to 32767;
-  signal slice4winner1_best_cost_0_5, slice4winner1_best_cost_0_6 : natural range 0 to 32767;
-  signal slice4winner1_pair_index_0_0 : boolean;
-  signal slice4winner1_pair_index_0_1, slice4winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice4winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice4winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice4winner1_pair_index_0_3, slice4winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice4winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice4winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice4winner1_pair_index_0_5, slice4winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice4winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice4winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice4winner1_pair_index_0_7, slice4winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice4winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice4winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice4winner1_pair_index_0_9, slice4winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice4winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice4winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice4winner1_pair_index_0_11, slice4winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice4winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice4winner1_best_cost_0_0, slice4winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice4winner1_best_cost_0_2, slice4winner1_best_cost_0_3 : natural range 0 to 32767;
+  signal slice4winner1_best_cost_0_4, slice4winner1_best_cost_0_5 : natural range 0 to 32767;
+  signal slice4winner1_best_cost_0_6, slice4winner1_best_cost_0_7 : natural range 0 to 32767;
+  signal slice4winner1_best_cost_0_8, slice4winner1_best_cost_0_9 : natural range 0 to 32767;
+  signal slice4winner1_best_cost_0_10, slice4winner1_best_cost_0_11 : natural range 0 to 32767;
+  signal slice4winner1_best_cost_0_12 : natural range 0 to 32767;
+  signal slice4winner1_best_index_0_0 : boolean;
+  signal slice4winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice4winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice4winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice4winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice4winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice4winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice4winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice4winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice4winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice4winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice4winner1_best_index_0_11 : natural range 0 to 23;
   -- slice4winner2
-  signal slice4winner2_of_pair_0_0, slice4winner2_of_pair_0_1, slice4winner2_of_pair_0_2 : natural range 0 to 32767;
-  signal slice4winner2_of_pair_0_3, slice4winner2_of_pair_0_4, slice4winner2_of_pair_0_5 : natural range 0 to 32767;
-  signal slice4winner2_of_pair_0_6, slice4winner2_of_four_0_0, slice4winner2_of_four_0_1 : natural range 0 to 32767;
-  signal slice4winner2_of_four_0_2, slice4winner2_of_four_0_3, slice4winner2_of_four_0_4 : natural range 0 to 32767;
-  signal slice4winner2_of_four_0_5, slice4winner2_of_four_0_6, slice4winner2_best_cost_0_0 : natural range 0 to 32767;
-  signal slice4winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice4winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice4winner2_pair_index_0_1, slice4winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice4winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice4winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice4winner2_four_index_0_1, slice4winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice4winner2_best_cost_0_0, slice4winner2_best_cost_0_1 : natural range 0 to 32767;
+  signal slice4winner2_best_cost_0_2, slice4winner2_best_cost_0_3 : natural range 0 to 32767;
+  signal slice4winner2_best_cost_0_4, slice4winner2_best_cost_0_5 : natural range 0 to 32767;
+  signal slice4winner2_best_cost_0_6 : natural range 0 to 32767;
+  signal slice4winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice4winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice4winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice4winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice4winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice4winner2_best_index_0_5 : natural range 0 to 23;
   -- slice4winner3
-  signal slice4winner3_best_cost_0_0 : natural range 0 to 32767;
-  signal slice4winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice4winner3_best_cost_0_0, slice4winner3_best_cost_0_1 : natural range 0 to 32767;
+  signal slice4winner3_best_cost_0_2, slice4winner3_best_cost_0_3 : natural range 0 to 32767;
+  signal slice4winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice4winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice4winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice4winner4
+  signal slice4winner4_best_cost_0_0, slice4winner4_best_cost_0_1 : natural range 0 to 32767;
+  signal slice4winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice4winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice4winner5
+  signal slice4winner5_best_cost_0_0 : natural range 0 to 32767;
+  signal slice4winner5_best_index_0_0 : natural range 0 to 24;
   -- slice4
   signal slice4_best_cost_0_0 : natural range 0 to 32767;
   signal slice4_best_index_0_0 : natural range 0 to 127;
@@ -1144,12 +1092,9 @@ architecture rtl of stereo_core_han_640 is
   signal slice5window_centre_end_of_line_0, slice5window_centre_end_of_line_1 : boolean;
   signal slice5window_centre_end_of_line_2 : boolean;
   -- slice5winner1
-  signal slice5winner1_of_pair_0_0, slice5winner1_of_pair_0_1, slice5winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice5winner1_of_four_0_0, slice5winner1_of_four_0_1, slice5winner1_of_four_0_2 : natural range 0 to 32767;
-  signal slice5winner1_best_cost_0_0 : natural range 0 to 32767;
-  signal slice5winner1_pair_index_0_0 : boolean;
-  signal slice5winner1_pair_index_0_1, slice5winner1_four_index_0_0 : natural range 0 to 2;
-  signal slice5winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice5winner1_best_cost_0_0, slice5winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice5winner1_best_index_0_0 : boolean;
+  signal slice5winner1_best_index_0_1 : natural range 0 to 2;
   -- slice5winner2
   signal slice5winner2_best_cost_0_0 : natural range 0 to 32767;
   signal slice5winner2_best_index_0_0 : natural range 0 to 2;
@@ -2448,70 +2393,70 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
-    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
-    variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_pair_0_12_is_less : boolean;
-    variable slice0winner1_of_pair_0_14_is_less, slice0winner1_of_pair_0_16_is_less : boolean;
-    variable slice0winner1_of_pair_0_18_is_less, slice0winner1_of_pair_0_20_is_less : boolean;
-    variable slice0winner1_of_pair_0_22_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_0_4_is_less, slice0winner1_of_four_0_8_is_less : boolean;
-    variable slice0winner1_of_four_0_12_is_less, slice0winner1_of_four_0_16_is_less : boolean;
-    variable slice0winner1_of_four_0_20_is_less, slice0winner2_of_pair_0_0_is_less : boolean;
-    variable slice0winner2_of_pair_0_2_is_less, slice0winner2_of_pair_0_4_is_less : boolean;
-    variable slice0winner2_of_four_0_0_is_less, slice0winner2_of_four_0_4_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
-    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
-    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
-    variable slice1winner1_of_pair_0_14_is_less, slice1winner1_of_pair_0_16_is_less : boolean;
-    variable slice1winner1_of_pair_0_18_is_less, slice1winner1_of_pair_0_20_is_less : boolean;
-    variable slice1winner1_of_pair_0_22_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
-    variable slice1winner1_of_four_0_12_is_less, slice1winner1_of_four_0_16_is_less : boolean;
-    variable slice1winner1_of_four_0_20_is_less, slice1winner2_of_pair_0_0_is_less : boolean;
-    variable slice1winner2_of_pair_0_2_is_less, slice1winner2_of_pair_0_4_is_less : boolean;
-    variable slice1winner2_of_four_0_0_is_less, slice1winner2_of_four_0_4_is_less : boolean;
-    variable slice1winner3_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_of_pair_0_0_is_less, slice2winner1_of_pair_0_2_is_less : boolean;
-    variable slice2winner1_of_pair_0_4_is_less, slice2winner1_of_pair_0_6_is_less : boolean;
-    variable slice2winner1_of_pair_0_8_is_less, slice2winner1_of_pair_0_10_is_less : boolean;
-    variable slice2winner1_of_pair_0_12_is_less, slice2winner1_of_pair_0_14_is_less : boolean;
-    variable slice2winner1_of_pair_0_16_is_less, slice2winner1_of_pair_0_18_is_less : boolean;
-    variable slice2winner1_of_pair_0_20_is_less, slice2winner1_of_pair_0_22_is_less : boolean;
-    variable slice2winner1_of_four_0_0_is_less, slice2winner1_of_four_0_4_is_less : boolean;
-    variable slice2winner1_of_four_0_8_is_less, slice2winner1_of_four_0_12_is_less : boolean;
-    variable slice2winner1_of_four_0_16_is_less, slice2winner1_of_four_0_20_is_less : boolean;
-    variable slice2winner2_of_pair_0_0_is_less, slice2winner2_of_pair_0_2_is_less : boolean;
-    variable slice2winner2_of_pair_0_4_is_less, slice2winner2_of_four_0_0_is_less : boolean;
-    variable slice2winner2_of_four_0_4_is_less, slice2winner3_best_cost_0_0_is_less : boolean;
-    variable slice2_best_cost_0_0_is_less, slice3winner1_of_pair_0_0_is_less : boolean;
-    variable slice3winner1_of_pair_0_2_is_less, slice3winner1_of_pair_0_4_is_less : boolean;
-    variable slice3winner1_of_pair_0_6_is_less, slice3winner1_of_pair_0_8_is_less : boolean;
-    variable slice3winner1_of_pair_0_10_is_less, slice3winner1_of_pair_0_12_is_less : boolean;
-    variable slice3winner1_of_pair_0_14_is_less, slice3winner1_of_pair_0_16_is_less : boolean;
-    variable slice3winner1_of_pair_0_18_is_less, slice3winner1_of_pair_0_20_is_less : boolean;
-    variable slice3winner1_of_pair_0_22_is_less, slice3winner1_of_four_0_0_is_less : boolean;
-    variable slice3winner1_of_four_0_4_is_less, slice3winner1_of_four_0_8_is_less : boolean;
-    variable slice3winner1_of_four_0_12_is_less, slice3winner1_of_four_0_16_is_less : boolean;
-    variable slice3winner1_of_four_0_20_is_less, slice3winner2_of_pair_0_0_is_less : boolean;
-    variable slice3winner2_of_pair_0_2_is_less, slice3winner2_of_pair_0_4_is_less : boolean;
-    variable slice3winner2_of_four_0_0_is_less, slice3winner2_of_four_0_4_is_less : boolean;
-    variable slice3winner3_best_cost_0_0_is_less, slice3_best_cost_0_0_is_less : boolean;
-    variable slice4winner1_of_pair_0_0_is_less, slice4winner1_of_pair_0_2_is_less : boolean;
-    variable slice4winner1_of_pair_0_4_is_less, slice4winner1_of_pair_0_6_is_less : boolean;
-    variable slice4winner1_of_pair_0_8_is_less, slice4winner1_of_pair_0_10_is_less : boolean;
-    variable slice4winner1_of_pair_0_12_is_less, slice4winner1_of_pair_0_14_is_less : boolean;
-    variable slice4winner1_of_pair_0_16_is_less, slice4winner1_of_pair_0_18_is_less : boolean;
-    variable slice4winner1_of_pair_0_20_is_less, slice4winner1_of_pair_0_22_is_less : boolean;
-    variable slice4winner1_of_four_0_0_is_less, slice4winner1_of_four_0_4_is_less : boolean;
-    variable slice4winner1_of_four_0_8_is_less, slice4winner1_of_four_0_12_is_less : boolean;
-    variable slice4winner1_of_four_0_16_is_less, slice4winner1_of_four_0_20_is_less : boolean;
-    variable slice4winner2_of_pair_0_0_is_less, slice4winner2_of_pair_0_2_is_less : boolean;
-    variable slice4winner2_of_pair_0_4_is_less, slice4winner2_of_four_0_0_is_less : boolean;
-    variable slice4winner2_of_four_0_4_is_less, slice4winner3_best_cost_0_0_is_less : boolean;
-    variable slice4_best_cost_0_0_is_less, slice5winner1_of_pair_0_0_is_less : boolean;
-    variable slice5winner1_of_four_0_0_is_less : boolean;
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
+    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
+    variable slice0winner1_best_cost_0_7_is_less, slice0winner1_best_cost_0_8_is_less : boolean;
+    variable slice0winner1_best_cost_0_9_is_less, slice0winner1_best_cost_0_10_is_less : boolean;
+    variable slice0winner1_best_cost_0_11_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
+    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_cost_0_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_5_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_0_1_is_less, slice0winner3_best_cost_0_2_is_less : boolean;
+    variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_cost_0_1_is_less : boolean;
+    variable slice0winner5_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
+    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
+    variable slice1winner1_best_cost_0_7_is_less, slice1winner1_best_cost_0_8_is_less : boolean;
+    variable slice1winner1_best_cost_0_9_is_less, slice1winner1_best_cost_0_10_is_less : boolean;
+    variable slice1winner1_best_cost_0_11_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_3_is_less, slice1winner2_best_cost_0_4_is_less : boolean;
+    variable slice1winner2_best_cost_0_5_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_0_1_is_less, slice1winner3_best_cost_0_2_is_less : boolean;
+    variable slice1winner4_best_cost_0_0_is_less, slice1winner4_best_cost_0_1_is_less : boolean;
+    variable slice1winner5_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
+    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
+    variable slice2winner1_best_cost_0_4_is_less, slice2winner1_best_cost_0_5_is_less : boolean;
+    variable slice2winner1_best_cost_0_6_is_less, slice2winner1_best_cost_0_7_is_less : boolean;
+    variable slice2winner1_best_cost_0_8_is_less, slice2winner1_best_cost_0_9_is_less : boolean;
+    variable slice2winner1_best_cost_0_10_is_less, slice2winner1_best_cost_0_11_is_less : boolean;
+    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
+    variable slice2winner2_best_cost_0_2_is_less, slice2winner2_best_cost_0_3_is_less : boolean;
+    variable slice2winner2_best_cost_0_4_is_less, slice2winner2_best_cost_0_5_is_less : boolean;
+    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_0_1_is_less : boolean;
+    variable slice2winner3_best_cost_0_2_is_less, slice2winner4_best_cost_0_0_is_less : boolean;
+    variable slice2winner4_best_cost_0_1_is_less, slice2winner5_best_cost_0_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice3winner1_best_cost_0_0_is_less : boolean;
+    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
+    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
+    variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
+    variable slice3winner1_best_cost_0_7_is_less, slice3winner1_best_cost_0_8_is_less : boolean;
+    variable slice3winner1_best_cost_0_9_is_less, slice3winner1_best_cost_0_10_is_less : boolean;
+    variable slice3winner1_best_cost_0_11_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
+    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
+    variable slice3winner2_best_cost_0_3_is_less, slice3winner2_best_cost_0_4_is_less : boolean;
+    variable slice3winner2_best_cost_0_5_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
+    variable slice3winner3_best_cost_0_1_is_less, slice3winner3_best_cost_0_2_is_less : boolean;
+    variable slice3winner4_best_cost_0_0_is_less, slice3winner4_best_cost_0_1_is_less : boolean;
+    variable slice3winner5_best_cost_0_0_is_less, slice3_best_cost_0_0_is_less : boolean;
+    variable slice4winner1_best_cost_0_0_is_less, slice4winner1_best_cost_0_1_is_less : boolean;
+    variable slice4winner1_best_cost_0_2_is_less, slice4winner1_best_cost_0_3_is_less : boolean;
+    variable slice4winner1_best_cost_0_4_is_less, slice4winner1_best_cost_0_5_is_less : boolean;
+    variable slice4winner1_best_cost_0_6_is_less, slice4winner1_best_cost_0_7_is_less : boolean;
+    variable slice4winner1_best_cost_0_8_is_less, slice4winner1_best_cost_0_9_is_less : boolean;
+    variable slice4winner1_best_cost_0_10_is_less, slice4winner1_best_cost_0_11_is_less : boolean;
+    variable slice4winner2_best_cost_0_0_is_less, slice4winner2_best_cost_0_1_is_less : boolean;
+    variable slice4winner2_best_cost_0_2_is_less, slice4winner2_best_cost_0_3_is_less : boolean;
+    variable slice4winner2_best_cost_0_4_is_less, slice4winner2_best_cost_0_5_is_less : boolean;
+    variable slice4winner3_best_cost_0_0_is_less, slice4winner3_best_cost_0_1_is_less : boolean;
+    variable slice4winner3_best_cost_0_2_is_less, slice4winner4_best_cost_0_0_is_less : boolean;
+    variable slice4winner4_best_cost_0_1_is_less, slice4winner5_best_cost_0_0_is_less : boolean;
+    variable slice4_best_cost_0_0_is_less, slice5winner1_best_cost_0_0_is_less : boolean;
+    variable slice5winner2_best_cost_0_0_is_less : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 4095;
@@ -3537,216 +3482,147 @@ begin
         slice0window_sum_0_24 <= (slice0window_sum_0_24_choice + slice0window_change_0_24) mod 32768;
       end if;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_of_pair_0_16_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
-      slice0winner1_of_pair_0_18_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
-      slice0winner1_of_pair_0_20_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
-      slice0winner1_of_pair_0_22_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 15))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 15))))) < 0;
-      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_11, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_9, 15))))) < 0;
-      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_15, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_13, 15))))) < 0;
-      slice0winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_18, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_19, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_16, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_17, 15))))) < 0;
-      slice0winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_22, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_23, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_20, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_21, 15))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
-      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
-      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
-      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
-      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
-      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
-      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
-      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
-      slice0winner1_of_pair_0_16 <= 0 when slice0winner1_of_pair_0_16_is_less else slice0window_sum_0_16;
-      slice0winner1_of_pair_0_17 <= slice0window_sum_0_17 when slice0winner1_of_pair_0_16_is_less else 0;
-      slice0winner1_of_pair_0_18 <= 0 when slice0winner1_of_pair_0_18_is_less else slice0window_sum_0_18;
-      slice0winner1_of_pair_0_19 <= slice0window_sum_0_19 when slice0winner1_of_pair_0_18_is_less else 0;
-      slice0winner1_of_pair_0_20 <= 0 when slice0winner1_of_pair_0_20_is_less else slice0window_sum_0_20;
-      slice0winner1_of_pair_0_21 <= slice0window_sum_0_21 when slice0winner1_of_pair_0_20_is_less else 0;
-      slice0winner1_of_pair_0_22 <= 0 when slice0winner1_of_pair_0_22_is_less else slice0window_sum_0_22;
-      slice0winner1_of_pair_0_23 <= slice0window_sum_0_23 when slice0winner1_of_pair_0_22_is_less else 0;
-      slice0winner1_of_pair_0_24 <= slice0window_sum_0_24;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
-      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
-      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
-      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
-      slice0winner1_pair_index_0_8 <= 17 when slice0winner1_of_pair_0_16_is_less else 16;
-      slice0winner1_pair_index_0_9 <= 19 when slice0winner1_of_pair_0_18_is_less else 18;
-      slice0winner1_pair_index_0_10 <= 21 when slice0winner1_of_pair_0_20_is_less else 20;
-      slice0winner1_pair_index_0_11 <= 23 when slice0winner1_of_pair_0_22_is_less else 22;
-      slice0winner1_pair_index_0_12 <= 24;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
-      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
-      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
-      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
-      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_16 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_16;
-      slice0winner1_of_four_0_17 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_17;
-      slice0winner1_of_four_0_18 <= slice0winner1_of_pair_0_18 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_19 <= slice0winner1_of_pair_0_19 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_20 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_20;
-      slice0winner1_of_four_0_21 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_21;
-      slice0winner1_of_four_0_22 <= slice0winner1_of_pair_0_22 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_23 <= slice0winner1_of_pair_0_23 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_24 <= slice0winner1_of_pair_0_24;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
-        slice0winner1_pair_index_0_4;
-      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
-        slice0winner1_pair_index_0_6;
-      slice0winner1_four_index_0_4 <= slice0winner1_pair_index_0_9 when slice0winner1_of_four_0_16_is_less else
-        slice0winner1_pair_index_0_8;
-      slice0winner1_four_index_0_5 <= slice0winner1_pair_index_0_11 when slice0winner1_of_four_0_20_is_less else
-        slice0winner1_pair_index_0_10;
-      slice0winner1_four_index_0_6 <= slice0winner1_pair_index_0_12;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 15)))) or (to_unsigned(slice0winner1_of_four_0_1, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 15))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 15)))) or (to_unsigned(slice0winner1_of_four_0_5, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 15))));
-      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_11, 15)))) or (to_unsigned(slice0winner1_of_four_0_9, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_8, 15))));
-      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_15, 15)))) or (to_unsigned(slice0winner1_of_four_0_13, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_12, 15))));
-      slice0winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_18, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_19, 15)))) or (to_unsigned(slice0winner1_of_four_0_17, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_16, 15))));
-      slice0winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_22, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_23, 15)))) or (to_unsigned(slice0winner1_of_four_0_21, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_20, 15))));
-      slice0winner1_best_cost_0_6 <= slice0winner1_of_four_0_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
-      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
-      slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
-      slice0winner1_best_index_0_5 <= slice0winner1_four_index_0_5;
-      slice0winner1_best_index_0_6 <= slice0winner1_four_index_0_6;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      if slice0winner2_pair_tag_valid then
-        slice0winner1_pair_tag_start_of_frame <= slice2window_centre_start_of_frame_2;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_best_cost_0_8_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
+      slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
+      slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
+      slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
+        slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
+        slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
+        slice0window_sum_0_14;
+      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
+        slice0window_sum_0_16;
+      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
+        slice0window_sum_0_18;
+      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
+        slice0window_sum_0_20;
+      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
+        slice0window_sum_0_22;
+      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
+      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
+      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
+      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
+      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
+      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
+      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
+      slice0winner1_best_index_0_12 <= 24;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner4_tag_valid then
+        slice0winner1_tag_start_of_frame <= slice2window_centre_start_of_frame_2;
       end if;
       -- slice0winner2
-      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_of_pair_0_4_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 15)) or
-        (to_unsigned(slice0winner2_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 15)) or
-        (to_unsigned(slice0winner2_of_pair_0_1, 15))))) < 0;
-      slice0winner2_of_four_0_4_is_less := (slice0winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_0_4, 15)) or (to_unsigned(slice0winner2_of_pair_0_5, 15))))) < 0;
-      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
-      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
-      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
-      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
-      slice0winner2_of_pair_0_4 <= 0 when slice0winner2_of_pair_0_4_is_less else slice0winner1_best_cost_0_4;
-      slice0winner2_of_pair_0_5 <= slice0winner1_best_cost_0_5 when slice0winner2_of_pair_0_4_is_less else 0;
-      slice0winner2_of_pair_0_6 <= slice0winner1_best_cost_0_6;
-      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
-        slice0winner1_best_index_0_0;
-      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
+      slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
+      slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_cost_0_6;
+      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_cost_0_8;
+      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_cost_0_10;
+      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_of_pair_0_4_is_less else
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
         slice0winner1_best_index_0_4;
-      slice0winner2_pair_index_0_3 <= slice0winner1_best_index_0_6;
-      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
-      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
-      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_4 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_4;
-      slice0winner2_of_four_0_5 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_5;
-      slice0winner2_of_four_0_6 <= slice0winner2_of_pair_0_6 when slice0winner2_of_four_0_4_is_less else 0;
-      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
-        slice0winner2_pair_index_0_0;
-      slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_0_4_is_less else
-        slice0winner2_pair_index_0_2;
-      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
-      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
-      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
-      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
-      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 15)) or
-        (to_unsigned(slice0winner2_of_four_0_3, 15)))) or (to_unsigned(slice0winner2_of_four_0_1, 15)))) or
-        (to_unsigned(slice0winner2_of_four_0_0, 15))));
-      slice0winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_0_5, 15)) or
-        (to_unsigned(slice0winner2_of_four_0_6, 15)))) or (to_unsigned(slice0winner2_of_four_0_4, 15))));
-      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
-      slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
-      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
-      if slice0winner2_pair_tag_valid then
-        slice0winner2_pair_tag_output_column <= slice5window_centre_output_column_2;
-        slice0winner2_pair_tag_start_of_frame <= slice5window_centre_start_of_frame_2;
-        slice0winner2_pair_tag_end_of_line <= slice5window_centre_end_of_line_2;
-      end if;
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_index_0_6;
+      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_index_0_8;
+      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_index_0_10;
+      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
+      slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_cost_0_4;
+      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_index_0_4;
+      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_cost_0_2;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_index_0_2;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      if slice0winner4_tag_valid then
+        slice0winner4_tag_output_column <= slice5window_centre_output_column_2;
+        slice0winner4_tag_start_of_frame <= slice5window_centre_start_of_frame_2;
+        slice0winner4_tag_end_of_line <= slice5window_centre_end_of_line_2;
+      end if;
+      -- slice0winner5
+      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
+      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_cost_0_0;
+      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_index_0_0;
+      slice0winner5_tag_valid <= slice0winner4_tag_valid;
+      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
+      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 103;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 103;
+      slice0_best_tag_valid <= slice0winner5_tag_valid;
+      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -4354,186 +4230,126 @@ begin
         slice1window_sum_0_24 <= (slice1window_sum_0_24_choice + slice1window_change_0_24) mod 32768;
       end if;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_of_pair_0_12_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
-      slice1winner1_of_pair_0_14_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_of_pair_0_16_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
-      slice1winner1_of_pair_0_18_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
-      slice1winner1_of_pair_0_20_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
-      slice1winner1_of_pair_0_22_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
-      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_1, 15))))) < 0;
-      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_5, 15))))) < 0;
-      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_11, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_9, 15))))) < 0;
-      slice1winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_14, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_15, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_12, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_13, 15))))) < 0;
-      slice1winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_18, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_19, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_16, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_17, 15))))) < 0;
-      slice1winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_22, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_23, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_20, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_21, 15))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
-      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
-      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
-      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
-      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
-      slice1winner1_of_pair_0_12 <= 0 when slice1winner1_of_pair_0_12_is_less else slice1window_sum_0_12;
-      slice1winner1_of_pair_0_13 <= slice1window_sum_0_13 when slice1winner1_of_pair_0_12_is_less else 0;
-      slice1winner1_of_pair_0_14 <= 0 when slice1winner1_of_pair_0_14_is_less else slice1window_sum_0_14;
-      slice1winner1_of_pair_0_15 <= slice1window_sum_0_15 when slice1winner1_of_pair_0_14_is_less else 0;
-      slice1winner1_of_pair_0_16 <= 0 when slice1winner1_of_pair_0_16_is_less else slice1window_sum_0_16;
-      slice1winner1_of_pair_0_17 <= slice1window_sum_0_17 when slice1winner1_of_pair_0_16_is_less else 0;
-      slice1winner1_of_pair_0_18 <= 0 when slice1winner1_of_pair_0_18_is_less else slice1window_sum_0_18;
-      slice1winner1_of_pair_0_19 <= slice1window_sum_0_19 when slice1winner1_of_pair_0_18_is_less else 0;
-      slice1winner1_of_pair_0_20 <= 0 when slice1winner1_of_pair_0_20_is_less else slice1window_sum_0_20;
-      slice1winner1_of_pair_0_21 <= slice1window_sum_0_21 when slice1winner1_of_pair_0_20_is_less else 0;
-      slice1winner1_of_pair_0_22 <= 0 when slice1winner1_of_pair_0_22_is_less else slice1window_sum_0_22;
-      slice1winner1_of_pair_0_23 <= slice1window_sum_0_23 when slice1winner1_of_pair_0_22_is_less else 0;
-      slice1winner1_of_pair_0_24 <= slice1window_sum_0_24;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
-      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
-      slice1winner1_pair_index_0_6 <= 13 when slice1winner1_of_pair_0_12_is_less else 12;
-      slice1winner1_pair_index_0_7 <= 15 when slice1winner1_of_pair_0_14_is_less else 14;
-      slice1winner1_pair_index_0_8 <= 17 when slice1winner1_of_pair_0_16_is_less else 16;
-      slice1winner1_pair_index_0_9 <= 19 when slice1winner1_of_pair_0_18_is_less else 18;
-      slice1winner1_pair_index_0_10 <= 21 when slice1winner1_of_pair_0_20_is_less else 20;
-      slice1winner1_pair_index_0_11 <= 23 when slice1winner1_of_pair_0_22_is_less else 22;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
-      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
-      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_12 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_12;
-      slice1winner1_of_four_0_13 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_13;
-      slice1winner1_of_four_0_14 <= slice1winner1_of_pair_0_14 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_15 <= slice1winner1_of_pair_0_15 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_16 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_16;
-      slice1winner1_of_four_0_17 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_17;
-      slice1winner1_of_four_0_18 <= slice1winner1_of_pair_0_18 when slice1winner1_of_four_0_16_is_less else 0;
-      slice1winner1_of_four_0_19 <= slice1winner1_of_pair_0_19 when slice1winner1_of_four_0_16_is_less else 0;
-      slice1winner1_of_four_0_20 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_20;
-      slice1winner1_of_four_0_21 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_21;
-      slice1winner1_of_four_0_22 <= slice1winner1_of_pair_0_22 when slice1winner1_of_four_0_20_is_less else 0;
-      slice1winner1_of_four_0_23 <= slice1winner1_of_pair_0_23 when slice1winner1_of_four_0_20_is_less else 0;
-      slice1winner1_of_four_0_24 <= slice1winner1_of_pair_0_24;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
-      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
-        slice1winner1_pair_index_0_4;
-      slice1winner1_four_index_0_3 <= slice1winner1_pair_index_0_7 when slice1winner1_of_four_0_12_is_less else
-        slice1winner1_pair_index_0_6;
-      slice1winner1_four_index_0_4 <= slice1winner1_pair_index_0_9 when slice1winner1_of_four_0_16_is_less else
-        slice1winner1_pair_index_0_8;
-      slice1winner1_four_index_0_5 <= slice1winner1_pair_index_0_11 when slice1winner1_of_four_0_20_is_less else
-        slice1winner1_pair_index_0_10;
-      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_3, 15)))) or (to_unsigned(slice1winner1_of_four_0_1, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_0, 15))));
-      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_7, 15)))) or (to_unsigned(slice1winner1_of_four_0_5, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_4, 15))));
-      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_11, 15)))) or (to_unsigned(slice1winner1_of_four_0_9, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_8, 15))));
-      slice1winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_14, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_15, 15)))) or (to_unsigned(slice1winner1_of_four_0_13, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_12, 15))));
-      slice1winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_18, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_19, 15)))) or (to_unsigned(slice1winner1_of_four_0_17, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_16, 15))));
-      slice1winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_22, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_23, 15)))) or (to_unsigned(slice1winner1_of_four_0_21, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_20, 15))));
-      slice1winner1_best_cost_0_6 <= slice1winner1_of_four_0_24;
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
-      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
-      slice1winner1_best_index_0_3 <= slice1winner1_four_index_0_3;
-      slice1winner1_best_index_0_4 <= slice1winner1_four_index_0_4;
-      slice1winner1_best_index_0_5 <= slice1winner1_four_index_0_5;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
+      slice1winner1_best_cost_0_8_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
+      slice1winner1_best_cost_0_9_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
+      slice1winner1_best_cost_0_10_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
+      slice1winner1_best_cost_0_11_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
+        slice1window_sum_0_8;
+      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
+        slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
+        slice1window_sum_0_12;
+      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
+        slice1window_sum_0_14;
+      slice1winner1_best_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_best_cost_0_8_is_less else
+        slice1window_sum_0_16;
+      slice1winner1_best_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_best_cost_0_9_is_less else
+        slice1window_sum_0_18;
+      slice1winner1_best_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_best_cost_0_10_is_less else
+        slice1window_sum_0_20;
+      slice1winner1_best_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_best_cost_0_11_is_less else
+        slice1window_sum_0_22;
+      slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
+      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
+      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
+      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
+      slice1winner1_best_index_0_8 <= 17 when slice1winner1_best_cost_0_8_is_less else 16;
+      slice1winner1_best_index_0_9 <= 19 when slice1winner1_best_cost_0_9_is_less else 18;
+      slice1winner1_best_index_0_10 <= 21 when slice1winner1_best_cost_0_10_is_less else 20;
+      slice1winner1_best_index_0_11 <= 23 when slice1winner1_best_cost_0_11_is_less else 22;
       -- slice1winner2
-      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_of_pair_0_4_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
-      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 15)) or
-        (to_unsigned(slice1winner2_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 15)) or
-        (to_unsigned(slice1winner2_of_pair_0_1, 15))))) < 0;
-      slice1winner2_of_four_0_4_is_less := (slice1winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice1winner2_of_pair_0_4, 15)) or (to_unsigned(slice1winner2_of_pair_0_5, 15))))) < 0;
-      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
-      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
-      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
-      slice1winner2_of_pair_0_4 <= 0 when slice1winner2_of_pair_0_4_is_less else slice1winner1_best_cost_0_4;
-      slice1winner2_of_pair_0_5 <= slice1winner1_best_cost_0_5 when slice1winner2_of_pair_0_4_is_less else 0;
-      slice1winner2_of_pair_0_6 <= slice1winner1_best_cost_0_6;
-      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
-        slice1winner1_best_index_0_0;
-      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
+      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
+      slice1winner2_best_cost_0_4_is_less := (slice1winner1_best_cost_0_9 - slice1winner1_best_cost_0_8) < 0;
+      slice1winner2_best_cost_0_5_is_less := (slice1winner1_best_cost_0_11 - slice1winner1_best_cost_0_10) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_cost_0_6;
+      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_cost_0_8;
+      slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_cost_0_10;
+      slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_pair_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_of_pair_0_4_is_less else
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
         slice1winner1_best_index_0_4;
-      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
-      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
-      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_4 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_4;
-      slice1winner2_of_four_0_5 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_5;
-      slice1winner2_of_four_0_6 <= slice1winner2_of_pair_0_6 when slice1winner2_of_four_0_4_is_less else 0;
-      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
-        slice1winner2_pair_index_0_0;
-      slice1winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_0_4_is_less else
-        slice1winner2_pair_index_0_2;
-      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 15)) or
-        (to_unsigned(slice1winner2_of_four_0_3, 15)))) or (to_unsigned(slice1winner2_of_four_0_1, 15)))) or
-        (to_unsigned(slice1winner2_of_four_0_0, 15))));
-      slice1winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_0_5, 15)) or
-        (to_unsigned(slice1winner2_of_four_0_6, 15)))) or (to_unsigned(slice1winner2_of_four_0_4, 15))));
-      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
-      slice1winner2_best_index_0_1 <= slice1winner2_four_index_0_1;
+      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_index_0_6;
+      slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_index_0_8;
+      slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_index_0_10;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
+      slice1winner3_best_cost_0_2_is_less := (slice1winner2_best_cost_0_5 - slice1winner2_best_cost_0_4) < 0;
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_cost_0_2;
+      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_cost_0_4;
+      slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
       slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_index_0_0;
+      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_index_0_2;
+      slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_index_0_4;
+      -- slice1winner4
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
+      slice1winner4_best_cost_0_1_is_less := (slice1winner3_best_cost_0_3 - slice1winner3_best_cost_0_2) < 0;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_cost_0_0;
+      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_cost_0_2;
+      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
+      slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_index_0_2;
+      -- slice1winner5
+      slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
+      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_cost_0_0;
+      slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner3_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner5_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner3_best_index_0_0 / 2) + 39) * 2) + (slice1winner3_best_index_0_0 mod 2);
+        (((slice1winner5_best_index_0_0 / 2) + 39) * 2) + (slice1winner5_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -5139,7 +4955,7 @@ begin
       slice2window_sum_0_22_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_22;
       slice2window_sum_0_23_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_23;
       slice2window_sum_0_24_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_24;
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 32768;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 32768;
         slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 32768;
@@ -5166,190 +4982,130 @@ begin
         slice2window_sum_0_23 <= (slice2window_sum_0_23_choice + slice2window_change_0_23) mod 32768;
         slice2window_sum_0_24 <= (slice2window_sum_0_24_choice + slice2window_change_0_24) mod 32768;
       end if;
-      if slice0winner2_pair_tag_valid then
+      if slice0winner4_tag_valid then
         slice2window_centre_start_of_frame_2 <= slice1window_centre_start_of_frame_2;
       end if;
       -- slice2winner1
-      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
-      slice2winner1_of_pair_0_4_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
-      slice2winner1_of_pair_0_6_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
-      slice2winner1_of_pair_0_8_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
-      slice2winner1_of_pair_0_10_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
-      slice2winner1_of_pair_0_12_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
-      slice2winner1_of_pair_0_14_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
-      slice2winner1_of_pair_0_16_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
-      slice2winner1_of_pair_0_18_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
-      slice2winner1_of_pair_0_20_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
-      slice2winner1_of_pair_0_22_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
-      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_1, 15))))) < 0;
-      slice2winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_6, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_4, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_5, 15))))) < 0;
-      slice2winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_10, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_11, 15)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_8, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_9, 15))))) < 0;
-      slice2winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_14, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_15, 15)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_12, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_13, 15))))) < 0;
-      slice2winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_18, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_19, 15)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_16, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_17, 15))))) < 0;
-      slice2winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_22, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_23, 15)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_20, 15)) or
-        (to_unsigned(slice2winner1_of_pair_0_21, 15))))) < 0;
-      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
-      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
-      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
-      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
-      slice2winner1_of_pair_0_4 <= 0 when slice2winner1_of_pair_0_4_is_less else slice2window_sum_0_4;
-      slice2winner1_of_pair_0_5 <= slice2window_sum_0_5 when slice2winner1_of_pair_0_4_is_less else 0;
-      slice2winner1_of_pair_0_6 <= 0 when slice2winner1_of_pair_0_6_is_less else slice2window_sum_0_6;
-      slice2winner1_of_pair_0_7 <= slice2window_sum_0_7 when slice2winner1_of_pair_0_6_is_less else 0;
-      slice2winner1_of_pair_0_8 <= 0 when slice2winner1_of_pair_0_8_is_less else slice2window_sum_0_8;
-      slice2winner1_of_pair_0_9 <= slice2window_sum_0_9 when slice2winner1_of_pair_0_8_is_less else 0;
-      slice2winner1_of_pair_0_10 <= 0 when slice2winner1_of_pair_0_10_is_less else slice2window_sum_0_10;
-      slice2winner1_of_pair_0_11 <= slice2window_sum_0_11 when slice2winner1_of_pair_0_10_is_less else 0;
-      slice2winner1_of_pair_0_12 <= 0 when slice2winner1_of_pair_0_12_is_less else slice2window_sum_0_12;
-      slice2winner1_of_pair_0_13 <= slice2window_sum_0_13 when slice2winner1_of_pair_0_12_is_less else 0;
-      slice2winner1_of_pair_0_14 <= 0 when slice2winner1_of_pair_0_14_is_less else slice2window_sum_0_14;
-      slice2winner1_of_pair_0_15 <= slice2window_sum_0_15 when slice2winner1_of_pair_0_14_is_less else 0;
-      slice2winner1_of_pair_0_16 <= 0 when slice2winner1_of_pair_0_16_is_less else slice2window_sum_0_16;
-      slice2winner1_of_pair_0_17 <= slice2window_sum_0_17 when slice2winner1_of_pair_0_16_is_less else 0;
-      slice2winner1_of_pair_0_18 <= 0 when slice2winner1_of_pair_0_18_is_less else slice2window_sum_0_18;
-      slice2winner1_of_pair_0_19 <= slice2window_sum_0_19 when slice2winner1_of_pair_0_18_is_less else 0;
-      slice2winner1_of_pair_0_20 <= 0 when slice2winner1_of_pair_0_20_is_less else slice2window_sum_0_20;
-      slice2winner1_of_pair_0_21 <= slice2window_sum_0_21 when slice2winner1_of_pair_0_20_is_less else 0;
-      slice2winner1_of_pair_0_22 <= 0 when slice2winner1_of_pair_0_22_is_less else slice2window_sum_0_22;
-      slice2winner1_of_pair_0_23 <= slice2window_sum_0_23 when slice2winner1_of_pair_0_22_is_less else 0;
-      slice2winner1_of_pair_0_24 <= slice2window_sum_0_24;
-      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
-      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
-      slice2winner1_pair_index_0_2 <= 5 when slice2winner1_of_pair_0_4_is_less else 4;
-      slice2winner1_pair_index_0_3 <= 7 when slice2winner1_of_pair_0_6_is_less else 6;
-      slice2winner1_pair_index_0_4 <= 9 when slice2winner1_of_pair_0_8_is_less else 8;
-      slice2winner1_pair_index_0_5 <= 11 when slice2winner1_of_pair_0_10_is_less else 10;
-      slice2winner1_pair_index_0_6 <= 13 when slice2winner1_of_pair_0_12_is_less else 12;
-      slice2winner1_pair_index_0_7 <= 15 when slice2winner1_of_pair_0_14_is_less else 14;
-      slice2winner1_pair_index_0_8 <= 17 when slice2winner1_of_pair_0_16_is_less else 16;
-      slice2winner1_pair_index_0_9 <= 19 when slice2winner1_of_pair_0_18_is_less else 18;
-      slice2winner1_pair_index_0_10 <= 21 when slice2winner1_of_pair_0_20_is_less else 20;
-      slice2winner1_pair_index_0_11 <= 23 when slice2winner1_of_pair_0_22_is_less else 22;
-      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
-      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
-      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_4 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_4;
-      slice2winner1_of_four_0_5 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_5;
-      slice2winner1_of_four_0_6 <= slice2winner1_of_pair_0_6 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_7 <= slice2winner1_of_pair_0_7 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_8 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_8;
-      slice2winner1_of_four_0_9 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_9;
-      slice2winner1_of_four_0_10 <= slice2winner1_of_pair_0_10 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_11 <= slice2winner1_of_pair_0_11 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_12 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_12;
-      slice2winner1_of_four_0_13 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_13;
-      slice2winner1_of_four_0_14 <= slice2winner1_of_pair_0_14 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_of_four_0_15 <= slice2winner1_of_pair_0_15 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_of_four_0_16 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_16;
-      slice2winner1_of_four_0_17 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_17;
-      slice2winner1_of_four_0_18 <= slice2winner1_of_pair_0_18 when slice2winner1_of_four_0_16_is_less else 0;
-      slice2winner1_of_four_0_19 <= slice2winner1_of_pair_0_19 when slice2winner1_of_four_0_16_is_less else 0;
-      slice2winner1_of_four_0_20 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_20;
-      slice2winner1_of_four_0_21 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_21;
-      slice2winner1_of_four_0_22 <= slice2winner1_of_pair_0_22 when slice2winner1_of_four_0_20_is_less else 0;
-      slice2winner1_of_four_0_23 <= slice2winner1_of_pair_0_23 when slice2winner1_of_four_0_20_is_less else 0;
-      slice2winner1_of_four_0_24 <= slice2winner1_of_pair_0_24;
-      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
-        as_number(slice2winner1_pair_index_0_0);
-      slice2winner1_four_index_0_1 <= slice2winner1_pair_index_0_3 when slice2winner1_of_four_0_4_is_less else
-        slice2winner1_pair_index_0_2;
-      slice2winner1_four_index_0_2 <= slice2winner1_pair_index_0_5 when slice2winner1_of_four_0_8_is_less else
-        slice2winner1_pair_index_0_4;
-      slice2winner1_four_index_0_3 <= slice2winner1_pair_index_0_7 when slice2winner1_of_four_0_12_is_less else
-        slice2winner1_pair_index_0_6;
-      slice2winner1_four_index_0_4 <= slice2winner1_pair_index_0_9 when slice2winner1_of_four_0_16_is_less else
-        slice2winner1_pair_index_0_8;
-      slice2winner1_four_index_0_5 <= slice2winner1_pair_index_0_11 when slice2winner1_of_four_0_20_is_less else
-        slice2winner1_pair_index_0_10;
-      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 15)) or
-        (to_unsigned(slice2winner1_of_four_0_3, 15)))) or (to_unsigned(slice2winner1_of_four_0_1, 15)))) or
-        (to_unsigned(slice2winner1_of_four_0_0, 15))));
-      slice2winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_6, 15)) or
-        (to_unsigned(slice2winner1_of_four_0_7, 15)))) or (to_unsigned(slice2winner1_of_four_0_5, 15)))) or
-        (to_unsigned(slice2winner1_of_four_0_4, 15))));
-      slice2winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_10, 15)) or
-        (to_unsigned(slice2winner1_of_four_0_11, 15)))) or (to_unsigned(slice2winner1_of_four_0_9, 15)))) or
-        (to_unsigned(slice2winner1_of_four_0_8, 15))));
-      slice2winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_14, 15)) or
-        (to_unsigned(slice2winner1_of_four_0_15, 15)))) or (to_unsigned(slice2winner1_of_four_0_13, 15)))) or
-        (to_unsigned(slice2winner1_of_four_0_12, 15))));
-      slice2winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_18, 15)) or
-        (to_unsigned(slice2winner1_of_four_0_19, 15)))) or (to_unsigned(slice2winner1_of_four_0_17, 15)))) or
-        (to_unsigned(slice2winner1_of_four_0_16, 15))));
-      slice2winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_22, 15)) or
-        (to_unsigned(slice2winner1_of_four_0_23, 15)))) or (to_unsigned(slice2winner1_of_four_0_21, 15)))) or
-        (to_unsigned(slice2winner1_of_four_0_20, 15))));
-      slice2winner1_best_cost_0_6 <= slice2winner1_of_four_0_24;
-      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
-      slice2winner1_best_index_0_1 <= slice2winner1_four_index_0_1;
-      slice2winner1_best_index_0_2 <= slice2winner1_four_index_0_2;
-      slice2winner1_best_index_0_3 <= slice2winner1_four_index_0_3;
-      slice2winner1_best_index_0_4 <= slice2winner1_four_index_0_4;
-      slice2winner1_best_index_0_5 <= slice2winner1_four_index_0_5;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_best_cost_0_4_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
+      slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
+      slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
+      slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
+      slice2winner1_best_cost_0_8_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
+      slice2winner1_best_cost_0_9_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
+      slice2winner1_best_cost_0_10_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
+      slice2winner1_best_cost_0_11_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
+        slice2window_sum_0_2;
+      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
+        slice2window_sum_0_4;
+      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
+        slice2window_sum_0_6;
+      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
+        slice2window_sum_0_8;
+      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
+        slice2window_sum_0_10;
+      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
+        slice2window_sum_0_12;
+      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
+        slice2window_sum_0_14;
+      slice2winner1_best_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_best_cost_0_8_is_less else
+        slice2window_sum_0_16;
+      slice2winner1_best_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_best_cost_0_9_is_less else
+        slice2window_sum_0_18;
+      slice2winner1_best_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_best_cost_0_10_is_less else
+        slice2window_sum_0_20;
+      slice2winner1_best_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_best_cost_0_11_is_less else
+        slice2window_sum_0_22;
+      slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
+      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
+      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
+      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
+      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
+      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
+      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
+      slice2winner1_best_index_0_8 <= 17 when slice2winner1_best_cost_0_8_is_less else 16;
+      slice2winner1_best_index_0_9 <= 19 when slice2winner1_best_cost_0_9_is_less else 18;
+      slice2winner1_best_index_0_10 <= 21 when slice2winner1_best_cost_0_10_is_less else 20;
+      slice2winner1_best_index_0_11 <= 23 when slice2winner1_best_cost_0_11_is_less else 22;
       -- slice2winner2
-      slice2winner2_of_pair_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
-      slice2winner2_of_pair_0_2_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
-      slice2winner2_of_pair_0_4_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
-      slice2winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_0_2, 15)) or
-        (to_unsigned(slice2winner2_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice2winner2_of_pair_0_0, 15)) or
-        (to_unsigned(slice2winner2_of_pair_0_1, 15))))) < 0;
-      slice2winner2_of_four_0_4_is_less := (slice2winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice2winner2_of_pair_0_4, 15)) or (to_unsigned(slice2winner2_of_pair_0_5, 15))))) < 0;
-      slice2winner2_of_pair_0_0 <= 0 when slice2winner2_of_pair_0_0_is_less else slice2winner1_best_cost_0_0;
-      slice2winner2_of_pair_0_1 <= slice2winner1_best_cost_0_1 when slice2winner2_of_pair_0_0_is_less else 0;
-      slice2winner2_of_pair_0_2 <= 0 when slice2winner2_of_pair_0_2_is_less else slice2winner1_best_cost_0_2;
-      slice2winner2_of_pair_0_3 <= slice2winner1_best_cost_0_3 when slice2winner2_of_pair_0_2_is_less else 0;
-      slice2winner2_of_pair_0_4 <= 0 when slice2winner2_of_pair_0_4_is_less else slice2winner1_best_cost_0_4;
-      slice2winner2_of_pair_0_5 <= slice2winner1_best_cost_0_5 when slice2winner2_of_pair_0_4_is_less else 0;
-      slice2winner2_of_pair_0_6 <= slice2winner1_best_cost_0_6;
-      slice2winner2_pair_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_of_pair_0_0_is_less else
-        slice2winner1_best_index_0_0;
-      slice2winner2_pair_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_of_pair_0_2_is_less else
+      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
+      slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
+      slice2winner2_best_cost_0_4_is_less := (slice2winner1_best_cost_0_9 - slice2winner1_best_cost_0_8) < 0;
+      slice2winner2_best_cost_0_5_is_less := (slice2winner1_best_cost_0_11 - slice2winner1_best_cost_0_10) < 0;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_cost_0_4;
+      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_cost_0_6;
+      slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_cost_0_8;
+      slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_cost_0_10;
+      slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
+        as_number(slice2winner1_best_index_0_0);
+      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
         slice2winner1_best_index_0_2;
-      slice2winner2_pair_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_of_pair_0_4_is_less else
+      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
         slice2winner1_best_index_0_4;
-      slice2winner2_of_four_0_0 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_0;
-      slice2winner2_of_four_0_1 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_1;
-      slice2winner2_of_four_0_2 <= slice2winner2_of_pair_0_2 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_3 <= slice2winner2_of_pair_0_3 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_4 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_4;
-      slice2winner2_of_four_0_5 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_5;
-      slice2winner2_of_four_0_6 <= slice2winner2_of_pair_0_6 when slice2winner2_of_four_0_4_is_less else 0;
-      slice2winner2_four_index_0_0 <= slice2winner2_pair_index_0_1 when slice2winner2_of_four_0_0_is_less else
-        slice2winner2_pair_index_0_0;
-      slice2winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_0_4_is_less else
-        slice2winner2_pair_index_0_2;
-      slice2winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_0_2, 15)) or
-        (to_unsigned(slice2winner2_of_four_0_3, 15)))) or (to_unsigned(slice2winner2_of_four_0_1, 15)))) or
-        (to_unsigned(slice2winner2_of_four_0_0, 15))));
-      slice2winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_0_5, 15)) or
-        (to_unsigned(slice2winner2_of_four_0_6, 15)))) or (to_unsigned(slice2winner2_of_four_0_4, 15))));
-      slice2winner2_best_index_0_0 <= slice2winner2_four_index_0_0;
-      slice2winner2_best_index_0_1 <= slice2winner2_four_index_0_1;
+      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_index_0_6;
+      slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_index_0_8;
+      slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_index_0_10;
       -- slice2winner3
       slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
+      slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
+      slice2winner3_best_cost_0_2_is_less := (slice2winner2_best_cost_0_5 - slice2winner2_best_cost_0_4) < 0;
       slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_cost_0_2;
+      slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_cost_0_4;
+      slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_index_0_0;
+      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_index_0_2;
+      slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_index_0_4;
+      -- slice2winner4
+      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
+      slice2winner4_best_cost_0_1_is_less := (slice2winner3_best_cost_0_3 - slice2winner3_best_cost_0_2) < 0;
+      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_cost_0_0;
+      slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_cost_0_2;
+      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_index_0_0;
+      slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_index_0_2;
+      -- slice2winner5
+      slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0_1 - slice2winner4_best_cost_0_0) < 0;
+      slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_cost_0_0;
+      slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_index_0_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner3_best_cost_0_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner5_best_cost_0_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0 + 53;
+        slice2winner5_best_index_0_0 + 53;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -5943,7 +5699,7 @@ begin
       slice3window_sum_0_22_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_22;
       slice3window_sum_0_23_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_23;
       slice3window_sum_0_24_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_24;
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 32768;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 32768;
         slice3window_sum_0_2 <= (slice3window_sum_0_2_choice + slice3window_change_0_2) mod 32768;
@@ -5971,186 +5727,126 @@ begin
         slice3window_sum_0_24 <= (slice3window_sum_0_24_choice + slice3window_change_0_24) mod 32768;
       end if;
       -- slice3winner1
-      slice3winner1_of_pair_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
-      slice3winner1_of_pair_0_2_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
-      slice3winner1_of_pair_0_4_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
-      slice3winner1_of_pair_0_6_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
-      slice3winner1_of_pair_0_8_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
-      slice3winner1_of_pair_0_10_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
-      slice3winner1_of_pair_0_12_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
-      slice3winner1_of_pair_0_14_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
-      slice3winner1_of_pair_0_16_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
-      slice3winner1_of_pair_0_18_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
-      slice3winner1_of_pair_0_20_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
-      slice3winner1_of_pair_0_22_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
-      slice3winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_2, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_0, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_1, 15))))) < 0;
-      slice3winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_6, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_4, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_5, 15))))) < 0;
-      slice3winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_10, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_11, 15)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_8, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_9, 15))))) < 0;
-      slice3winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_14, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_15, 15)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_12, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_13, 15))))) < 0;
-      slice3winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_18, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_19, 15)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_16, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_17, 15))))) < 0;
-      slice3winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_22, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_23, 15)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_20, 15)) or
-        (to_unsigned(slice3winner1_of_pair_0_21, 15))))) < 0;
-      slice3winner1_of_pair_0_0 <= 0 when slice3winner1_of_pair_0_0_is_less else slice3window_sum_0_0;
-      slice3winner1_of_pair_0_1 <= slice3window_sum_0_1 when slice3winner1_of_pair_0_0_is_less else 0;
-      slice3winner1_of_pair_0_2 <= 0 when slice3winner1_of_pair_0_2_is_less else slice3window_sum_0_2;
-      slice3winner1_of_pair_0_3 <= slice3window_sum_0_3 when slice3winner1_of_pair_0_2_is_less else 0;
-      slice3winner1_of_pair_0_4 <= 0 when slice3winner1_of_pair_0_4_is_less else slice3window_sum_0_4;
-      slice3winner1_of_pair_0_5 <= slice3window_sum_0_5 when slice3winner1_of_pair_0_4_is_less else 0;
-      slice3winner1_of_pair_0_6 <= 0 when slice3winner1_of_pair_0_6_is_less else slice3window_sum_0_6;
-      slice3winner1_of_pair_0_7 <= slice3window_sum_0_7 when slice3winner1_of_pair_0_6_is_less else 0;
-      slice3winner1_of_pair_0_8 <= 0 when slice3winner1_of_pair_0_8_is_less else slice3window_sum_0_8;
-      slice3winner1_of_pair_0_9 <= slice3window_sum_0_9 when slice3winner1_of_pair_0_8_is_less else 0;
-      slice3winner1_of_pair_0_10 <= 0 when slice3winner1_of_pair_0_10_is_less else slice3window_sum_0_10;
-      slice3winner1_of_pair_0_11 <= slice3window_sum_0_11 when slice3winner1_of_pair_0_10_is_less else 0;
-      slice3winner1_of_pair_0_12 <= 0 when slice3winner1_of_pair_0_12_is_less else slice3window_sum_0_12;
-      slice3winner1_of_pair_0_13 <= slice3window_sum_0_13 when slice3winner1_of_pair_0_12_is_less else 0;
-      slice3winner1_of_pair_0_14 <= 0 when slice3winner1_of_pair_0_14_is_less else slice3window_sum_0_14;
-      slice3winner1_of_pair_0_15 <= slice3window_sum_0_15 when slice3winner1_of_pair_0_14_is_less else 0;
-      slice3winner1_of_pair_0_16 <= 0 when slice3winner1_of_pair_0_16_is_less else slice3window_sum_0_16;
-      slice3winner1_of_pair_0_17 <= slice3window_sum_0_17 when slice3winner1_of_pair_0_16_is_less else 0;
-      slice3winner1_of_pair_0_18 <= 0 when slice3winner1_of_pair_0_18_is_less else slice3window_sum_0_18;
-      slice3winner1_of_pair_0_19 <= slice3window_sum_0_19 when slice3winner1_of_pair_0_18_is_less else 0;
-      slice3winner1_of_pair_0_20 <= 0 when slice3winner1_of_pair_0_20_is_less else slice3window_sum_0_20;
-      slice3winner1_of_pair_0_21 <= slice3window_sum_0_21 when slice3winner1_of_pair_0_20_is_less else 0;
-      slice3winner1_of_pair_0_22 <= 0 when slice3winner1_of_pair_0_22_is_less else slice3window_sum_0_22;
-      slice3winner1_of_pair_0_23 <= slice3window_sum_0_23 when slice3winner1_of_pair_0_22_is_less else 0;
-      slice3winner1_of_pair_0_24 <= slice3window_sum_0_24;
-      slice3winner1_pair_index_0_0 <= slice3winner1_of_pair_0_0_is_less;
-      slice3winner1_pair_index_0_1 <= 3 when slice3winner1_of_pair_0_2_is_less else 2;
-      slice3winner1_pair_index_0_2 <= 5 when slice3winner1_of_pair_0_4_is_less else 4;
-      slice3winner1_pair_index_0_3 <= 7 when slice3winner1_of_pair_0_6_is_less else 6;
-      slice3winner1_pair_index_0_4 <= 9 when slice3winner1_of_pair_0_8_is_less else 8;
-      slice3winner1_pair_index_0_5 <= 11 when slice3winner1_of_pair_0_10_is_less else 10;
-      slice3winner1_pair_index_0_6 <= 13 when slice3winner1_of_pair_0_12_is_less else 12;
-      slice3winner1_pair_index_0_7 <= 15 when slice3winner1_of_pair_0_14_is_less else 14;
-      slice3winner1_pair_index_0_8 <= 17 when slice3winner1_of_pair_0_16_is_less else 16;
-      slice3winner1_pair_index_0_9 <= 19 when slice3winner1_of_pair_0_18_is_less else 18;
-      slice3winner1_pair_index_0_10 <= 21 when slice3winner1_of_pair_0_20_is_less else 20;
-      slice3winner1_pair_index_0_11 <= 23 when slice3winner1_of_pair_0_22_is_less else 22;
-      slice3winner1_of_four_0_0 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_0;
-      slice3winner1_of_four_0_1 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_1;
-      slice3winner1_of_four_0_2 <= slice3winner1_of_pair_0_2 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_3 <= slice3winner1_of_pair_0_3 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_4 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_4;
-      slice3winner1_of_four_0_5 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_5;
-      slice3winner1_of_four_0_6 <= slice3winner1_of_pair_0_6 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_7 <= slice3winner1_of_pair_0_7 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_8 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_8;
-      slice3winner1_of_four_0_9 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_9;
-      slice3winner1_of_four_0_10 <= slice3winner1_of_pair_0_10 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_11 <= slice3winner1_of_pair_0_11 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_12 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_12;
-      slice3winner1_of_four_0_13 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_13;
-      slice3winner1_of_four_0_14 <= slice3winner1_of_pair_0_14 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_of_four_0_15 <= slice3winner1_of_pair_0_15 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_of_four_0_16 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_16;
-      slice3winner1_of_four_0_17 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_17;
-      slice3winner1_of_four_0_18 <= slice3winner1_of_pair_0_18 when slice3winner1_of_four_0_16_is_less else 0;
-      slice3winner1_of_four_0_19 <= slice3winner1_of_pair_0_19 when slice3winner1_of_four_0_16_is_less else 0;
-      slice3winner1_of_four_0_20 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_20;
-      slice3winner1_of_four_0_21 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_21;
-      slice3winner1_of_four_0_22 <= slice3winner1_of_pair_0_22 when slice3winner1_of_four_0_20_is_less else 0;
-      slice3winner1_of_four_0_23 <= slice3winner1_of_pair_0_23 when slice3winner1_of_four_0_20_is_less else 0;
-      slice3winner1_of_four_0_24 <= slice3winner1_of_pair_0_24;
-      slice3winner1_four_index_0_0 <= slice3winner1_pair_index_0_1 when slice3winner1_of_four_0_0_is_less else
-        as_number(slice3winner1_pair_index_0_0);
-      slice3winner1_four_index_0_1 <= slice3winner1_pair_index_0_3 when slice3winner1_of_four_0_4_is_less else
-        slice3winner1_pair_index_0_2;
-      slice3winner1_four_index_0_2 <= slice3winner1_pair_index_0_5 when slice3winner1_of_four_0_8_is_less else
-        slice3winner1_pair_index_0_4;
-      slice3winner1_four_index_0_3 <= slice3winner1_pair_index_0_7 when slice3winner1_of_four_0_12_is_less else
-        slice3winner1_pair_index_0_6;
-      slice3winner1_four_index_0_4 <= slice3winner1_pair_index_0_9 when slice3winner1_of_four_0_16_is_less else
-        slice3winner1_pair_index_0_8;
-      slice3winner1_four_index_0_5 <= slice3winner1_pair_index_0_11 when slice3winner1_of_four_0_20_is_less else
-        slice3winner1_pair_index_0_10;
-      slice3winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_2, 15)) or
-        (to_unsigned(slice3winner1_of_four_0_3, 15)))) or (to_unsigned(slice3winner1_of_four_0_1, 15)))) or
-        (to_unsigned(slice3winner1_of_four_0_0, 15))));
-      slice3winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_6, 15)) or
-        (to_unsigned(slice3winner1_of_four_0_7, 15)))) or (to_unsigned(slice3winner1_of_four_0_5, 15)))) or
-        (to_unsigned(slice3winner1_of_four_0_4, 15))));
-      slice3winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_10, 15)) or
-        (to_unsigned(slice3winner1_of_four_0_11, 15)))) or (to_unsigned(slice3winner1_of_four_0_9, 15)))) or
-        (to_unsigned(slice3winner1_of_four_0_8, 15))));
-      slice3winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_14, 15)) or
-        (to_unsigned(slice3winner1_of_four_0_15, 15)))) or (to_unsigned(slice3winner1_of_four_0_13, 15)))) or
-        (to_unsigned(slice3winner1_of_four_0_12, 15))));
-      slice3winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_18, 15)) or
-        (to_unsigned(slice3winner1_of_four_0_19, 15)))) or (to_unsigned(slice3winner1_of_four_0_17, 15)))) or
-        (to_unsigned(slice3winner1_of_four_0_16, 15))));
-      slice3winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_22, 15)) or
-        (to_unsigned(slice3winner1_of_four_0_23, 15)))) or (to_unsigned(slice3winner1_of_four_0_21, 15)))) or
-        (to_unsigned(slice3winner1_of_four_0_20, 15))));
-      slice3winner1_best_cost_0_6 <= slice3winner1_of_four_0_24;
-      slice3winner1_best_index_0_0 <= slice3winner1_four_index_0_0;
-      slice3winner1_best_index_0_1 <= slice3winner1_four_index_0_1;
-      slice3winner1_best_index_0_2 <= slice3winner1_four_index_0_2;
-      slice3winner1_best_index_0_3 <= slice3winner1_four_index_0_3;
-      slice3winner1_best_index_0_4 <= slice3winner1_four_index_0_4;
-      slice3winner1_best_index_0_5 <= slice3winner1_four_index_0_5;
+      slice3winner1_best_cost_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
+      slice3winner1_best_cost_0_1_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
+      slice3winner1_best_cost_0_2_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
+      slice3winner1_best_cost_0_3_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
+      slice3winner1_best_cost_0_4_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
+      slice3winner1_best_cost_0_5_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
+      slice3winner1_best_cost_0_6_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
+      slice3winner1_best_cost_0_7_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
+      slice3winner1_best_cost_0_8_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
+      slice3winner1_best_cost_0_9_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
+      slice3winner1_best_cost_0_10_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
+      slice3winner1_best_cost_0_11_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
+      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
+        slice3window_sum_0_0;
+      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
+        slice3window_sum_0_2;
+      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
+        slice3window_sum_0_4;
+      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
+        slice3window_sum_0_6;
+      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
+        slice3window_sum_0_8;
+      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
+        slice3window_sum_0_10;
+      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
+        slice3window_sum_0_12;
+      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
+        slice3window_sum_0_14;
+      slice3winner1_best_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_best_cost_0_8_is_less else
+        slice3window_sum_0_16;
+      slice3winner1_best_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_best_cost_0_9_is_less else
+        slice3window_sum_0_18;
+      slice3winner1_best_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_best_cost_0_10_is_less else
+        slice3window_sum_0_20;
+      slice3winner1_best_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_best_cost_0_11_is_less else
+        slice3window_sum_0_22;
+      slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
+      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
+      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
+      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
+      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
+      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
+      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
+      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
+      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
+      slice3winner1_best_index_0_8 <= 17 when slice3winner1_best_cost_0_8_is_less else 16;
+      slice3winner1_best_index_0_9 <= 19 when slice3winner1_best_cost_0_9_is_less else 18;
+      slice3winner1_best_index_0_10 <= 21 when slice3winner1_best_cost_0_10_is_less else 20;
+      slice3winner1_best_index_0_11 <= 23 when slice3winner1_best_cost_0_11_is_less else 22;
       -- slice3winner2
-      slice3winner2_of_pair_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
-      slice3winner2_of_pair_0_2_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
-      slice3winner2_of_pair_0_4_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
-      slice3winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_0_2, 15)) or
-        (to_unsigned(slice3winner2_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice3winner2_of_pair_0_0, 15)) or
-        (to_unsigned(slice3winner2_of_pair_0_1, 15))))) < 0;
-      slice3winner2_of_four_0_4_is_less := (slice3winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice3winner2_of_pair_0_4, 15)) or (to_unsigned(slice3winner2_of_pair_0_5, 15))))) < 0;
-      slice3winner2_of_pair_0_0 <= 0 when slice3winner2_of_pair_0_0_is_less else slice3winner1_best_cost_0_0;
-      slice3winner2_of_pair_0_1 <= slice3winner1_best_cost_0_1 when slice3winner2_of_pair_0_0_is_less else 0;
-      slice3winner2_of_pair_0_2 <= 0 when slice3winner2_of_pair_0_2_is_less else slice3winner1_best_cost_0_2;
-      slice3winner2_of_pair_0_3 <= slice3winner1_best_cost_0_3 when slice3winner2_of_pair_0_2_is_less else 0;
-      slice3winner2_of_pair_0_4 <= 0 when slice3winner2_of_pair_0_4_is_less else slice3winner1_best_cost_0_4;
-      slice3winner2_of_pair_0_5 <= slice3winner1_best_cost_0_5 when slice3winner2_of_pair_0_4_is_less else 0;
-      slice3winner2_of_pair_0_6 <= slice3winner1_best_cost_0_6;
-      slice3winner2_pair_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_of_pair_0_0_is_less else
-        slice3winner1_best_index_0_0;
-      slice3winner2_pair_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_of_pair_0_2_is_less else
+      slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
+      slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
+      slice3winner2_best_cost_0_2_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
+      slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
+      slice3winner2_best_cost_0_4_is_less := (slice3winner1_best_cost_0_9 - slice3winner1_best_cost_0_8) < 0;
+      slice3winner2_best_cost_0_5_is_less := (slice3winner1_best_cost_0_11 - slice3winner1_best_cost_0_10) < 0;
+      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
+        slice3winner1_best_cost_0_0;
+      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
+        slice3winner1_best_cost_0_2;
+      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_cost_0_4;
+      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_cost_0_6;
+      slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_cost_0_8;
+      slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_cost_0_10;
+      slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
+      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
+        as_number(slice3winner1_best_index_0_0);
+      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
         slice3winner1_best_index_0_2;
-      slice3winner2_pair_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_of_pair_0_4_is_less else
+      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
         slice3winner1_best_index_0_4;
-      slice3winner2_of_four_0_0 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_0;
-      slice3winner2_of_four_0_1 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_1;
-      slice3winner2_of_four_0_2 <= slice3winner2_of_pair_0_2 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_3 <= slice3winner2_of_pair_0_3 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_4 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_4;
-      slice3winner2_of_four_0_5 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_5;
-      slice3winner2_of_four_0_6 <= slice3winner2_of_pair_0_6 when slice3winner2_of_four_0_4_is_less else 0;
-      slice3winner2_four_index_0_0 <= slice3winner2_pair_index_0_1 when slice3winner2_of_four_0_0_is_less else
-        slice3winner2_pair_index_0_0;
-      slice3winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_0_4_is_less else
-        slice3winner2_pair_index_0_2;
-      slice3winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_0_2, 15)) or
-        (to_unsigned(slice3winner2_of_four_0_3, 15)))) or (to_unsigned(slice3winner2_of_four_0_1, 15)))) or
-        (to_unsigned(slice3winner2_of_four_0_0, 15))));
-      slice3winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_0_5, 15)) or
-        (to_unsigned(slice3winner2_of_four_0_6, 15)))) or (to_unsigned(slice3winner2_of_four_0_4, 15))));
-      slice3winner2_best_index_0_0 <= slice3winner2_four_index_0_0;
-      slice3winner2_best_index_0_1 <= slice3winner2_four_index_0_1;
+      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_index_0_6;
+      slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_index_0_8;
+      slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_index_0_10;
       -- slice3winner3
       slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
+      slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
+      slice3winner3_best_cost_0_2_is_less := (slice3winner2_best_cost_0_5 - slice3winner2_best_cost_0_4) < 0;
       slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_cost_0_0;
+      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_cost_0_2;
+      slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_cost_0_4;
+      slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
       slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_index_0_0;
+      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_index_0_2;
+      slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_index_0_4;
+      -- slice3winner4
+      slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
+      slice3winner4_best_cost_0_1_is_less := (slice3winner3_best_cost_0_3 - slice3winner3_best_cost_0_2) < 0;
+      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_cost_0_0;
+      slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_cost_0_2;
+      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_index_0_0;
+      slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_index_0_2;
+      -- slice3winner5
+      slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0_1 - slice3winner4_best_cost_0_0) < 0;
+      slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_cost_0_0;
+      slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_index_0_0;
       -- slice3
-      slice3_best_cost_0_0_is_less := (slice2_best_cost_0_0 - slice3winner3_best_cost_0_0) < 0;
-      slice3_best_cost_0_0 <= slice2_best_cost_0_0 when slice3_best_cost_0_0_is_less else slice3winner3_best_cost_0_0;
+      slice3_best_cost_0_0_is_less := (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0;
+      slice3_best_cost_0_0 <= slice2_best_cost_0_0 when slice3_best_cost_0_0_is_less else slice3winner5_best_cost_0_0;
       slice3_best_index_0_0 <= slice2_best_index_0_0 when slice3_best_cost_0_0_is_less else
-        (((slice3winner3_best_index_0_0 / 4) + 7) * 4) + (slice3winner3_best_index_0_0 mod 4);
+        (((slice3winner5_best_index_0_0 / 4) + 7) * 4) + (slice3winner5_best_index_0_0 mod 4);
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -6528,7 +6224,7 @@ begin
         slice4cost_write_words_12 <= slice4cost_column_0_24_choice_2;
       end if;
       -- slice4window
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice4window_ring_read_address <= 0 when slice4window_ring_read_address = 9 else
           (slice4window_ring_read_address + 1) mod 16;
         slice4window_ring_write_address <= slice4window_ring_read_address;
@@ -6737,7 +6433,7 @@ begin
       slice4window_sum_0_22_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_22;
       slice4window_sum_0_23_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_23;
       slice4window_sum_0_24_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_24;
-      if slice0winner1_tag_valid then
+      if slice0winner3_tag_valid then
         slice4window_sum_0_0 <= (slice4window_sum_0_0_choice + slice4window_change_0_0) mod 32768;
         slice4window_sum_0_1 <= (slice4window_sum_0_1_choice + slice4window_change_0_1) mod 32768;
         slice4window_sum_0_2 <= (slice4window_sum_0_2_choice + slice4window_change_0_2) mod 32768;
@@ -6765,186 +6461,126 @@ begin
         slice4window_sum_0_24 <= (slice4window_sum_0_24_choice + slice4window_change_0_24) mod 32768;
       end if;
       -- slice4winner1
-      slice4winner1_of_pair_0_0_is_less := (slice4window_sum_0_1 - slice4window_sum_0_0) < 0;
-      slice4winner1_of_pair_0_2_is_less := (slice4window_sum_0_3 - slice4window_sum_0_2) < 0;
-      slice4winner1_of_pair_0_4_is_less := (slice4window_sum_0_5 - slice4window_sum_0_4) < 0;
-      slice4winner1_of_pair_0_6_is_less := (slice4window_sum_0_7 - slice4window_sum_0_6) < 0;
-      slice4winner1_of_pair_0_8_is_less := (slice4window_sum_0_9 - slice4window_sum_0_8) < 0;
-      slice4winner1_of_pair_0_10_is_less := (slice4window_sum_0_11 - slice4window_sum_0_10) < 0;
-      slice4winner1_of_pair_0_12_is_less := (slice4window_sum_0_13 - slice4window_sum_0_12) < 0;
-      slice4winner1_of_pair_0_14_is_less := (slice4window_sum_0_15 - slice4window_sum_0_14) < 0;
-      slice4winner1_of_pair_0_16_is_less := (slice4window_sum_0_17 - slice4window_sum_0_16) < 0;
-      slice4winner1_of_pair_0_18_is_less := (slice4window_sum_0_19 - slice4window_sum_0_18) < 0;
-      slice4winner1_of_pair_0_20_is_less := (slice4window_sum_0_21 - slice4window_sum_0_20) < 0;
-      slice4winner1_of_pair_0_22_is_less := (slice4window_sum_0_23 - slice4window_sum_0_22) < 0;
-      slice4winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_2, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_0, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_1, 15))))) < 0;
-      slice4winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_6, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_4, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_5, 15))))) < 0;
-      slice4winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_10, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_11, 15)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_8, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_9, 15))))) < 0;
-      slice4winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_14, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_15, 15)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_12, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_13, 15))))) < 0;
-      slice4winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_18, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_19, 15)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_16, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_17, 15))))) < 0;
-      slice4winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_22, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_23, 15)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_20, 15)) or
-        (to_unsigned(slice4winner1_of_pair_0_21, 15))))) < 0;
-      slice4winner1_of_pair_0_0 <= 0 when slice4winner1_of_pair_0_0_is_less else slice4window_sum_0_0;
-      slice4winner1_of_pair_0_1 <= slice4window_sum_0_1 when slice4winner1_of_pair_0_0_is_less else 0;
-      slice4winner1_of_pair_0_2 <= 0 when slice4winner1_of_pair_0_2_is_less else slice4window_sum_0_2;
-      slice4winner1_of_pair_0_3 <= slice4window_sum_0_3 when slice4winner1_of_pair_0_2_is_less else 0;
-      slice4winner1_of_pair_0_4 <= 0 when slice4winner1_of_pair_0_4_is_less else slice4window_sum_0_4;
-      slice4winner1_of_pair_0_5 <= slice4window_sum_0_5 when slice4winner1_of_pair_0_4_is_less else 0;
-      slice4winner1_of_pair_0_6 <= 0 when slice4winner1_of_pair_0_6_is_less else slice4window_sum_0_6;
-      slice4winner1_of_pair_0_7 <= slice4window_sum_0_7 when slice4winner1_of_pair_0_6_is_less else 0;
-      slice4winner1_of_pair_0_8 <= 0 when slice4winner1_of_pair_0_8_is_less else slice4window_sum_0_8;
-      slice4winner1_of_pair_0_9 <= slice4window_sum_0_9 when slice4winner1_of_pair_0_8_is_less else 0;
-      slice4winner1_of_pair_0_10 <= 0 when slice4winner1_of_pair_0_10_is_less else slice4window_sum_0_10;
-      slice4winner1_of_pair_0_11 <= slice4window_sum_0_11 when slice4winner1_of_pair_0_10_is_less else 0;
-      slice4winner1_of_pair_0_12 <= 0 when slice4winner1_of_pair_0_12_is_less else slice4window_sum_0_12;
-      slice4winner1_of_pair_0_13 <= slice4window_sum_0_13 when slice4winner1_of_pair_0_12_is_less else 0;
-      slice4winner1_of_pair_0_14 <= 0 when slice4winner1_of_pair_0_14_is_less else slice4window_sum_0_14;
-      slice4winner1_of_pair_0_15 <= slice4window_sum_0_15 when slice4winner1_of_pair_0_14_is_less else 0;
-      slice4winner1_of_pair_0_16 <= 0 when slice4winner1_of_pair_0_16_is_less else slice4window_sum_0_16;
-      slice4winner1_of_pair_0_17 <= slice4window_sum_0_17 when slice4winner1_of_pair_0_16_is_less else 0;
-      slice4winner1_of_pair_0_18 <= 0 when slice4winner1_of_pair_0_18_is_less else slice4window_sum_0_18;
-      slice4winner1_of_pair_0_19 <= slice4window_sum_0_19 when slice4winner1_of_pair_0_18_is_less else 0;
-      slice4winner1_of_pair_0_20 <= 0 when slice4winner1_of_pair_0_20_is_less else slice4window_sum_0_20;
-      slice4winner1_of_pair_0_21 <= slice4window_sum_0_21 when slice4winner1_of_pair_0_20_is_less else 0;
-      slice4winner1_of_pair_0_22 <= 0 when slice4winner1_of_pair_0_22_is_less else slice4window_sum_0_22;
-      slice4winner1_of_pair_0_23 <= slice4window_sum_0_23 when slice4winner1_of_pair_0_22_is_less else 0;
-      slice4winner1_of_pair_0_24 <= slice4window_sum_0_24;
-      slice4winner1_pair_index_0_0 <= slice4winner1_of_pair_0_0_is_less;
-      slice4winner1_pair_index_0_1 <= 3 when slice4winner1_of_pair_0_2_is_less else 2;
-      slice4winner1_pair_index_0_2 <= 5 when slice4winner1_of_pair_0_4_is_less else 4;
-      slice4winner1_pair_index_0_3 <= 7 when slice4winner1_of_pair_0_6_is_less else 6;
-      slice4winner1_pair_index_0_4 <= 9 when slice4winner1_of_pair_0_8_is_less else 8;
-      slice4winner1_pair_index_0_5 <= 11 when slice4winner1_of_pair_0_10_is_less else 10;
-      slice4winner1_pair_index_0_6 <= 13 when slice4winner1_of_pair_0_12_is_less else 12;
-      slice4winner1_pair_index_0_7 <= 15 when slice4winner1_of_pair_0_14_is_less else 14;
-      slice4winner1_pair_index_0_8 <= 17 when slice4winner1_of_pair_0_16_is_less else 16;
-      slice4winner1_pair_index_0_9 <= 19 when slice4winner1_of_pair_0_18_is_less else 18;
-      slice4winner1_pair_index_0_10 <= 21 when slice4winner1_of_pair_0_20_is_less else 20;
-      slice4winner1_pair_index_0_11 <= 23 when slice4winner1_of_pair_0_22_is_less else 22;
-      slice4winner1_of_four_0_0 <= 0 when slice4winner1_of_four_0_0_is_less else slice4winner1_of_pair_0_0;
-      slice4winner1_of_four_0_1 <= 0 when slice4winner1_of_four_0_0_is_less else slice4winner1_of_pair_0_1;
-      slice4winner1_of_four_0_2 <= slice4winner1_of_pair_0_2 when slice4winner1_of_four_0_0_is_less else 0;
-      slice4winner1_of_four_0_3 <= slice4winner1_of_pair_0_3 when slice4winner1_of_four_0_0_is_less else 0;
-      slice4winner1_of_four_0_4 <= 0 when slice4winner1_of_four_0_4_is_less else slice4winner1_of_pair_0_4;
-      slice4winner1_of_four_0_5 <= 0 when slice4winner1_of_four_0_4_is_less else slice4winner1_of_pair_0_5;
-      slice4winner1_of_four_0_6 <= slice4winner1_of_pair_0_6 when slice4winner1_of_four_0_4_is_less else 0;
-      slice4winner1_of_four_0_7 <= slice4winner1_of_pair_0_7 when slice4winner1_of_four_0_4_is_less else 0;
-      slice4winner1_of_four_0_8 <= 0 when slice4winner1_of_four_0_8_is_less else slice4winner1_of_pair_0_8;
-      slice4winner1_of_four_0_9 <= 0 when slice4winner1_of_four_0_8_is_less else slice4winner1_of_pair_0_9;
-      slice4winner1_of_four_0_10 <= slice4winner1_of_pair_0_10 when slice4winner1_of_four_0_8_is_less else 0;
-      slice4winner1_of_four_0_11 <= slice4winner1_of_pair_0_11 when slice4winner1_of_four_0_8_is_less else 0;
-      slice4winner1_of_four_0_12 <= 0 when slice4winner1_of_four_0_12_is_less else slice4winner1_of_pair_0_12;
-      slice4winner1_of_four_0_13 <= 0 when slice4winner1_of_four_0_12_is_less else slice4winner1_of_pair_0_13;
-      slice4winner1_of_four_0_14 <= slice4winner1_of_pair_0_14 when slice4winner1_of_four_0_12_is_less else 0;
-      slice4winner1_of_four_0_15 <= slice4winner1_of_pair_0_15 when slice4winner1_of_four_0_12_is_less else 0;
-      slice4winner1_of_four_0_16 <= 0 when slice4winner1_of_four_0_16_is_less else slice4winner1_of_pair_0_16;
-      slice4winner1_of_four_0_17 <= 0 when slice4winner1_of_four_0_16_is_less else slice4winner1_of_pair_0_17;
-      slice4winner1_of_four_0_18 <= slice4winner1_of_pair_0_18 when slice4winner1_of_four_0_16_is_less else 0;
-      slice4winner1_of_four_0_19 <= slice4winner1_of_pair_0_19 when slice4winner1_of_four_0_16_is_less else 0;
-      slice4winner1_of_four_0_20 <= 0 when slice4winner1_of_four_0_20_is_less else slice4winner1_of_pair_0_20;
-      slice4winner1_of_four_0_21 <= 0 when slice4winner1_of_four_0_20_is_less else slice4winner1_of_pair_0_21;
-      slice4winner1_of_four_0_22 <= slice4winner1_of_pair_0_22 when slice4winner1_of_four_0_20_is_less else 0;
-      slice4winner1_of_four_0_23 <= slice4winner1_of_pair_0_23 when slice4winner1_of_four_0_20_is_less else 0;
-      slice4winner1_of_four_0_24 <= slice4winner1_of_pair_0_24;
-      slice4winner1_four_index_0_0 <= slice4winner1_pair_index_0_1 when slice4winner1_of_four_0_0_is_less else
-        as_number(slice4winner1_pair_index_0_0);
-      slice4winner1_four_index_0_1 <= slice4winner1_pair_index_0_3 when slice4winner1_of_four_0_4_is_less else
-        slice4winner1_pair_index_0_2;
-      slice4winner1_four_index_0_2 <= slice4winner1_pair_index_0_5 when slice4winner1_of_four_0_8_is_less else
-        slice4winner1_pair_index_0_4;
-      slice4winner1_four_index_0_3 <= slice4winner1_pair_index_0_7 when slice4winner1_of_four_0_12_is_less else
-        slice4winner1_pair_index_0_6;
-      slice4winner1_four_index_0_4 <= slice4winner1_pair_index_0_9 when slice4winner1_of_four_0_16_is_less else
-        slice4winner1_pair_index_0_8;
-      slice4winner1_four_index_0_5 <= slice4winner1_pair_index_0_11 when slice4winner1_of_four_0_20_is_less else
-        slice4winner1_pair_index_0_10;
-      slice4winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_2, 15)) or
-        (to_unsigned(slice4winner1_of_four_0_3, 15)))) or (to_unsigned(slice4winner1_of_four_0_1, 15)))) or
-        (to_unsigned(slice4winner1_of_four_0_0, 15))));
-      slice4winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_6, 15)) or
-        (to_unsigned(slice4winner1_of_four_0_7, 15)))) or (to_unsigned(slice4winner1_of_four_0_5, 15)))) or
-        (to_unsigned(slice4winner1_of_four_0_4, 15))));
-      slice4winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_10, 15)) or
-        (to_unsigned(slice4winner1_of_four_0_11, 15)))) or (to_unsigned(slice4winner1_of_four_0_9, 15)))) or
-        (to_unsigned(slice4winner1_of_four_0_8, 15))));
-      slice4winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_14, 15)) or
-        (to_unsigned(slice4winner1_of_four_0_15, 15)))) or (to_unsigned(slice4winner1_of_four_0_13, 15)))) or
-        (to_unsigned(slice4winner1_of_four_0_12, 15))));
-      slice4winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_18, 15)) or
-        (to_unsigned(slice4winner1_of_four_0_19, 15)))) or (to_unsigned(slice4winner1_of_four_0_17, 15)))) or
-        (to_unsigned(slice4winner1_of_four_0_16, 15))));
-      slice4winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_22, 15)) or
-        (to_unsigned(slice4winner1_of_four_0_23, 15)))) or (to_unsigned(slice4winner1_of_four_0_21, 15)))) or
-        (to_unsigned(slice4winner1_of_four_0_20, 15))));
-      slice4winner1_best_cost_0_6 <= slice4winner1_of_four_0_24;
-      slice4winner1_best_index_0_0 <= slice4winner1_four_index_0_0;
-      slice4winner1_best_index_0_1 <= slice4winner1_four_index_0_1;
-      slice4winner1_best_index_0_2 <= slice4winner1_four_index_0_2;
-      slice4winner1_best_index_0_3 <= slice4winner1_four_index_0_3;
-      slice4winner1_best_index_0_4 <= slice4winner1_four_index_0_4;
-      slice4winner1_best_index_0_5 <= slice4winner1_four_index_0_5;
+      slice4winner1_best_cost_0_0_is_less := (slice4window_sum_0_1 - slice4window_sum_0_0) < 0;
+      slice4winner1_best_cost_0_1_is_less := (slice4window_sum_0_3 - slice4window_sum_0_2) < 0;
+      slice4winner1_best_cost_0_2_is_less := (slice4window_sum_0_5 - slice4window_sum_0_4) < 0;
+      slice4winner1_best_cost_0_3_is_less := (slice4window_sum_0_7 - slice4window_sum_0_6) < 0;
+      slice4winner1_best_cost_0_4_is_less := (slice4window_sum_0_9 - slice4window_sum_0_8) < 0;
+      slice4winner1_best_cost_0_5_is_less := (slice4window_sum_0_11 - slice4window_sum_0_10) < 0;
+      slice4winner1_best_cost_0_6_is_less := (slice4window_sum_0_13 - slice4window_sum_0_12) < 0;
+      slice4winner1_best_cost_0_7_is_less := (slice4window_sum_0_15 - slice4window_sum_0_14) < 0;
+      slice4winner1_best_cost_0_8_is_less := (slice4window_sum_0_17 - slice4window_sum_0_16) < 0;
+      slice4winner1_best_cost_0_9_is_less := (slice4window_sum_0_19 - slice4window_sum_0_18) < 0;
+      slice4winner1_best_cost_0_10_is_less := (slice4window_sum_0_21 - slice4window_sum_0_20) < 0;
+      slice4winner1_best_cost_0_11_is_less := (slice4window_sum_0_23 - slice4window_sum_0_22) < 0;
+      slice4winner1_best_cost_0_0 <= slice4window_sum_0_1 when slice4winner1_best_cost_0_0_is_less else
+        slice4window_sum_0_0;
+      slice4winner1_best_cost_0_1 <= slice4window_sum_0_3 when slice4winner1_best_cost_0_1_is_less else
+        slice4window_sum_0_2;
+      slice4winner1_best_cost_0_2 <= slice4window_sum_0_5 when slice4winner1_best_cost_0_2_is_less else
+        slice4window_sum_0_4;
+      slice4winner1_best_cost_0_3 <= slice4window_sum_0_7 when slice4winner1_best_cost_0_3_is_less else
+        slice4window_sum_0_6;
+      slice4winner1_best_cost_0_4 <= slice4window_sum_0_9 when slice4winner1_best_cost_0_4_is_less else
+        slice4window_sum_0_8;
+      slice4winner1_best_cost_0_5 <= slice4window_sum_0_11 when slice4winner1_best_cost_0_5_is_less else
+        slice4window_sum_0_10;
+      slice4winner1_best_cost_0_6 <= slice4window_sum_0_13 when slice4winner1_best_cost_0_6_is_less else
+        slice4window_sum_0_12;
+      slice4winner1_best_cost_0_7 <= slice4window_sum_0_15 when slice4winner1_best_cost_0_7_is_less else
+        slice4window_sum_0_14;
+      slice4winner1_best_cost_0_8 <= slice4window_sum_0_17 when slice4winner1_best_cost_0_8_is_less else
+        slice4window_sum_0_16;
+      slice4winner1_best_cost_0_9 <= slice4window_sum_0_19 when slice4winner1_best_cost_0_9_is_less else
+        slice4window_sum_0_18;
+      slice4winner1_best_cost_0_10 <= slice4window_sum_0_21 when slice4winner1_best_cost_0_10_is_less else
+        slice4window_sum_0_20;
+      slice4winner1_best_cost_0_11 <= slice4window_sum_0_23 when slice4winner1_best_cost_0_11_is_less else
+        slice4window_sum_0_22;
+      slice4winner1_best_cost_0_12 <= slice4window_sum_0_24;
+      slice4winner1_best_index_0_0 <= slice4winner1_best_cost_0_0_is_less;
+      slice4winner1_best_index_0_1 <= 3 when slice4winner1_best_cost_0_1_is_less else 2;
+      slice4winner1_best_index_0_2 <= 5 when slice4winner1_best_cost_0_2_is_less else 4;
+      slice4winner1_best_index_0_3 <= 7 when slice4winner1_best_cost_0_3_is_less else 6;
+      slice4winner1_best_index_0_4 <= 9 when slice4winner1_best_cost_0_4_is_less else 8;
+      slice4winner1_best_index_0_5 <= 11 when slice4winner1_best_cost_0_5_is_less else 10;
+      slice4winner1_best_index_0_6 <= 13 when slice4winner1_best_cost_0_6_is_less else 12;
+      slice4winner1_best_index_0_7 <= 15 when slice4winner1_best_cost_0_7_is_less else 14;
+      slice4winner1_best_index_0_8 <= 17 when slice4winner1_best_cost_0_8_is_less else 16;
+      slice4winner1_best_index_0_9 <= 19 when slice4winner1_best_cost_0_9_is_less else 18;
+      slice4winner1_best_index_0_10 <= 21 when slice4winner1_best_cost_0_10_is_less else 20;
+      slice4winner1_best_index_0_11 <= 23 when slice4winner1_best_cost_0_11_is_less else 22;
       -- slice4winner2
-      slice4winner2_of_pair_0_0_is_less := (slice4winner1_best_cost_0_1 - slice4winner1_best_cost_0_0) < 0;
-      slice4winner2_of_pair_0_2_is_less := (slice4winner1_best_cost_0_3 - slice4winner1_best_cost_0_2) < 0;
-      slice4winner2_of_pair_0_4_is_less := (slice4winner1_best_cost_0_5 - slice4winner1_best_cost_0_4) < 0;
-      slice4winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice4winner2_of_pair_0_2, 15)) or
-        (to_unsigned(slice4winner2_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice4winner2_of_pair_0_0, 15)) or
-        (to_unsigned(slice4winner2_of_pair_0_1, 15))))) < 0;
-      slice4winner2_of_four_0_4_is_less := (slice4winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice4winner2_of_pair_0_4, 15)) or (to_unsigned(slice4winner2_of_pair_0_5, 15))))) < 0;
-      slice4winner2_of_pair_0_0 <= 0 when slice4winner2_of_pair_0_0_is_less else slice4winner1_best_cost_0_0;
-      slice4winner2_of_pair_0_1 <= slice4winner1_best_cost_0_1 when slice4winner2_of_pair_0_0_is_less else 0;
-      slice4winner2_of_pair_0_2 <= 0 when slice4winner2_of_pair_0_2_is_less else slice4winner1_best_cost_0_2;
-      slice4winner2_of_pair_0_3 <= slice4winner1_best_cost_0_3 when slice4winner2_of_pair_0_2_is_less else 0;
-      slice4winner2_of_pair_0_4 <= 0 when slice4winner2_of_pair_0_4_is_less else slice4winner1_best_cost_0_4;
-      slice4winner2_of_pair_0_5 <= slice4winner1_best_cost_0_5 when slice4winner2_of_pair_0_4_is_less else 0;
-      slice4winner2_of_pair_0_6 <= slice4winner1_best_cost_0_6;
-      slice4winner2_pair_index_0_0 <= slice4winner1_best_index_0_1 when slice4winner2_of_pair_0_0_is_less else
-        slice4winner1_best_index_0_0;
-      slice4winner2_pair_index_0_1 <= slice4winner1_best_index_0_3 when slice4winner2_of_pair_0_2_is_less else
+      slice4winner2_best_cost_0_0_is_less := (slice4winner1_best_cost_0_1 - slice4winner1_best_cost_0_0) < 0;
+      slice4winner2_best_cost_0_1_is_less := (slice4winner1_best_cost_0_3 - slice4winner1_best_cost_0_2) < 0;
+      slice4winner2_best_cost_0_2_is_less := (slice4winner1_best_cost_0_5 - slice4winner1_best_cost_0_4) < 0;
+      slice4winner2_best_cost_0_3_is_less := (slice4winner1_best_cost_0_7 - slice4winner1_best_cost_0_6) < 0;
+      slice4winner2_best_cost_0_4_is_less := (slice4winner1_best_cost_0_9 - slice4winner1_best_cost_0_8) < 0;
+      slice4winner2_best_cost_0_5_is_less := (slice4winner1_best_cost_0_11 - slice4winner1_best_cost_0_10) < 0;
+      slice4winner2_best_cost_0_0 <= slice4winner1_best_cost_0_1 when slice4winner2_best_cost_0_0_is_less else
+        slice4winner1_best_cost_0_0;
+      slice4winner2_best_cost_0_1 <= slice4winner1_best_cost_0_3 when slice4winner2_best_cost_0_1_is_less else
+        slice4winner1_best_cost_0_2;
+      slice4winner2_best_cost_0_2 <= slice4winner1_best_cost_0_5 when slice4winner2_best_cost_0_2_is_less else
+        slice4winner1_best_cost_0_4;
+      slice4winner2_best_cost_0_3 <= slice4winner1_best_cost_0_7 when slice4winner2_best_cost_0_3_is_less else
+        slice4winner1_best_cost_0_6;
+      slice4winner2_best_cost_0_4 <= slice4winner1_best_cost_0_9 when slice4winner2_best_cost_0_4_is_less else
+        slice4winner1_best_cost_0_8;
+      slice4winner2_best_cost_0_5 <= slice4winner1_best_cost_0_11 when slice4winner2_best_cost_0_5_is_less else
+        slice4winner1_best_cost_0_10;
+      slice4winner2_best_cost_0_6 <= slice4winner1_best_cost_0_12;
+      slice4winner2_best_index_0_0 <= slice4winner1_best_index_0_1 when slice4winner2_best_cost_0_0_is_less else
+        as_number(slice4winner1_best_index_0_0);
+      slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_3 when slice4winner2_best_cost_0_1_is_less else
         slice4winner1_best_index_0_2;
-      slice4winner2_pair_index_0_2 <= slice4winner1_best_index_0_5 when slice4winner2_of_pair_0_4_is_less else
+      slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_5 when slice4winner2_best_cost_0_2_is_less else
         slice4winner1_best_index_0_4;
-      slice4winner2_of_four_0_0 <= 0 when slice4winner2_of_four_0_0_is_less else slice4winner2_of_pair_0_0;
-      slice4winner2_of_four_0_1 <= 0 when slice4winner2_of_four_0_0_is_less else slice4winner2_of_pair_0_1;
-      slice4winner2_of_four_0_2 <= slice4winner2_of_pair_0_2 when slice4winner2_of_four_0_0_is_less else 0;
-      slice4winner2_of_four_0_3 <= slice4winner2_of_pair_0_3 when slice4winner2_of_four_0_0_is_less else 0;
-      slice4winner2_of_four_0_4 <= 0 when slice4winner2_of_four_0_4_is_less else slice4winner2_of_pair_0_4;
-      slice4winner2_of_four_0_5 <= 0 when slice4winner2_of_four_0_4_is_less else slice4winner2_of_pair_0_5;
-      slice4winner2_of_four_0_6 <= slice4winner2_of_pair_0_6 when slice4winner2_of_four_0_4_is_less else 0;
-      slice4winner2_four_index_0_0 <= slice4winner2_pair_index_0_1 when slice4winner2_of_four_0_0_is_less else
-        slice4winner2_pair_index_0_0;
-      slice4winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice4winner2_of_four_0_4_is_less else
-        slice4winner2_pair_index_0_2;
-      slice4winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice4winner2_of_four_0_2, 15)) or
-        (to_unsigned(slice4winner2_of_four_0_3, 15)))) or (to_unsigned(slice4winner2_of_four_0_1, 15)))) or
-        (to_unsigned(slice4winner2_of_four_0_0, 15))));
-      slice4winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice4winner2_of_four_0_5, 15)) or
-        (to_unsigned(slice4winner2_of_four_0_6, 15)))) or (to_unsigned(slice4winner2_of_four_0_4, 15))));
-      slice4winner2_best_index_0_0 <= slice4winner2_four_index_0_0;
-      slice4winner2_best_index_0_1 <= slice4winner2_four_index_0_1;
+      slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_7 when slice4winner2_best_cost_0_3_is_less else
+        slice4winner1_best_index_0_6;
+      slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_9 when slice4winner2_best_cost_0_4_is_less else
+        slice4winner1_best_index_0_8;
+      slice4winner2_best_index_0_5 <= slice4winner1_best_index_0_11 when slice4winner2_best_cost_0_5_is_less else
+        slice4winner1_best_index_0_10;
       -- slice4winner3
       slice4winner3_best_cost_0_0_is_less := (slice4winner2_best_cost_0_1 - slice4winner2_best_cost_0_0) < 0;
+      slice4winner3_best_cost_0_1_is_less := (slice4winner2_best_cost_0_3 - slice4winner2_best_cost_0_2) < 0;
+      slice4winner3_best_cost_0_2_is_less := (slice4winner2_best_cost_0_5 - slice4winner2_best_cost_0_4) < 0;
       slice4winner3_best_cost_0_0 <= slice4winner2_best_cost_0_1 when slice4winner3_best_cost_0_0_is_less else
         slice4winner2_best_cost_0_0;
+      slice4winner3_best_cost_0_1 <= slice4winner2_best_cost_0_3 when slice4winner3_best_cost_0_1_is_less else
+        slice4winner2_best_cost_0_2;
+      slice4winner3_best_cost_0_2 <= slice4winner2_best_cost_0_5 when slice4winner3_best_cost_0_2_is_less else
+        slice4winner2_best_cost_0_4;
+      slice4winner3_best_cost_0_3 <= slice4winner2_best_cost_0_6;
       slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_1 when slice4winner3_best_cost_0_0_is_less else
         slice4winner2_best_index_0_0;
+      slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_3 when slice4winner3_best_cost_0_1_is_less else
+        slice4winner2_best_index_0_2;
+      slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_5 when slice4winner3_best_cost_0_2_is_less else
+        slice4winner2_best_index_0_4;
+      -- slice4winner4
+      slice4winner4_best_cost_0_0_is_less := (slice4winner3_best_cost_0_1 - slice4winner3_best_cost_0_0) < 0;
+      slice4winner4_best_cost_0_1_is_less := (slice4winner3_best_cost_0_3 - slice4winner3_best_cost_0_2) < 0;
+      slice4winner4_best_cost_0_0 <= slice4winner3_best_cost_0_1 when slice4winner4_best_cost_0_0_is_less else
+        slice4winner3_best_cost_0_0;
+      slice4winner4_best_cost_0_1 <= slice4winner3_best_cost_0_3 when slice4winner4_best_cost_0_1_is_less else
+        slice4winner3_best_cost_0_2;
+      slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_1 when slice4winner4_best_cost_0_0_is_less else
+        slice4winner3_best_index_0_0;
+      slice4winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice4winner4_best_cost_0_1_is_less else
+        slice4winner3_best_index_0_2;
+      -- slice4winner5
+      slice4winner5_best_cost_0_0_is_less := (slice4winner4_best_cost_0_1 - slice4winner4_best_cost_0_0) < 0;
+      slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0_1 when slice4winner5_best_cost_0_0_is_less else
+        slice4winner4_best_cost_0_0;
+      slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_1 when slice4winner5_best_cost_0_0_is_less else
+        slice4winner4_best_index_0_0;
       -- slice4
-      slice4_best_cost_0_0_is_less := (slice3_best_cost_0_0 - slice4winner3_best_cost_0_0) < 0;
-      slice4_best_cost_0_0 <= slice3_best_cost_0_0 when slice4_best_cost_0_0_is_less else slice4winner3_best_cost_0_0;
+      slice4_best_cost_0_0_is_less := (slice3_best_cost_0_0 - slice4winner5_best_cost_0_0) < 0;
+      slice4_best_cost_0_0 <= slice3_best_cost_0_0 when slice4_best_cost_0_0_is_less else slice4winner5_best_cost_0_0;
       slice4_best_index_0_0 <= slice3_best_index_0_0 when slice4_best_cost_0_0_is_less else
-        slice4winner3_best_index_0_0 + 3;
+        slice4winner5_best_index_0_0 + 3;
       slice4_best_tag_valid <= slice3_best_tag_valid;
       slice4_best_tag_output_column <= slice3_best_tag_output_column;
       slice4_best_tag_start_of_frame <= slice3_best_tag_start_of_frame;
@@ -7003,13 +6639,13 @@ begin
       if slice0window_tag_valid then
         slice5cost_ready_column <= slice4cost_ready_column;
       end if;
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice5cost_write_column <= slice4cost_write_column;
         slice5cost_write_words_0 <= (slice5cost_column_0_1_choice_2 * 4096) + slice5cost_column_0_0_choice_2;
         slice5cost_write_words_1 <= slice5cost_column_0_2_choice_2;
       end if;
       -- slice5window
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice5window_ring_read_address <= 0 when slice5window_ring_read_address = 9 else
           (slice5window_ring_read_address + 1) mod 16;
         slice5window_ring_write_address <= slice5window_ring_read_address;
@@ -7038,38 +6674,31 @@ begin
       slice5window_sum_0_0_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_0;
       slice5window_sum_0_1_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_1;
       slice5window_sum_0_2_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_2;
-      if slice0winner2_pair_tag_valid then
+      if slice0winner4_tag_valid then
         slice5window_sum_0_0 <= (slice5window_sum_0_0_choice + slice5window_change_0_0) mod 32768;
         slice5window_sum_0_1 <= (slice5window_sum_0_1_choice + slice5window_change_0_1) mod 32768;
         slice5window_sum_0_2 <= (slice5window_sum_0_2_choice + slice5window_change_0_2) mod 32768;
         slice5window_centre_output_column_0 <= slice4window_centre_output_column_0;
         slice5window_centre_output_column_1 <= slice5window_centre_output_column_0;
         slice5window_centre_output_column_2 <= slice5window_centre_output_column_1;
-        slice5window_centre_start_of_frame_2 <= slice0winner1_pair_tag_start_of_frame;
+        slice5window_centre_start_of_frame_2 <= slice0winner1_tag_start_of_frame;
         slice5window_centre_end_of_line_0 <= slice4window_centre_end_of_line_0;
         slice5window_centre_end_of_line_1 <= slice5window_centre_end_of_line_0;
         slice5window_centre_end_of_line_2 <= slice5window_centre_end_of_line_1;
       end if;
       -- slice5winner1
-      slice5winner1_of_pair_0_0_is_less := (slice5window_sum_0_1 - slice5window_sum_0_0) < 0;
-      slice5winner1_of_four_0_0_is_less := (slice5winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice5winner1_of_pair_0_0, 15)) or (to_unsigned(slice5winner1_of_pair_0_1, 15))))) < 0;
-      slice5winner1_of_pair_0_0 <= 0 when slice5winner1_of_pair_0_0_is_less else slice5window_sum_0_0;
-      slice5winner1_of_pair_0_1 <= slice5window_sum_0_1 when slice5winner1_of_pair_0_0_is_less else 0;
-      slice5winner1_of_pair_0_2 <= slice5window_sum_0_2;
-      slice5winner1_pair_index_0_0 <= slice5winner1_of_pair_0_0_is_less;
-      slice5winner1_pair_index_0_1 <= 2;
-      slice5winner1_of_four_0_0 <= 0 when slice5winner1_of_four_0_0_is_less else slice5winner1_of_pair_0_0;
-      slice5winner1_of_four_0_1 <= 0 when slice5winner1_of_four_0_0_is_less else slice5winner1_of_pair_0_1;
-      slice5winner1_of_four_0_2 <= slice5winner1_of_pair_0_2 when slice5winner1_of_four_0_0_is_less else 0;
-      slice5winner1_four_index_0_0 <= slice5winner1_pair_index_0_1 when slice5winner1_of_four_0_0_is_less else
-        as_number(slice5winner1_pair_index_0_0);
-      slice5winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice5winner1_of_four_0_1, 15)) or
-        (to_unsigned(slice5winner1_of_four_0_2, 15)))) or (to_unsigned(slice5winner1_of_four_0_0, 15))));
-      slice5winner1_best_index_0_0 <= slice5winner1_four_index_0_0;
+      slice5winner1_best_cost_0_0_is_less := (slice5window_sum_0_1 - slice5window_sum_0_0) < 0;
+      slice5winner1_best_cost_0_0 <= slice5window_sum_0_1 when slice5winner1_best_cost_0_0_is_less else
+        slice5window_sum_0_0;
+      slice5winner1_best_cost_0_1 <= slice5window_sum_0_2;
+      slice5winner1_best_index_0_0 <= slice5winner1_best_cost_0_0_is_less;
+      slice5winner1_best_index_0_1 <= 2;
       -- slice5winner2
-      slice5winner2_best_cost_0_0 <= slice5winner1_best_cost_0_0;
-      slice5winner2_best_index_0_0 <= slice5winner1_best_index_0_0;
+      slice5winner2_best_cost_0_0_is_less := (slice5winner1_best_cost_0_1 - slice5winner1_best_cost_0_0) < 0;
+      slice5winner2_best_cost_0_0 <= slice5winner1_best_cost_0_1 when slice5winner2_best_cost_0_0_is_less else
+        slice5winner1_best_cost_0_0;
+      slice5winner2_best_index_0_0 <= slice5winner1_best_index_0_1 when slice5winner2_best_cost_0_0_is_less else
+        as_number(slice5winner1_best_index_0_0);
       -- slice5winner3
       slice5winner3_best_cost_0_0 <= slice5winner2_best_cost_0_0;
       slice5winner3_best_index_0_0 <= slice5winner2_best_index_0_0;
@@ -7161,26 +6790,18 @@ begin
         slice0window_centre_start_of_frame_2 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_four_tag_valid <= false;
         slice0winner1_tag_valid <= false;
-        slice0winner2_pair_tag_valid <= false;
-        slice0winner2_pair_tag_output_column <= false;
-        slice0winner2_pair_tag_start_of_frame <= false;
-        slice0winner2_pair_tag_end_of_line <= false;
-        slice0winner2_four_tag_valid <= false;
-        slice0winner2_four_tag_output_column <= false;
-        slice0winner2_four_tag_start_of_frame <= false;
-        slice0winner2_four_tag_end_of_line <= false;
+        slice0winner1_tag_start_of_frame <= false;
         slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
+        slice0winner5_tag_valid <= false;
+        slice0winner5_tag_output_column <= false;
+        slice0winner5_tag_start_of_frame <= false;
+        slice0winner5_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

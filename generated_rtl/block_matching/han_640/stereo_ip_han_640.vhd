@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 512,
-      latency_clocks => 26,
+      latency_clocks => 24,
       flush_groups => 2563,
       gap_groups => 2560,
-      core_id => x"8924b821",
+      core_id => x"b3940fe6",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 512,
-      latency_clocks => 26,
+      latency_clocks => 24,
       flush_groups => 2563,
       gap_groups => 2560)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_lee_320 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 256;
-    latency_clocks : positive := 23;
+    latency_clocks : positive := 21;
     flush_groups : positive := 2246;
     gap_groups : positive := 2240
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_lee_320: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_lee_320: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 256 report "stereo_core_lee_320: output_width_px is " & integer'image(output_width_px) & " but this core has 256" severity failure;
-  assert latency_clocks = 23 report "stereo_core_lee_320: latency_clocks is " & integer'image(latency_clocks) & " but this core has 23" severity failure;
+  assert latency_clocks = 21 report "stereo_core_lee_320: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
   assert flush_groups = 2246 report "stereo_core_lee_320: flush_groups is " & integer'image(flush_groups) & " but this core has 2246" severity failure;
   assert gap_groups = 2240 report "stereo_core_lee_320: gap_groups is " & integer'image(gap_groups) & " but this core has 2240" severity failure;
 end entity;
@@ -244,46 +244,38 @@ architecture rtl of stereo_core_lee_320 is
   signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 65535;
   signal slice0window_sum_0_15 : natural range 0 to 65535;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 65535;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 65535;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 65535;
-  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 65535;
-  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 65535;
-  signal slice0winner1_of_pair_0_15, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 65535;
-  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 65535;
-  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 65535;
-  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9, slice0winner1_of_four_0_10 : natural range 0 to 65535;
-  signal slice0winner1_of_four_0_11, slice0winner1_of_four_0_12, slice0winner1_of_four_0_13 : natural range 0 to 65535;
-  signal slice0winner1_of_four_0_14, slice0winner1_of_four_0_15, slice0winner1_best_cost_0_0 : natural range 0 to 65535;
-  signal slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 65535;
-  signal slice0winner1_best_cost_0_3 : natural range 0 to 65535;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_start_of_frame : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
-  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_pair_index_0_5, slice0winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_pair_index_0_7, slice0winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 15;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 65535;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 65535;
+  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 65535;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
   -- slice0winner2
-  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 65535;
-  signal slice0winner2_of_pair_0_3, slice0winner2_of_four_0_0, slice0winner2_of_four_0_1 : natural range 0 to 65535;
-  signal slice0winner2_of_four_0_2, slice0winner2_of_four_0_3, slice0winner2_best_cost_0_0 : natural range 0 to 65535;
-  signal slice0winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_0_1, slice0winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
-  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
-  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
-  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
-  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 65535;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 65535;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 65535;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0 : natural range 0 to 65535;
+  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 65535;
   signal slice0_best_index_0_0 : natural range 0 to 63;
@@ -379,38 +371,32 @@ architecture rtl of stereo_core_lee_320 is
   signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 65535;
   signal slice1window_sum_0_15 : natural range 0 to 65535;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 65535;
-  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 65535;
-  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 65535;
-  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 65535;
-  signal slice1winner1_of_pair_0_12, slice1winner1_of_pair_0_13, slice1winner1_of_pair_0_14 : natural range 0 to 65535;
-  signal slice1winner1_of_pair_0_15, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 65535;
-  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 65535;
-  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 65535;
-  signal slice1winner1_of_four_0_8, slice1winner1_of_four_0_9, slice1winner1_of_four_0_10 : natural range 0 to 65535;
-  signal slice1winner1_of_four_0_11, slice1winner1_of_four_0_12, slice1winner1_of_four_0_13 : natural range 0 to 65535;
-  signal slice1winner1_of_four_0_14, slice1winner1_of_four_0_15, slice1winner1_best_cost_0_0 : natural range 0 to 65535;
-  signal slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 65535;
-  signal slice1winner1_best_cost_0_3 : natural range 0 to 65535;
-  signal slice1winner1_pair_index_0_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_pair_index_0_5, slice1winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_pair_index_0_7, slice1winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 15;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 65535;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 65535;
+  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 65535;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
   -- slice1winner2
-  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 65535;
-  signal slice1winner2_of_pair_0_3, slice1winner2_of_four_0_0, slice1winner2_of_four_0_1 : natural range 0 to 65535;
-  signal slice1winner2_of_four_0_2, slice1winner2_of_four_0_3, slice1winner2_best_cost_0_0 : natural range 0 to 65535;
-  signal slice1winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice1winner2_pair_index_0_1, slice1winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 15;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 65535;
+  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 65535;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
+  -- slice1winner3
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 65535;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
+  -- slice1winner4
+  signal slice1winner4_best_cost_0_0 : natural range 0 to 65535;
+  signal slice1winner4_best_index_0_0 : natural range 0 to 15;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 65535;
   signal slice1_best_index_0_0 : natural range 0 to 63;
@@ -506,38 +492,32 @@ architecture rtl of stereo_core_lee_320 is
   signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 65535;
   signal slice2window_sum_0_15 : natural range 0 to 65535;
   -- slice2winner1
-  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 65535;
-  signal slice2winner1_of_pair_0_3, slice2winner1_of_pair_0_4, slice2winner1_of_pair_0_5 : natural range 0 to 65535;
-  signal slice2winner1_of_pair_0_6, slice2winner1_of_pair_0_7, slice2winner1_of_pair_0_8 : natural range 0 to 65535;
-  signal slice2winner1_of_pair_0_9, slice2winner1_of_pair_0_10, slice2winner1_of_pair_0_11 : natural range 0 to 65535;
-  signal slice2winner1_of_pair_0_12, slice2winner1_of_pair_0_13, slice2winner1_of_pair_0_14 : natural range 0 to 65535;
-  signal slice2winner1_of_pair_0_15, slice2winner1_of_four_0_0, slice2winner1_of_four_0_1 : natural range 0 to 65535;
-  signal slice2winner1_of_four_0_2, slice2winner1_of_four_0_3, slice2winner1_of_four_0_4 : natural range 0 to 65535;
-  signal slice2winner1_of_four_0_5, slice2winner1_of_four_0_6, slice2winner1_of_four_0_7 : natural range 0 to 65535;
-  signal slice2winner1_of_four_0_8, slice2winner1_of_four_0_9, slice2winner1_of_four_0_10 : natural range 0 to 65535;
-  signal slice2winner1_of_four_0_11, slice2winner1_of_four_0_12, slice2winner1_of_four_0_13 : natural range 0 to 65535;
-  signal slice2winner1_of_four_0_14, slice2winner1_of_four_0_15, slice2winner1_best_cost_0_0 : natural range 0 to 65535;
-  signal slice2winner1_best_cost_0_1, slice2winner1_best_cost_0_2 : natural range 0 to 65535;
-  signal slice2winner1_best_cost_0_3 : natural range 0 to 65535;
-  signal slice2winner1_pair_index_0_0 : boolean;
-  signal slice2winner1_pair_index_0_1, slice2winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_pair_index_0_3, slice2winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_pair_index_0_5, slice2winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice2winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice2winner1_pair_index_0_7, slice2winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice2winner1_best_index_0_3 : natural range 0 to 15;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 65535;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 65535;
+  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 65535;
+  signal slice2winner1_best_index_0_0 : boolean;
+  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice2winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice2winner1_best_index_0_7 : natural range 0 to 15;
   -- slice2winner2
-  signal slice2winner2_of_pair_0_0, slice2winner2_of_pair_0_1, slice2winner2_of_pair_0_2 : natural range 0 to 65535;
-  signal slice2winner2_of_pair_0_3, slice2winner2_of_four_0_0, slice2winner2_of_four_0_1 : natural range 0 to 65535;
-  signal slice2winner2_of_four_0_2, slice2winner2_of_four_0_3, slice2winner2_best_cost_0_0 : natural range 0 to 65535;
-  signal slice2winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice2winner2_pair_index_0_1, slice2winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice2winner2_best_index_0_0 : natural range 0 to 15;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 65535;
+  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 65535;
+  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice2winner2_best_index_0_3 : natural range 0 to 15;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 65535;
+  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice2winner3_best_index_0_1 : natural range 0 to 15;
+  -- slice2winner4
+  signal slice2winner4_best_cost_0_0 : natural range 0 to 65535;
+  signal slice2winner4_best_index_0_0 : natural range 0 to 15;
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 65535;
   signal slice2_best_index_0_0 : natural range 0 to 63;
@@ -637,38 +617,32 @@ architecture rtl of stereo_core_lee_320 is
   signal slice3window_centre_end_of_line_2, slice3window_centre_end_of_line_3 : boolean;
   signal slice3window_centre_end_of_line_4, slice3window_centre_end_of_line_5 : boolean;
   -- slice3winner1
-  signal slice3winner1_of_pair_0_0, slice3winner1_of_pair_0_1, slice3winner1_of_pair_0_2 : natural range 0 to 65535;
-  signal slice3winner1_of_pair_0_3, slice3winner1_of_pair_0_4, slice3winner1_of_pair_0_5 : natural range 0 to 65535;
-  signal slice3winner1_of_pair_0_6, slice3winner1_of_pair_0_7, slice3winner1_of_pair_0_8 : natural range 0 to 65535;
-  signal slice3winner1_of_pair_0_9, slice3winner1_of_pair_0_10, slice3winner1_of_pair_0_11 : natural range 0 to 65535;
-  signal slice3winner1_of_pair_0_12, slice3winner1_of_pair_0_13, slice3winner1_of_pair_0_14 : natural range 0 to 65535;
-  signal slice3winner1_of_pair_0_15, slice3winner1_of_four_0_0, slice3winner1_of_four_0_1 : natural range 0 to 65535;
-  signal slice3winner1_of_four_0_2, slice3winner1_of_four_0_3, slice3winner1_of_four_0_4 : natural range 0 to 65535;
-  signal slice3winner1_of_four_0_5, slice3winner1_of_four_0_6, slice3winner1_of_four_0_7 : natural range 0 to 65535;
-  signal slice3winner1_of_four_0_8, slice3winner1_of_four_0_9, slice3winner1_of_four_0_10 : natural range 0 to 65535;
-  signal slice3winner1_of_four_0_11, slice3winner1_of_four_0_12, slice3winner1_of_four_0_13 : natural range 0 to 65535;
-  signal slice3winner1_of_four_0_14, slice3winner1_of_four_0_15, slice3winner1_best_cost_0_0 : natural range 0 to 65535;
-  signal slice3winner1_best_cost_0_1, slice3winner1_best_cost_0_2 : natural range 0 to 65535;
-  signal slice3winner1_best_cost_0_3 : natural range 0 to 65535;
-  signal slice3winner1_pair_index_0_0 : boolean;
-  signal slice3winner1_pair_index_0_1, slice3winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice3winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice3winner1_pair_index_0_3, slice3winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice3winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice3winner1_pair_index_0_5, slice3winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice3winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice3winner1_pair_index_0_7, slice3winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice3winner1_best_index_0_3 : natural range 0 to 15;
+  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 65535;
+  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 65535;
+  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 65535;
+  signal slice3winner1_best_index_0_0 : boolean;
+  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice3winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice3winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice3winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice3winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice3winner1_best_index_0_7 : natural range 0 to 15;
   -- slice3winner2
-  signal slice3winner2_of_pair_0_0, slice3winner2_of_pair_0_1, slice3winner2_of_pair_0_2 : natural range 0 to 65535;
-  signal slice3winner2_of_pair_0_3, slice3winner2_of_four_0_0, slice3winner2_of_four_0_1 : natural range 0 to 65535;
-  signal slice3winner2_of_four_0_2, slice3winner2_of_four_0_3, slice3winner2_best_cost_0_0 : natural range 0 to 65535;
-  signal slice3winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice3winner2_pair_index_0_1, slice3winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice3winner2_best_index_0_0 : natural range 0 to 15;
+  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 65535;
+  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 65535;
+  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice3winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice3winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice3winner2_best_index_0_3 : natural range 0 to 15;
+  -- slice3winner3
+  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 65535;
+  signal slice3winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice3winner3_best_index_0_1 : natural range 0 to 15;
+  -- slice3winner4
+  signal slice3winner4_best_cost_0_0 : natural range 0 to 65535;
+  signal slice3winner4_best_index_0_0 : natural range 0 to 15;
   -- slice3
   signal slice3_best_index_0_0 : natural range 0 to 63;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
@@ -1344,37 +1318,37 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal : boolean;
-    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
-    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
-    variable slice0winner1_of_pair_0_8_is_less, slice0winner1_of_pair_0_10_is_less : boolean;
-    variable slice0winner1_of_pair_0_12_is_less, slice0winner1_of_pair_0_14_is_less : boolean;
-    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
-    variable slice0winner1_of_four_0_8_is_less, slice0winner1_of_four_0_12_is_less : boolean;
-    variable slice0winner2_of_pair_0_0_is_less, slice0winner2_of_pair_0_2_is_less : boolean;
-    variable slice0winner2_of_four_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
-    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
-    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
-    variable slice1winner1_of_pair_0_14_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
-    variable slice1winner1_of_four_0_12_is_less, slice1winner2_of_pair_0_0_is_less : boolean;
-    variable slice1winner2_of_pair_0_2_is_less, slice1winner2_of_four_0_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice2winner1_of_pair_0_0_is_less : boolean;
-    variable slice2winner1_of_pair_0_2_is_less, slice2winner1_of_pair_0_4_is_less : boolean;
-    variable slice2winner1_of_pair_0_6_is_less, slice2winner1_of_pair_0_8_is_less : boolean;
-    variable slice2winner1_of_pair_0_10_is_less, slice2winner1_of_pair_0_12_is_less : boolean;
-    variable slice2winner1_of_pair_0_14_is_less, slice2winner1_of_four_0_0_is_less : boolean;
-    variable slice2winner1_of_four_0_4_is_less, slice2winner1_of_four_0_8_is_less : boolean;
-    variable slice2winner1_of_four_0_12_is_less, slice2winner2_of_pair_0_0_is_less : boolean;
-    variable slice2winner2_of_pair_0_2_is_less, slice2winner2_of_four_0_0_is_less : boolean;
-    variable slice2_best_cost_0_0_is_less, slice3winner1_of_pair_0_0_is_less : boolean;
-    variable slice3winner1_of_pair_0_2_is_less, slice3winner1_of_pair_0_4_is_less : boolean;
-    variable slice3winner1_of_pair_0_6_is_less, slice3winner1_of_pair_0_8_is_less : boolean;
-    variable slice3winner1_of_pair_0_10_is_less, slice3winner1_of_pair_0_12_is_less : boolean;
-    variable slice3winner1_of_pair_0_14_is_less, slice3winner1_of_four_0_0_is_less : boolean;
-    variable slice3winner1_of_four_0_4_is_less, slice3winner1_of_four_0_8_is_less : boolean;
-    variable slice3winner1_of_four_0_12_is_less, slice3winner2_of_pair_0_0_is_less : boolean;
-    variable slice3winner2_of_pair_0_2_is_less, slice3winner2_of_four_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
+    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
+    variable slice0winner1_best_cost_0_4_is_less, slice0winner1_best_cost_0_5_is_less : boolean;
+    variable slice0winner1_best_cost_0_6_is_less, slice0winner1_best_cost_0_7_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
+    variable slice0winner2_best_cost_0_2_is_less, slice0winner2_best_cost_0_3_is_less : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_cost_0_1_is_less : boolean;
+    variable slice0winner4_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
+    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
+    variable slice1winner1_best_cost_0_7_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_3_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_0_1_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_1_is_less, slice2winner1_best_cost_0_2_is_less : boolean;
+    variable slice2winner1_best_cost_0_3_is_less, slice2winner1_best_cost_0_4_is_less : boolean;
+    variable slice2winner1_best_cost_0_5_is_less, slice2winner1_best_cost_0_6_is_less : boolean;
+    variable slice2winner1_best_cost_0_7_is_less, slice2winner2_best_cost_0_0_is_less : boolean;
+    variable slice2winner2_best_cost_0_1_is_less, slice2winner2_best_cost_0_2_is_less : boolean;
+    variable slice2winner2_best_cost_0_3_is_less, slice2winner3_best_cost_0_0_is_less : boolean;
+    variable slice2winner3_best_cost_0_1_is_less, slice2winner4_best_cost_0_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice3winner1_best_cost_0_0_is_less : boolean;
+    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
+    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
+    variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
+    variable slice3winner1_best_cost_0_7_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
+    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
+    variable slice3winner2_best_cost_0_3_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
+    variable slice3winner3_best_cost_0_1_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 4095;
@@ -2066,150 +2040,106 @@ begin
         slice0window_sum_0_14 <= (slice0window_sum_0_14_choice + slice0window_change_0_14) mod 65536;
         slice0window_sum_0_15 <= (slice0window_sum_0_15_choice + slice0window_change_0_15) mod 65536;
       end if;
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice0window_centre_start_of_frame_2 <= slice2window_centre_start_of_frame_0;
         slice0window_centre_start_of_frame_5 <= slice2window_centre_start_of_frame_3;
       end if;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 16)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 16)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 16))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 16)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 16)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 16)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 16))))) < 0;
-      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 16)) or
-        (to_unsigned(slice0winner1_of_pair_0_11, 16)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 16)) or
-        (to_unsigned(slice0winner1_of_pair_0_9, 16))))) < 0;
-      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 16)) or
-        (to_unsigned(slice0winner1_of_pair_0_15, 16)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 16)) or
-        (to_unsigned(slice0winner1_of_pair_0_13, 16))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
-      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
-      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
-      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
-      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
-      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
-      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
-      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
-      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
-      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
-      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
-      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
-      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
-      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
-      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
-        slice0winner1_pair_index_0_4;
-      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
-        slice0winner1_pair_index_0_6;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 16)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 16)))) or (to_unsigned(slice0winner1_of_four_0_1, 16)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 16))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 16)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 16)))) or (to_unsigned(slice0winner1_of_four_0_5, 16)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 16))));
-      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 16)) or
-        (to_unsigned(slice0winner1_of_four_0_11, 16)))) or (to_unsigned(slice0winner1_of_four_0_9, 16)))) or
-        (to_unsigned(slice0winner1_of_four_0_8, 16))));
-      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 16)) or
-        (to_unsigned(slice0winner1_of_four_0_15, 16)))) or (to_unsigned(slice0winner1_of_four_0_13, 16)))) or
-        (to_unsigned(slice0winner1_of_four_0_12, 16))));
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
-      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
-      if slice0winner1_four_tag_valid then
-        slice0winner1_pair_tag_start_of_frame <= slice3window_centre_start_of_frame_4;
-        slice0winner1_four_tag_output_column <= slice3window_centre_output_column_5;
-        slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-        slice0winner1_four_tag_end_of_line <= slice3window_centre_end_of_line_5;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
+        slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
+        slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
+        slice0window_sum_0_14;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
+      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
+      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner2_tag_valid then
+        slice0winner1_tag_start_of_frame <= slice3window_centre_start_of_frame_4;
       end if;
       -- slice0winner2
-      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 16)) or
-        (to_unsigned(slice0winner2_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 16)) or
-        (to_unsigned(slice0winner2_of_pair_0_1, 16))))) < 0;
-      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
-      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
-      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
-      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
-      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
-        slice0winner1_best_index_0_0;
-      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_cost_0_6;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
-      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
-      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
-        slice0winner2_pair_index_0_0;
-      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
-      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
-      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
-      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
-      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 16)) or
-        (to_unsigned(slice0winner2_of_four_0_3, 16)))) or (to_unsigned(slice0winner2_of_four_0_1, 16)))) or
-        (to_unsigned(slice0winner2_of_four_0_0, 16))));
-      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
-      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_index_0_4;
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_index_0_6;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_tag_valid then
+        slice0winner2_tag_output_column <= slice3window_centre_output_column_5;
+        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line_5;
+      end if;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
+      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_cost_0_2;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 48;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner4_best_index_0_0 + 48;
+      slice0_best_tag_valid <= slice0winner4_tag_valid;
+      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -2613,119 +2543,81 @@ begin
         slice1window_sum_0_15 <= (slice1window_sum_0_15_choice + slice1window_change_0_15) mod 65536;
       end if;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_of_pair_0_12_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
-      slice1winner1_of_pair_0_14_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 16)) or
-        (to_unsigned(slice1winner1_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 16)) or
-        (to_unsigned(slice1winner1_of_pair_0_1, 16))))) < 0;
-      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 16)) or
-        (to_unsigned(slice1winner1_of_pair_0_7, 16)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 16)) or
-        (to_unsigned(slice1winner1_of_pair_0_5, 16))))) < 0;
-      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 16)) or
-        (to_unsigned(slice1winner1_of_pair_0_11, 16)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 16)) or
-        (to_unsigned(slice1winner1_of_pair_0_9, 16))))) < 0;
-      slice1winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_14, 16)) or
-        (to_unsigned(slice1winner1_of_pair_0_15, 16)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_12, 16)) or
-        (to_unsigned(slice1winner1_of_pair_0_13, 16))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
-      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
-      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
-      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
-      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
-      slice1winner1_of_pair_0_12 <= 0 when slice1winner1_of_pair_0_12_is_less else slice1window_sum_0_12;
-      slice1winner1_of_pair_0_13 <= slice1window_sum_0_13 when slice1winner1_of_pair_0_12_is_less else 0;
-      slice1winner1_of_pair_0_14 <= 0 when slice1winner1_of_pair_0_14_is_less else slice1window_sum_0_14;
-      slice1winner1_of_pair_0_15 <= slice1window_sum_0_15 when slice1winner1_of_pair_0_14_is_less else 0;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
-      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
-      slice1winner1_pair_index_0_6 <= 13 when slice1winner1_of_pair_0_12_is_less else 12;
-      slice1winner1_pair_index_0_7 <= 15 when slice1winner1_of_pair_0_14_is_less else 14;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
-      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
-      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_12 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_12;
-      slice1winner1_of_four_0_13 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_13;
-      slice1winner1_of_four_0_14 <= slice1winner1_of_pair_0_14 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_15 <= slice1winner1_of_pair_0_15 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
-      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
-        slice1winner1_pair_index_0_4;
-      slice1winner1_four_index_0_3 <= slice1winner1_pair_index_0_7 when slice1winner1_of_four_0_12_is_less else
-        slice1winner1_pair_index_0_6;
-      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 16)) or
-        (to_unsigned(slice1winner1_of_four_0_3, 16)))) or (to_unsigned(slice1winner1_of_four_0_1, 16)))) or
-        (to_unsigned(slice1winner1_of_four_0_0, 16))));
-      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 16)) or
-        (to_unsigned(slice1winner1_of_four_0_7, 16)))) or (to_unsigned(slice1winner1_of_four_0_5, 16)))) or
-        (to_unsigned(slice1winner1_of_four_0_4, 16))));
-      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 16)) or
-        (to_unsigned(slice1winner1_of_four_0_11, 16)))) or (to_unsigned(slice1winner1_of_four_0_9, 16)))) or
-        (to_unsigned(slice1winner1_of_four_0_8, 16))));
-      slice1winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_14, 16)) or
-        (to_unsigned(slice1winner1_of_four_0_15, 16)))) or (to_unsigned(slice1winner1_of_four_0_13, 16)))) or
-        (to_unsigned(slice1winner1_of_four_0_12, 16))));
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
-      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
-      slice1winner1_best_index_0_3 <= slice1winner1_four_index_0_3;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
+        slice1window_sum_0_8;
+      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
+        slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
+        slice1window_sum_0_12;
+      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
+        slice1window_sum_0_14;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
+      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
+      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
+      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
       -- slice1winner2
-      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 16)) or
-        (to_unsigned(slice1winner2_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 16)) or
-        (to_unsigned(slice1winner2_of_pair_0_1, 16))))) < 0;
-      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
-      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
-      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
-      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
-        slice1winner1_best_index_0_0;
-      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
+      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_cost_0_6;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
-      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
-      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
-        slice1winner2_pair_index_0_0;
-      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 16)) or
-        (to_unsigned(slice1winner2_of_four_0_3, 16)))) or (to_unsigned(slice1winner2_of_four_0_1, 16)))) or
-        (to_unsigned(slice1winner2_of_four_0_0, 16))));
-      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_index_0_4;
+      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_index_0_6;
+      -- slice1winner3
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
+      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_cost_0_2;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_index_0_0;
+      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_index_0_2;
+      -- slice1winner4
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_cost_0_0;
+      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner4_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0 + 32;
+        slice1winner4_best_index_0_0 + 32;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -3118,7 +3010,7 @@ begin
       slice2window_sum_0_13_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_13;
       slice2window_sum_0_14_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_14;
       slice2window_sum_0_15_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_15;
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 65536;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 65536;
         slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 65536;
@@ -3136,123 +3028,85 @@ begin
         slice2window_sum_0_14 <= (slice2window_sum_0_14_choice + slice2window_change_0_14) mod 65536;
         slice2window_sum_0_15 <= (slice2window_sum_0_15_choice + slice2window_change_0_15) mod 65536;
       end if;
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice2window_centre_start_of_frame_3 <= slice3window_centre_start_of_frame_1;
       end if;
       -- slice2winner1
-      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
-      slice2winner1_of_pair_0_4_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
-      slice2winner1_of_pair_0_6_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
-      slice2winner1_of_pair_0_8_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
-      slice2winner1_of_pair_0_10_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
-      slice2winner1_of_pair_0_12_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
-      slice2winner1_of_pair_0_14_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
-      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 16)) or
-        (to_unsigned(slice2winner1_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 16)) or
-        (to_unsigned(slice2winner1_of_pair_0_1, 16))))) < 0;
-      slice2winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_6, 16)) or
-        (to_unsigned(slice2winner1_of_pair_0_7, 16)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_4, 16)) or
-        (to_unsigned(slice2winner1_of_pair_0_5, 16))))) < 0;
-      slice2winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_10, 16)) or
-        (to_unsigned(slice2winner1_of_pair_0_11, 16)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_8, 16)) or
-        (to_unsigned(slice2winner1_of_pair_0_9, 16))))) < 0;
-      slice2winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_14, 16)) or
-        (to_unsigned(slice2winner1_of_pair_0_15, 16)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_12, 16)) or
-        (to_unsigned(slice2winner1_of_pair_0_13, 16))))) < 0;
-      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
-      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
-      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
-      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
-      slice2winner1_of_pair_0_4 <= 0 when slice2winner1_of_pair_0_4_is_less else slice2window_sum_0_4;
-      slice2winner1_of_pair_0_5 <= slice2window_sum_0_5 when slice2winner1_of_pair_0_4_is_less else 0;
-      slice2winner1_of_pair_0_6 <= 0 when slice2winner1_of_pair_0_6_is_less else slice2window_sum_0_6;
-      slice2winner1_of_pair_0_7 <= slice2window_sum_0_7 when slice2winner1_of_pair_0_6_is_less else 0;
-      slice2winner1_of_pair_0_8 <= 0 when slice2winner1_of_pair_0_8_is_less else slice2window_sum_0_8;
-      slice2winner1_of_pair_0_9 <= slice2window_sum_0_9 when slice2winner1_of_pair_0_8_is_less else 0;
-      slice2winner1_of_pair_0_10 <= 0 when slice2winner1_of_pair_0_10_is_less else slice2window_sum_0_10;
-      slice2winner1_of_pair_0_11 <= slice2window_sum_0_11 when slice2winner1_of_pair_0_10_is_less else 0;
-      slice2winner1_of_pair_0_12 <= 0 when slice2winner1_of_pair_0_12_is_less else slice2window_sum_0_12;
-      slice2winner1_of_pair_0_13 <= slice2window_sum_0_13 when slice2winner1_of_pair_0_12_is_less else 0;
-      slice2winner1_of_pair_0_14 <= 0 when slice2winner1_of_pair_0_14_is_less else slice2window_sum_0_14;
-      slice2winner1_of_pair_0_15 <= slice2window_sum_0_15 when slice2winner1_of_pair_0_14_is_less else 0;
-      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
-      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
-      slice2winner1_pair_index_0_2 <= 5 when slice2winner1_of_pair_0_4_is_less else 4;
-      slice2winner1_pair_index_0_3 <= 7 when slice2winner1_of_pair_0_6_is_less else 6;
-      slice2winner1_pair_index_0_4 <= 9 when slice2winner1_of_pair_0_8_is_less else 8;
-      slice2winner1_pair_index_0_5 <= 11 when slice2winner1_of_pair_0_10_is_less else 10;
-      slice2winner1_pair_index_0_6 <= 13 when slice2winner1_of_pair_0_12_is_less else 12;
-      slice2winner1_pair_index_0_7 <= 15 when slice2winner1_of_pair_0_14_is_less else 14;
-      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
-      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
-      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_4 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_4;
-      slice2winner1_of_four_0_5 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_5;
-      slice2winner1_of_four_0_6 <= slice2winner1_of_pair_0_6 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_7 <= slice2winner1_of_pair_0_7 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_8 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_8;
-      slice2winner1_of_four_0_9 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_9;
-      slice2winner1_of_four_0_10 <= slice2winner1_of_pair_0_10 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_11 <= slice2winner1_of_pair_0_11 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_12 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_12;
-      slice2winner1_of_four_0_13 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_13;
-      slice2winner1_of_four_0_14 <= slice2winner1_of_pair_0_14 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_of_four_0_15 <= slice2winner1_of_pair_0_15 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
-        as_number(slice2winner1_pair_index_0_0);
-      slice2winner1_four_index_0_1 <= slice2winner1_pair_index_0_3 when slice2winner1_of_four_0_4_is_less else
-        slice2winner1_pair_index_0_2;
-      slice2winner1_four_index_0_2 <= slice2winner1_pair_index_0_5 when slice2winner1_of_four_0_8_is_less else
-        slice2winner1_pair_index_0_4;
-      slice2winner1_four_index_0_3 <= slice2winner1_pair_index_0_7 when slice2winner1_of_four_0_12_is_less else
-        slice2winner1_pair_index_0_6;
-      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 16)) or
-        (to_unsigned(slice2winner1_of_four_0_3, 16)))) or (to_unsigned(slice2winner1_of_four_0_1, 16)))) or
-        (to_unsigned(slice2winner1_of_four_0_0, 16))));
-      slice2winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_6, 16)) or
-        (to_unsigned(slice2winner1_of_four_0_7, 16)))) or (to_unsigned(slice2winner1_of_four_0_5, 16)))) or
-        (to_unsigned(slice2winner1_of_four_0_4, 16))));
-      slice2winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_10, 16)) or
-        (to_unsigned(slice2winner1_of_four_0_11, 16)))) or (to_unsigned(slice2winner1_of_four_0_9, 16)))) or
-        (to_unsigned(slice2winner1_of_four_0_8, 16))));
-      slice2winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_14, 16)) or
-        (to_unsigned(slice2winner1_of_four_0_15, 16)))) or (to_unsigned(slice2winner1_of_four_0_13, 16)))) or
-        (to_unsigned(slice2winner1_of_four_0_12, 16))));
-      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
-      slice2winner1_best_index_0_1 <= slice2winner1_four_index_0_1;
-      slice2winner1_best_index_0_2 <= slice2winner1_four_index_0_2;
-      slice2winner1_best_index_0_3 <= slice2winner1_four_index_0_3;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_best_cost_0_4_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
+      slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
+      slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
+      slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
+        slice2window_sum_0_2;
+      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
+        slice2window_sum_0_4;
+      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
+        slice2window_sum_0_6;
+      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
+        slice2window_sum_0_8;
+      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
+        slice2window_sum_0_10;
+      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
+        slice2window_sum_0_12;
+      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
+        slice2window_sum_0_14;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
+      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
+      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
+      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
+      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
+      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
+      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
       -- slice2winner2
-      slice2winner2_of_pair_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
-      slice2winner2_of_pair_0_2_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
-      slice2winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_0_2, 16)) or
-        (to_unsigned(slice2winner2_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice2winner2_of_pair_0_0, 16)) or
-        (to_unsigned(slice2winner2_of_pair_0_1, 16))))) < 0;
-      slice2winner2_of_pair_0_0 <= 0 when slice2winner2_of_pair_0_0_is_less else slice2winner1_best_cost_0_0;
-      slice2winner2_of_pair_0_1 <= slice2winner1_best_cost_0_1 when slice2winner2_of_pair_0_0_is_less else 0;
-      slice2winner2_of_pair_0_2 <= 0 when slice2winner2_of_pair_0_2_is_less else slice2winner1_best_cost_0_2;
-      slice2winner2_of_pair_0_3 <= slice2winner1_best_cost_0_3 when slice2winner2_of_pair_0_2_is_less else 0;
-      slice2winner2_pair_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_of_pair_0_0_is_less else
-        slice2winner1_best_index_0_0;
-      slice2winner2_pair_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_of_pair_0_2_is_less else
+      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
+      slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_cost_0_4;
+      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_cost_0_6;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
+        as_number(slice2winner1_best_index_0_0);
+      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
         slice2winner1_best_index_0_2;
-      slice2winner2_of_four_0_0 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_0;
-      slice2winner2_of_four_0_1 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_1;
-      slice2winner2_of_four_0_2 <= slice2winner2_of_pair_0_2 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_3 <= slice2winner2_of_pair_0_3 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_four_index_0_0 <= slice2winner2_pair_index_0_1 when slice2winner2_of_four_0_0_is_less else
-        slice2winner2_pair_index_0_0;
-      slice2winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_0_2, 16)) or
-        (to_unsigned(slice2winner2_of_four_0_3, 16)))) or (to_unsigned(slice2winner2_of_four_0_1, 16)))) or
-        (to_unsigned(slice2winner2_of_four_0_0, 16))));
-      slice2winner2_best_index_0_0 <= slice2winner2_four_index_0_0;
+      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_index_0_4;
+      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_index_0_6;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
+      slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
+        slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_cost_0_2;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
+        slice2winner2_best_index_0_0;
+      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_index_0_2;
+      -- slice2winner4
+      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
+      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_cost_0_0;
+      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_index_0_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner2_best_cost_0_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner4_best_cost_0_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner2_best_index_0_0 + 16;
+        slice2winner4_best_index_0_0 + 16;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -3634,7 +3488,7 @@ begin
       slice3window_sum_0_13_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_13;
       slice3window_sum_0_14_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_14;
       slice3window_sum_0_15_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_15;
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 65536;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 65536;
         slice3window_sum_0_2 <= (slice3window_sum_0_2_choice + slice3window_change_0_2) mod 65536;
@@ -3667,117 +3521,79 @@ begin
         slice3window_centre_end_of_line_5 <= slice3window_centre_end_of_line_4;
       end if;
       -- slice3winner1
-      slice3winner1_of_pair_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
-      slice3winner1_of_pair_0_2_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
-      slice3winner1_of_pair_0_4_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
-      slice3winner1_of_pair_0_6_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
-      slice3winner1_of_pair_0_8_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
-      slice3winner1_of_pair_0_10_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
-      slice3winner1_of_pair_0_12_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
-      slice3winner1_of_pair_0_14_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
-      slice3winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_2, 16)) or
-        (to_unsigned(slice3winner1_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_0, 16)) or
-        (to_unsigned(slice3winner1_of_pair_0_1, 16))))) < 0;
-      slice3winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_6, 16)) or
-        (to_unsigned(slice3winner1_of_pair_0_7, 16)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_4, 16)) or
-        (to_unsigned(slice3winner1_of_pair_0_5, 16))))) < 0;
-      slice3winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_10, 16)) or
-        (to_unsigned(slice3winner1_of_pair_0_11, 16)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_8, 16)) or
-        (to_unsigned(slice3winner1_of_pair_0_9, 16))))) < 0;
-      slice3winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_14, 16)) or
-        (to_unsigned(slice3winner1_of_pair_0_15, 16)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_12, 16)) or
-        (to_unsigned(slice3winner1_of_pair_0_13, 16))))) < 0;
-      slice3winner1_of_pair_0_0 <= 0 when slice3winner1_of_pair_0_0_is_less else slice3window_sum_0_0;
-      slice3winner1_of_pair_0_1 <= slice3window_sum_0_1 when slice3winner1_of_pair_0_0_is_less else 0;
-      slice3winner1_of_pair_0_2 <= 0 when slice3winner1_of_pair_0_2_is_less else slice3window_sum_0_2;
-      slice3winner1_of_pair_0_3 <= slice3window_sum_0_3 when slice3winner1_of_pair_0_2_is_less else 0;
-      slice3winner1_of_pair_0_4 <= 0 when slice3winner1_of_pair_0_4_is_less else slice3window_sum_0_4;
-      slice3winner1_of_pair_0_5 <= slice3window_sum_0_5 when slice3winner1_of_pair_0_4_is_less else 0;
-      slice3winner1_of_pair_0_6 <= 0 when slice3winner1_of_pair_0_6_is_less else slice3window_sum_0_6;
-      slice3winner1_of_pair_0_7 <= slice3window_sum_0_7 when slice3winner1_of_pair_0_6_is_less else 0;
-      slice3winner1_of_pair_0_8 <= 0 when slice3winner1_of_pair_0_8_is_less else slice3window_sum_0_8;
-      slice3winner1_of_pair_0_9 <= slice3window_sum_0_9 when slice3winner1_of_pair_0_8_is_less else 0;
-      slice3winner1_of_pair_0_10 <= 0 when slice3winner1_of_pair_0_10_is_less else slice3window_sum_0_10;
-      slice3winner1_of_pair_0_11 <= slice3window_sum_0_11 when slice3winner1_of_pair_0_10_is_less else 0;
-      slice3winner1_of_pair_0_12 <= 0 when slice3winner1_of_pair_0_12_is_less else slice3window_sum_0_12;
-      slice3winner1_of_pair_0_13 <= slice3window_sum_0_13 when slice3winner1_of_pair_0_12_is_less else 0;
-      slice3winner1_of_pair_0_14 <= 0 when slice3winner1_of_pair_0_14_is_less else slice3window_sum_0_14;
-      slice3winner1_of_pair_0_15 <= slice3window_sum_0_15 when slice3winner1_of_pair_0_14_is_less else 0;
-      slice3winner1_pair_index_0_0 <= slice3winner1_of_pair_0_0_is_less;
-      slice3winner1_pair_index_0_1 <= 3 when slice3winner1_of_pair_0_2_is_less else 2;
-      slice3winner1_pair_index_0_2 <= 5 when slice3winner1_of_pair_0_4_is_less else 4;
-      slice3winner1_pair_index_0_3 <= 7 when slice3winner1_of_pair_0_6_is_less else 6;
-      slice3winner1_pair_index_0_4 <= 9 when slice3winner1_of_pair_0_8_is_less else 8;
-      slice3winner1_pair_index_0_5 <= 11 when slice3winner1_of_pair_0_10_is_less else 10;
-      slice3winner1_pair_index_0_6 <= 13 when slice3winner1_of_pair_0_12_is_less else 12;
-      slice3winner1_pair_index_0_7 <= 15 when slice3winner1_of_pair_0_14_is_less else 14;
-      slice3winner1_of_four_0_0 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_0;
-      slice3winner1_of_four_0_1 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_1;
-      slice3winner1_of_four_0_2 <= slice3winner1_of_pair_0_2 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_3 <= slice3winner1_of_pair_0_3 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_4 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_4;
-      slice3winner1_of_four_0_5 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_5;
-      slice3winner1_of_four_0_6 <= slice3winner1_of_pair_0_6 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_7 <= slice3winner1_of_pair_0_7 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_8 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_8;
-      slice3winner1_of_four_0_9 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_9;
-      slice3winner1_of_four_0_10 <= slice3winner1_of_pair_0_10 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_11 <= slice3winner1_of_pair_0_11 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_12 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_12;
-      slice3winner1_of_four_0_13 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_13;
-      slice3winner1_of_four_0_14 <= slice3winner1_of_pair_0_14 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_of_four_0_15 <= slice3winner1_of_pair_0_15 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_four_index_0_0 <= slice3winner1_pair_index_0_1 when slice3winner1_of_four_0_0_is_less else
-        as_number(slice3winner1_pair_index_0_0);
-      slice3winner1_four_index_0_1 <= slice3winner1_pair_index_0_3 when slice3winner1_of_four_0_4_is_less else
-        slice3winner1_pair_index_0_2;
-      slice3winner1_four_index_0_2 <= slice3winner1_pair_index_0_5 when slice3winner1_of_four_0_8_is_less else
-        slice3winner1_pair_index_0_4;
-      slice3winner1_four_index_0_3 <= slice3winner1_pair_index_0_7 when slice3winner1_of_four_0_12_is_less else
-        slice3winner1_pair_index_0_6;
-      slice3winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_2, 16)) or
-        (to_unsigned(slice3winner1_of_four_0_3, 16)))) or (to_unsigned(slice3winner1_of_four_0_1, 16)))) or
-        (to_unsigned(slice3winner1_of_four_0_0, 16))));
-      slice3winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_6, 16)) or
-        (to_unsigned(slice3winner1_of_four_0_7, 16)))) or (to_unsigned(slice3winner1_of_four_0_5, 16)))) or
-        (to_unsigned(slice3winner1_of_four_0_4, 16))));
-      slice3winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_10, 16)) or
-        (to_unsigned(slice3winner1_of_four_0_11, 16)))) or (to_unsigned(slice3winner1_of_four_0_9, 16)))) or
-        (to_unsigned(slice3winner1_of_four_0_8, 16))));
-      slice3winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_14, 16)) or
-        (to_unsigned(slice3winner1_of_four_0_15, 16)))) or (to_unsigned(slice3winner1_of_four_0_13, 16)))) or
-        (to_unsigned(slice3winner1_of_four_0_12, 16))));
-      slice3winner1_best_index_0_0 <= slice3winner1_four_index_0_0;
-      slice3winner1_best_index_0_1 <= slice3winner1_four_index_0_1;
-      slice3winner1_best_index_0_2 <= slice3winner1_four_index_0_2;
-      slice3winner1_best_index_0_3 <= slice3winner1_four_index_0_3;
+      slice3winner1_best_cost_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
+      slice3winner1_best_cost_0_1_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
+      slice3winner1_best_cost_0_2_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
+      slice3winner1_best_cost_0_3_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
+      slice3winner1_best_cost_0_4_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
+      slice3winner1_best_cost_0_5_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
+      slice3winner1_best_cost_0_6_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
+      slice3winner1_best_cost_0_7_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
+      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
+        slice3window_sum_0_0;
+      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
+        slice3window_sum_0_2;
+      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
+        slice3window_sum_0_4;
+      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
+        slice3window_sum_0_6;
+      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
+        slice3window_sum_0_8;
+      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
+        slice3window_sum_0_10;
+      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
+        slice3window_sum_0_12;
+      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
+        slice3window_sum_0_14;
+      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
+      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
+      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
+      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
+      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
+      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
+      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
+      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
       -- slice3winner2
-      slice3winner2_of_pair_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
-      slice3winner2_of_pair_0_2_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
-      slice3winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_0_2, 16)) or
-        (to_unsigned(slice3winner2_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice3winner2_of_pair_0_0, 16)) or
-        (to_unsigned(slice3winner2_of_pair_0_1, 16))))) < 0;
-      slice3winner2_of_pair_0_0 <= 0 when slice3winner2_of_pair_0_0_is_less else slice3winner1_best_cost_0_0;
-      slice3winner2_of_pair_0_1 <= slice3winner1_best_cost_0_1 when slice3winner2_of_pair_0_0_is_less else 0;
-      slice3winner2_of_pair_0_2 <= 0 when slice3winner2_of_pair_0_2_is_less else slice3winner1_best_cost_0_2;
-      slice3winner2_of_pair_0_3 <= slice3winner1_best_cost_0_3 when slice3winner2_of_pair_0_2_is_less else 0;
-      slice3winner2_pair_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_of_pair_0_0_is_less else
-        slice3winner1_best_index_0_0;
-      slice3winner2_pair_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_of_pair_0_2_is_less else
+      slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
+      slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
+      slice3winner2_best_cost_0_2_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
+      slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
+      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
+        slice3winner1_best_cost_0_0;
+      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
+        slice3winner1_best_cost_0_2;
+      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_cost_0_4;
+      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_cost_0_6;
+      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
+        as_number(slice3winner1_best_index_0_0);
+      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
         slice3winner1_best_index_0_2;
-      slice3winner2_of_four_0_0 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_0;
-      slice3winner2_of_four_0_1 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_1;
-      slice3winner2_of_four_0_2 <= slice3winner2_of_pair_0_2 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_3 <= slice3winner2_of_pair_0_3 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_four_index_0_0 <= slice3winner2_pair_index_0_1 when slice3winner2_of_four_0_0_is_less else
-        slice3winner2_pair_index_0_0;
-      slice3winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_0_2, 16)) or
-        (to_unsigned(slice3winner2_of_four_0_3, 16)))) or (to_unsigned(slice3winner2_of_four_0_1, 16)))) or
-        (to_unsigned(slice3winner2_of_four_0_0, 16))));
-      slice3winner2_best_index_0_0 <= slice3winner2_four_index_0_0;
-      -- slice3
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner2_best_cost_0_0) < 0 else
+      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_index_0_4;
+      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_index_0_6;
+      -- slice3winner3
+      slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
+      slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
+      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
+        slice3winner2_best_cost_0_0;
+      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_cost_0_2;
+      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_index_0_0;
+      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_index_0_2;
+      -- slice3winner4
+      slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
+      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_cost_0_0;
+      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_index_0_0;
+      -- slice3
+      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0 else
+        slice3winner4_best_index_0_0;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -3856,28 +3672,20 @@ begin
         slice0window_centre_start_of_frame_5 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
-        slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
-        slice0winner1_tag_end_of_line <= false;
-        slice0winner2_pair_tag_valid <= false;
-        slice0winner2_pair_tag_output_column <= false;
-        slice0winner2_pair_tag_start_of_frame <= false;
-        slice0winner2_pair_tag_end_of_line <= false;
-        slice0winner2_four_tag_valid <= false;
-        slice0winner2_four_tag_output_column <= false;
-        slice0winner2_four_tag_start_of_frame <= false;
-        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 256,
-      latency_clocks => 23,
+      latency_clocks => 21,
       flush_groups => 2246,
       gap_groups => 2240,
-      core_id => x"f2de06ab",
+      core_id => x"50a81ff9",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 256,
-      latency_clocks => 23,
+      latency_clocks => 21,
       flush_groups => 2246,
       gap_groups => 2240)
     port map (

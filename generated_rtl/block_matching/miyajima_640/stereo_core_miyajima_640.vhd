@@ -17,7 +17,7 @@ entity stereo_core_miyajima_640 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 440;
-    latency_clocks : positive := 28;
+    latency_clocks : positive := 26;
     flush_groups : positive := 1922;
     gap_groups : positive := 1920
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_miyajima_640: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_miyajima_640: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 440 report "stereo_core_miyajima_640: output_width_px is " & integer'image(output_width_px) & " but this core has 440" severity failure;
-  assert latency_clocks = 28 report "stereo_core_miyajima_640: latency_clocks is " & integer'image(latency_clocks) & " but this core has 28" severity failure;
+  assert latency_clocks = 26 report "stereo_core_miyajima_640: latency_clocks is " & integer'image(latency_clocks) & " but this core has 26" severity failure;
   assert flush_groups = 1922 report "stereo_core_miyajima_640: flush_groups is " & integer'image(flush_groups) & " but this core has 1922" severity failure;
   assert gap_groups = 1920 report "stereo_core_miyajima_640: gap_groups is " & integer'image(gap_groups) & " but this core has 1920" severity failure;
 end entity;
@@ -283,69 +283,56 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice0window_sum_0_21, slice0window_sum_0_22, slice0window_sum_0_23 : natural range 0 to 16383;
   signal slice0window_sum_0_24 : natural range 0 to 16383;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 16383;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 16383;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 16383;
-  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 16383;
-  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 16383;
-  signal slice0winner1_of_pair_0_15, slice0winner1_of_pair_0_16, slice0winner1_of_pair_0_17 : natural range 0 to 16383;
-  signal slice0winner1_of_pair_0_18, slice0winner1_of_pair_0_19, slice0winner1_of_pair_0_20 : natural range 0 to 16383;
-  signal slice0winner1_of_pair_0_21, slice0winner1_of_pair_0_22, slice0winner1_of_pair_0_23 : natural range 0 to 16383;
-  signal slice0winner1_of_pair_0_24, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 16383;
-  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 16383;
-  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 16383;
-  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9, slice0winner1_of_four_0_10 : natural range 0 to 16383;
-  signal slice0winner1_of_four_0_11, slice0winner1_of_four_0_12, slice0winner1_of_four_0_13 : natural range 0 to 16383;
-  signal slice0winner1_of_four_0_14, slice0winner1_of_four_0_15, slice0winner1_of_four_0_16 : natural range 0 to 16383;
-  signal slice0winner1_of_four_0_17, slice0winner1_of_four_0_18, slice0winner1_of_four_0_19 : natural range 0 to 16383;
-  signal slice0winner1_of_four_0_20, slice0winner1_of_four_0_21, slice0winner1_of_four_0_22 : natural range 0 to 16383;
-  signal slice0winner1_of_four_0_23, slice0winner1_of_four_0_24, slice0winner1_best_cost_0_0 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_3, slice0winner1_best_cost_0_4 : natural range 0 to 16383;
-  signal slice0winner1_best_cost_0_5, slice0winner1_best_cost_0_6 : natural range 0 to 16383;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_start_of_frame : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_start_of_frame, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_start_of_frame : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_pair_index_0_5, slice0winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_pair_index_0_7, slice0winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice0winner1_pair_index_0_9, slice0winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice0winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice0winner1_pair_index_0_11, slice0winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 23;
-  signal slice0winner1_pair_index_0_12, slice0winner1_four_index_0_6 : natural range 0 to 24;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 16383;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 16383;
+  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 16383;
+  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 16383;
+  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 16383;
+  signal slice0winner1_best_cost_0_12 : natural range 0 to 16383;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice0winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice0winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice0winner1_best_index_0_11 : natural range 0 to 23;
+  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
   -- slice0winner2
-  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 16383;
-  signal slice0winner2_of_pair_0_3, slice0winner2_of_pair_0_4, slice0winner2_of_pair_0_5 : natural range 0 to 16383;
-  signal slice0winner2_of_pair_0_6, slice0winner2_of_four_0_0, slice0winner2_of_four_0_1 : natural range 0 to 16383;
-  signal slice0winner2_of_four_0_2, slice0winner2_of_four_0_3, slice0winner2_of_four_0_4 : natural range 0 to 16383;
-  signal slice0winner2_of_four_0_5, slice0winner2_of_four_0_6, slice0winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice0winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice0winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_0_1, slice0winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice0winner2_pair_index_0_3, slice0winner2_four_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_start_of_frame, slice0winner2_four_tag_valid : boolean;
-  signal slice0winner2_four_tag_start_of_frame, slice0winner2_tag_valid, slice0winner2_tag_output_column : boolean;
-  signal slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 16383;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 16383;
+  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 16383;
+  signal slice0winner2_best_cost_0_6 : natural range 0 to 16383;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice0winner2_best_index_0_5 : natural range 0 to 23;
+  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner2_tag_valid, slice0winner2_tag_start_of_frame : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0 : natural range 0 to 16383;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 24;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 16383;
+  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 16383;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice0winner3_best_index_0_2 : natural range 0 to 23;
+  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
+  signal slice0winner3_tag_valid, slice0winner3_tag_start_of_frame : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 16383;
+  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice0winner4_best_index_0_1 : natural range 0 to 24;
+  signal slice0winner4_tag_valid, slice0winner4_tag_start_of_frame : boolean;
+  -- slice0winner5
+  signal slice0winner5_best_cost_0_0 : natural range 0 to 16383;
+  signal slice0winner5_best_index_0_0 : natural range 0 to 24;
+  signal slice0winner5_tag_valid, slice0winner5_tag_start_of_frame : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 16383;
   signal slice0_best_index_0_0 : natural range 0 to 199;
@@ -484,59 +471,49 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice1window_sum_0_21, slice1window_sum_0_22, slice1window_sum_0_23 : natural range 0 to 16383;
   signal slice1window_sum_0_24 : natural range 0 to 16383;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 16383;
-  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 16383;
-  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 16383;
-  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 16383;
-  signal slice1winner1_of_pair_0_12, slice1winner1_of_pair_0_13, slice1winner1_of_pair_0_14 : natural range 0 to 16383;
-  signal slice1winner1_of_pair_0_15, slice1winner1_of_pair_0_16, slice1winner1_of_pair_0_17 : natural range 0 to 16383;
-  signal slice1winner1_of_pair_0_18, slice1winner1_of_pair_0_19, slice1winner1_of_pair_0_20 : natural range 0 to 16383;
-  signal slice1winner1_of_pair_0_21, slice1winner1_of_pair_0_22, slice1winner1_of_pair_0_23 : natural range 0 to 16383;
-  signal slice1winner1_of_pair_0_24, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 16383;
-  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 16383;
-  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 16383;
-  signal slice1winner1_of_four_0_8, slice1winner1_of_four_0_9, slice1winner1_of_four_0_10 : natural range 0 to 16383;
-  signal slice1winner1_of_four_0_11, slice1winner1_of_four_0_12, slice1winner1_of_four_0_13 : natural range 0 to 16383;
-  signal slice1winner1_of_four_0_14, slice1winner1_of_four_0_15, slice1winner1_of_four_0_16 : natural range 0 to 16383;
-  signal slice1winner1_of_four_0_17, slice1winner1_of_four_0_18, slice1winner1_of_four_0_19 : natural range 0 to 16383;
-  signal slice1winner1_of_four_0_20, slice1winner1_of_four_0_21, slice1winner1_of_four_0_22 : natural range 0 to 16383;
-  signal slice1winner1_of_four_0_23, slice1winner1_of_four_0_24, slice1winner1_best_cost_0_0 : natural range 0 to 16383;
-  signal slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 16383;
-  signal slice1winner1_best_cost_0_3, slice1winner1_best_cost_0_4 : natural range 0 to 16383;
-  signal slice1winner1_best_cost_0_5, slice1winner1_best_cost_0_6 : natural range 0 to 16383;
-  signal slice1winner1_pair_index_0_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_pair_index_0_5, slice1winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_pair_index_0_7, slice1winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice1winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice1winner1_pair_index_0_9, slice1winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice1winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice1winner1_pair_index_0_11, slice1winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 16383;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 16383;
+  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 16383;
+  signal slice1winner1_best_cost_0_8, slice1winner1_best_cost_0_9 : natural range 0 to 16383;
+  signal slice1winner1_best_cost_0_10, slice1winner1_best_cost_0_11 : natural range 0 to 16383;
+  signal slice1winner1_best_cost_0_12 : natural range 0 to 16383;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice1winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice1winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice1winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice1winner1_best_index_0_11 : natural range 0 to 23;
   -- slice1winner2
-  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 16383;
-  signal slice1winner2_of_pair_0_3, slice1winner2_of_pair_0_4, slice1winner2_of_pair_0_5 : natural range 0 to 16383;
-  signal slice1winner2_of_pair_0_6, slice1winner2_of_four_0_0, slice1winner2_of_four_0_1 : natural range 0 to 16383;
-  signal slice1winner2_of_four_0_2, slice1winner2_of_four_0_3, slice1winner2_of_four_0_4 : natural range 0 to 16383;
-  signal slice1winner2_of_four_0_5, slice1winner2_of_four_0_6, slice1winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice1winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice1winner2_pair_index_0_1, slice1winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice1winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice1winner2_four_index_0_1, slice1winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 16383;
+  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 16383;
+  signal slice1winner2_best_cost_0_4, slice1winner2_best_cost_0_5 : natural range 0 to 16383;
+  signal slice1winner2_best_cost_0_6 : natural range 0 to 16383;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice1winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice1winner2_best_index_0_5 : natural range 0 to 23;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0 : natural range 0 to 16383;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 16383;
+  signal slice1winner3_best_cost_0_2, slice1winner3_best_cost_0_3 : natural range 0 to 16383;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice1winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice1winner4
+  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 16383;
+  signal slice1winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice1winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice1winner5
+  signal slice1winner5_best_cost_0_0 : natural range 0 to 16383;
+  signal slice1winner5_best_index_0_0 : natural range 0 to 24;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 16383;
   signal slice1_best_index_0_0 : natural range 0 to 199;
@@ -674,59 +651,49 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice2window_sum_0_21, slice2window_sum_0_22, slice2window_sum_0_23 : natural range 0 to 16383;
   signal slice2window_sum_0_24 : natural range 0 to 16383;
   -- slice2winner1
-  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 16383;
-  signal slice2winner1_of_pair_0_3, slice2winner1_of_pair_0_4, slice2winner1_of_pair_0_5 : natural range 0 to 16383;
-  signal slice2winner1_of_pair_0_6, slice2winner1_of_pair_0_7, slice2winner1_of_pair_0_8 : natural range 0 to 16383;
-  signal slice2winner1_of_pair_0_9, slice2winner1_of_pair_0_10, slice2winner1_of_pair_0_11 : natural range 0 to 16383;
-  signal slice2winner1_of_pair_0_12, slice2winner1_of_pair_0_13, slice2winner1_of_pair_0_14 : natural range 0 to 16383;
-  signal slice2winner1_of_pair_0_15, slice2winner1_of_pair_0_16, slice2winner1_of_pair_0_17 : natural range 0 to 16383;
-  signal slice2winner1_of_pair_0_18, slice2winner1_of_pair_0_19, slice2winner1_of_pair_0_20 : natural range 0 to 16383;
-  signal slice2winner1_of_pair_0_21, slice2winner1_of_pair_0_22, slice2winner1_of_pair_0_23 : natural range 0 to 16383;
-  signal slice2winner1_of_pair_0_24, slice2winner1_of_four_0_0, slice2winner1_of_four_0_1 : natural range 0 to 16383;
-  signal slice2winner1_of_four_0_2, slice2winner1_of_four_0_3, slice2winner1_of_four_0_4 : natural range 0 to 16383;
-  signal slice2winner1_of_four_0_5, slice2winner1_of_four_0_6, slice2winner1_of_four_0_7 : natural range 0 to 16383;
-  signal slice2winner1_of_four_0_8, slice2winner1_of_four_0_9, slice2winner1_of_four_0_10 : natural range 0 to 16383;
-  signal slice2winner1_of_four_0_11, slice2winner1_of_four_0_12, slice2winner1_of_four_0_13 : natural range 0 to 16383;
-  signal slice2winner1_of_four_0_14, slice2winner1_of_four_0_15, slice2winner1_of_four_0_16 : natural range 0 to 16383;
-  signal slice2winner1_of_four_0_17, slice2winner1_of_four_0_18, slice2winner1_of_four_0_19 : natural range 0 to 16383;
-  signal slice2winner1_of_four_0_20, slice2winner1_of_four_0_21, slice2winner1_of_four_0_22 : natural range 0 to 16383;
-  signal slice2winner1_of_four_0_23, slice2winner1_of_four_0_24, slice2winner1_best_cost_0_0 : natural range 0 to 16383;
-  signal slice2winner1_best_cost_0_1, slice2winner1_best_cost_0_2 : natural range 0 to 16383;
-  signal slice2winner1_best_cost_0_3, slice2winner1_best_cost_0_4 : natural range 0 to 16383;
-  signal slice2winner1_best_cost_0_5, slice2winner1_best_cost_0_6 : natural range 0 to 16383;
-  signal slice2winner1_pair_index_0_0 : boolean;
-  signal slice2winner1_pair_index_0_1, slice2winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_pair_index_0_3, slice2winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_pair_index_0_5, slice2winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice2winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice2winner1_pair_index_0_7, slice2winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice2winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice2winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice2winner1_pair_index_0_9, slice2winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice2winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice2winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice2winner1_pair_index_0_11, slice2winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice2winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 16383;
+  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 16383;
+  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 16383;
+  signal slice2winner1_best_cost_0_8, slice2winner1_best_cost_0_9 : natural range 0 to 16383;
+  signal slice2winner1_best_cost_0_10, slice2winner1_best_cost_0_11 : natural range 0 to 16383;
+  signal slice2winner1_best_cost_0_12 : natural range 0 to 16383;
+  signal slice2winner1_best_index_0_0 : boolean;
+  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice2winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice2winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice2winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice2winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice2winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice2winner1_best_index_0_11 : natural range 0 to 23;
   -- slice2winner2
-  signal slice2winner2_of_pair_0_0, slice2winner2_of_pair_0_1, slice2winner2_of_pair_0_2 : natural range 0 to 16383;
-  signal slice2winner2_of_pair_0_3, slice2winner2_of_pair_0_4, slice2winner2_of_pair_0_5 : natural range 0 to 16383;
-  signal slice2winner2_of_pair_0_6, slice2winner2_of_four_0_0, slice2winner2_of_four_0_1 : natural range 0 to 16383;
-  signal slice2winner2_of_four_0_2, slice2winner2_of_four_0_3, slice2winner2_of_four_0_4 : natural range 0 to 16383;
-  signal slice2winner2_of_four_0_5, slice2winner2_of_four_0_6, slice2winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice2winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice2winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice2winner2_pair_index_0_1, slice2winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice2winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice2winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice2winner2_four_index_0_1, slice2winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 16383;
+  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 16383;
+  signal slice2winner2_best_cost_0_4, slice2winner2_best_cost_0_5 : natural range 0 to 16383;
+  signal slice2winner2_best_cost_0_6 : natural range 0 to 16383;
+  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice2winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice2winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice2winner2_best_index_0_5 : natural range 0 to 23;
   -- slice2winner3
-  signal slice2winner3_best_cost_0_0 : natural range 0 to 16383;
-  signal slice2winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 16383;
+  signal slice2winner3_best_cost_0_2, slice2winner3_best_cost_0_3 : natural range 0 to 16383;
+  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice2winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice2winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice2winner4
+  signal slice2winner4_best_cost_0_0, slice2winner4_best_cost_0_1 : natural range 0 to 16383;
+  signal slice2winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice2winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice2winner5
+  signal slice2winner5_best_cost_0_0 : natural range 0 to 16383;
+  signal slice2winner5_best_index_0_0 : natural range 0 to 24;
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 16383;
   signal slice2_best_index_0_0 : natural range 0 to 199;
@@ -864,59 +831,49 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice3window_sum_0_21, slice3window_sum_0_22, slice3window_sum_0_23 : natural range 0 to 16383;
   signal slice3window_sum_0_24 : natural range 0 to 16383;
   -- slice3winner1
-  signal slice3winner1_of_pair_0_0, slice3winner1_of_pair_0_1, slice3winner1_of_pair_0_2 : natural range 0 to 16383;
-  signal slice3winner1_of_pair_0_3, slice3winner1_of_pair_0_4, slice3winner1_of_pair_0_5 : natural range 0 to 16383;
-  signal slice3winner1_of_pair_0_6, slice3winner1_of_pair_0_7, slice3winner1_of_pair_0_8 : natural range 0 to 16383;
-  signal slice3winner1_of_pair_0_9, slice3winner1_of_pair_0_10, slice3winner1_of_pair_0_11 : natural range 0 to 16383;
-  signal slice3winner1_of_pair_0_12, slice3winner1_of_pair_0_13, slice3winner1_of_pair_0_14 : natural range 0 to 16383;
-  signal slice3winner1_of_pair_0_15, slice3winner1_of_pair_0_16, slice3winner1_of_pair_0_17 : natural range 0 to 16383;
-  signal slice3winner1_of_pair_0_18, slice3winner1_of_pair_0_19, slice3winner1_of_pair_0_20 : natural range 0 to 16383;
-  signal slice3winner1_of_pair_0_21, slice3winner1_of_pair_0_22, slice3winner1_of_pair_0_23 : natural range 0 to 16383;
-  signal slice3winner1_of_pair_0_24, slice3winner1_of_four_0_0, slice3winner1_of_four_0_1 : natural range 0 to 16383;
-  signal slice3winner1_of_four_0_2, slice3winner1_of_four_0_3, slice3winner1_of_four_0_4 : natural range 0 to 16383;
-  signal slice3winner1_of_four_0_5, slice3winner1_of_four_0_6, slice3winner1_of_four_0_7 : natural range 0 to 16383;
-  signal slice3winner1_of_four_0_8, slice3winner1_of_four_0_9, slice3winner1_of_four_0_10 : natural range 0 to 16383;
-  signal slice3winner1_of_four_0_11, slice3winner1_of_four_0_12, slice3winner1_of_four_0_13 : natural range 0 to 16383;
-  signal slice3winner1_of_four_0_14, slice3winner1_of_four_0_15, slice3winner1_of_four_0_16 : natural range 0 to 16383;
-  signal slice3winner1_of_four_0_17, slice3winner1_of_four_0_18, slice3winner1_of_four_0_19 : natural range 0 to 16383;
-  signal slice3winner1_of_four_0_20, slice3winner1_of_four_0_21, slice3winner1_of_four_0_22 : natural range 0 to 16383;
-  signal slice3winner1_of_four_0_23, slice3winner1_of_four_0_24, slice3winner1_best_cost_0_0 : natural range 0 to 16383;
-  signal slice3winner1_best_cost_0_1, slice3winner1_best_cost_0_2 : natural range 0 to 16383;
-  signal slice3winner1_best_cost_0_3, slice3winner1_best_cost_0_4 : natural range 0 to 16383;
-  signal slice3winner1_best_cost_0_5, slice3winner1_best_cost_0_6 : natural range 0 to 16383;
-  signal slice3winner1_pair_index_0_0 : boolean;
-  signal slice3winner1_pair_index_0_1, slice3winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice3winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice3winner1_pair_index_0_3, slice3winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice3winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice3winner1_pair_index_0_5, slice3winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice3winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice3winner1_pair_index_0_7, slice3winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice3winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice3winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice3winner1_pair_index_0_9, slice3winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice3winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice3winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice3winner1_pair_index_0_11, slice3winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice3winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 16383;
+  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 16383;
+  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 16383;
+  signal slice3winner1_best_cost_0_8, slice3winner1_best_cost_0_9 : natural range 0 to 16383;
+  signal slice3winner1_best_cost_0_10, slice3winner1_best_cost_0_11 : natural range 0 to 16383;
+  signal slice3winner1_best_cost_0_12 : natural range 0 to 16383;
+  signal slice3winner1_best_index_0_0 : boolean;
+  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice3winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice3winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice3winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice3winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice3winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice3winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice3winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice3winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice3winner1_best_index_0_11 : natural range 0 to 23;
   -- slice3winner2
-  signal slice3winner2_of_pair_0_0, slice3winner2_of_pair_0_1, slice3winner2_of_pair_0_2 : natural range 0 to 16383;
-  signal slice3winner2_of_pair_0_3, slice3winner2_of_pair_0_4, slice3winner2_of_pair_0_5 : natural range 0 to 16383;
-  signal slice3winner2_of_pair_0_6, slice3winner2_of_four_0_0, slice3winner2_of_four_0_1 : natural range 0 to 16383;
-  signal slice3winner2_of_four_0_2, slice3winner2_of_four_0_3, slice3winner2_of_four_0_4 : natural range 0 to 16383;
-  signal slice3winner2_of_four_0_5, slice3winner2_of_four_0_6, slice3winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice3winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice3winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice3winner2_pair_index_0_1, slice3winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice3winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice3winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice3winner2_four_index_0_1, slice3winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 16383;
+  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 16383;
+  signal slice3winner2_best_cost_0_4, slice3winner2_best_cost_0_5 : natural range 0 to 16383;
+  signal slice3winner2_best_cost_0_6 : natural range 0 to 16383;
+  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice3winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice3winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice3winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice3winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice3winner2_best_index_0_5 : natural range 0 to 23;
   -- slice3winner3
-  signal slice3winner3_best_cost_0_0 : natural range 0 to 16383;
-  signal slice3winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 16383;
+  signal slice3winner3_best_cost_0_2, slice3winner3_best_cost_0_3 : natural range 0 to 16383;
+  signal slice3winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice3winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice3winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice3winner4
+  signal slice3winner4_best_cost_0_0, slice3winner4_best_cost_0_1 : natural range 0 to 16383;
+  signal slice3winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice3winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice3winner5
+  signal slice3winner5_best_cost_0_0 : natural range 0 to 16383;
+  signal slice3winner5_best_index_0_0 : natural range 0 to 24;
   -- slice3
   signal slice3_best_cost_0_0 : natural range 0 to 16383;
   signal slice3_best_index_0_0 : natural range 0 to 199;
@@ -1054,59 +1011,49 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice4window_sum_0_21, slice4window_sum_0_22, slice4window_sum_0_23 : natural range 0 to 16383;
   signal slice4window_sum_0_24 : natural range 0 to 16383;
   -- slice4winner1
-  signal slice4winner1_of_pair_0_0, slice4winner1_of_pair_0_1, slice4winner1_of_pair_0_2 : natural range 0 to 16383;
-  signal slice4winner1_of_pair_0_3, slice4winner1_of_pair_0_4, slice4winner1_of_pair_0_5 : natural range 0 to 16383;
-  signal slice4winner1_of_pair_0_6, slice4winner1_of_pair_0_7, slice4winner1_of_pair_0_8 : natural range 0 to 16383;
-  signal slice4winner1_of_pair_0_9, slice4winner1_of_pair_0_10, slice4winner1_of_pair_0_11 : natural range 0 to 16383;
-  signal slice4winner1_of_pair_0_12, slice4winner1_of_pair_0_13, slice4winner1_of_pair_0_14 : natural range 0 to 16383;
-  signal slice4winner1_of_pair_0_15, slice4winner1_of_pair_0_16, slice4winner1_of_pair_0_17 : natural range 0 to 16383;
-  signal slice4winner1_of_pair_0_18, slice4winner1_of_pair_0_19, slice4winner1_of_pair_0_20 : natural range 0 to 16383;
-  signal slice4winner1_of_pair_0_21, slice4winner1_of_pair_0_22, slice4winner1_of_pair_0_23 : natural range 0 to 16383;
-  signal slice4winner1_of_pair_0_24, slice4winner1_of_four_0_0, slice4winner1_of_four_0_1 : natural range 0 to 16383;
-  signal slice4winner1_of_four_0_2, slice4winner1_of_four_0_3, slice4winner1_of_four_0_4 : natural range 0 to 16383;
-  signal slice4winner1_of_four_0_5, slice4winner1_of_four_0_6, slice4winner1_of_four_0_7 : natural range 0 to 16383;
-  signal slice4winner1_of_four_0_8, slice4winner1_of_four_0_9, slice4winner1_of_four_0_10 : natural range 0 to 16383;
-  signal slice4winner1_of_four_0_11, slice4winner1_of_four_0_12, slice4winner1_of_four_0_13 : natural range 0 to 16383;
-  signal slice4winner1_of_four_0_14, slice4winner1_of_four_0_15, slice4winner1_of_four_0_16 : natural range 0 to 16383;
-  signal slice4winner1_of_four_0_17, slice4winner1_of_four_0_18, slice4winner1_of_four_0_19 : natural range 0 to 16383;
-  signal slice4winner1_of_four_0_20, slice4winner1_of_four_0_21, slice4winner1_of_four_0_22 : natural range 0 to 16383;
-  signal slice4winner1_of_four_0_23, slice4winner1_of_four_0_24, slice4winner1_best_cost_0_0 : natural range 0 to 16383;
-  signal slice4winner1_best_cost_0_1, slice4winner1_best_cost_0_2 : natural range 0 to 16383;
-  signal slice4winner1_best_cost_0_3, slice4winner1_best_cost_0_4 : natural range 0 to 16383;
-  signal slice4winner1_best_cost_0_5, slice4winner1_best_cost_0_6 : natural range 0 to 16383;
-  signal slice4winner1_pair_index_0_0 : boolean;
-  signal slice4winner1_pair_index_0_1, slice4winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice4winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice4winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice4winner1_pair_index_0_3, slice4winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice4winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice4winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice4winner1_pair_index_0_5, slice4winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice4winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice4winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice4winner1_pair_index_0_7, slice4winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice4winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice4winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice4winner1_pair_index_0_9, slice4winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice4winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice4winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice4winner1_pair_index_0_11, slice4winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice4winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice4winner1_best_cost_0_0, slice4winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice4winner1_best_cost_0_2, slice4winner1_best_cost_0_3 : natural range 0 to 16383;
+  signal slice4winner1_best_cost_0_4, slice4winner1_best_cost_0_5 : natural range 0 to 16383;
+  signal slice4winner1_best_cost_0_6, slice4winner1_best_cost_0_7 : natural range 0 to 16383;
+  signal slice4winner1_best_cost_0_8, slice4winner1_best_cost_0_9 : natural range 0 to 16383;
+  signal slice4winner1_best_cost_0_10, slice4winner1_best_cost_0_11 : natural range 0 to 16383;
+  signal slice4winner1_best_cost_0_12 : natural range 0 to 16383;
+  signal slice4winner1_best_index_0_0 : boolean;
+  signal slice4winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice4winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice4winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice4winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice4winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice4winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice4winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice4winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice4winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice4winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice4winner1_best_index_0_11 : natural range 0 to 23;
   -- slice4winner2
-  signal slice4winner2_of_pair_0_0, slice4winner2_of_pair_0_1, slice4winner2_of_pair_0_2 : natural range 0 to 16383;
-  signal slice4winner2_of_pair_0_3, slice4winner2_of_pair_0_4, slice4winner2_of_pair_0_5 : natural range 0 to 16383;
-  signal slice4winner2_of_pair_0_6, slice4winner2_of_four_0_0, slice4winner2_of_four_0_1 : natural range 0 to 16383;
-  signal slice4winner2_of_four_0_2, slice4winner2_of_four_0_3, slice4winner2_of_four_0_4 : natural range 0 to 16383;
-  signal slice4winner2_of_four_0_5, slice4winner2_of_four_0_6, slice4winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice4winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice4winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice4winner2_pair_index_0_1, slice4winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice4winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice4winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice4winner2_four_index_0_1, slice4winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice4winner2_best_cost_0_0, slice4winner2_best_cost_0_1 : natural range 0 to 16383;
+  signal slice4winner2_best_cost_0_2, slice4winner2_best_cost_0_3 : natural range 0 to 16383;
+  signal slice4winner2_best_cost_0_4, slice4winner2_best_cost_0_5 : natural range 0 to 16383;
+  signal slice4winner2_best_cost_0_6 : natural range 0 to 16383;
+  signal slice4winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice4winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice4winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice4winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice4winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice4winner2_best_index_0_5 : natural range 0 to 23;
   -- slice4winner3
-  signal slice4winner3_best_cost_0_0 : natural range 0 to 16383;
-  signal slice4winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice4winner3_best_cost_0_0, slice4winner3_best_cost_0_1 : natural range 0 to 16383;
+  signal slice4winner3_best_cost_0_2, slice4winner3_best_cost_0_3 : natural range 0 to 16383;
+  signal slice4winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice4winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice4winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice4winner4
+  signal slice4winner4_best_cost_0_0, slice4winner4_best_cost_0_1 : natural range 0 to 16383;
+  signal slice4winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice4winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice4winner5
+  signal slice4winner5_best_cost_0_0 : natural range 0 to 16383;
+  signal slice4winner5_best_index_0_0 : natural range 0 to 24;
   -- slice4
   signal slice4_best_cost_0_0 : natural range 0 to 16383;
   signal slice4_best_index_0_0 : natural range 0 to 199;
@@ -1243,59 +1190,49 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice5window_sum_0_21, slice5window_sum_0_22, slice5window_sum_0_23 : natural range 0 to 16383;
   signal slice5window_sum_0_24 : natural range 0 to 16383;
   -- slice5winner1
-  signal slice5winner1_of_pair_0_0, slice5winner1_of_pair_0_1, slice5winner1_of_pair_0_2 : natural range 0 to 16383;
-  signal slice5winner1_of_pair_0_3, slice5winner1_of_pair_0_4, slice5winner1_of_pair_0_5 : natural range 0 to 16383;
-  signal slice5winner1_of_pair_0_6, slice5winner1_of_pair_0_7, slice5winner1_of_pair_0_8 : natural range 0 to 16383;
-  signal slice5winner1_of_pair_0_9, slice5winner1_of_pair_0_10, slice5winner1_of_pair_0_11 : natural range 0 to 16383;
-  signal slice5winner1_of_pair_0_12, slice5winner1_of_pair_0_13, slice5winner1_of_pair_0_14 : natural range 0 to 16383;
-  signal slice5winner1_of_pair_0_15, slice5winner1_of_pair_0_16, slice5winner1_of_pair_0_17 : natural range 0 to 16383;
-  signal slice5winner1_of_pair_0_18, slice5winner1_of_pair_0_19, slice5winner1_of_pair_0_20 : natural range 0 to 16383;
-  signal slice5winner1_of_pair_0_21, slice5winner1_of_pair_0_22, slice5winner1_of_pair_0_23 : natural range 0 to 16383;
-  signal slice5winner1_of_pair_0_24, slice5winner1_of_four_0_0, slice5winner1_of_four_0_1 : natural range 0 to 16383;
-  signal slice5winner1_of_four_0_2, slice5winner1_of_four_0_3, slice5winner1_of_four_0_4 : natural range 0 to 16383;
-  signal slice5winner1_of_four_0_5, slice5winner1_of_four_0_6, slice5winner1_of_four_0_7 : natural range 0 to 16383;
-  signal slice5winner1_of_four_0_8, slice5winner1_of_four_0_9, slice5winner1_of_four_0_10 : natural range 0 to 16383;
-  signal slice5winner1_of_four_0_11, slice5winner1_of_four_0_12, slice5winner1_of_four_0_13 : natural range 0 to 16383;
-  signal slice5winner1_of_four_0_14, slice5winner1_of_four_0_15, slice5winner1_of_four_0_16 : natural range 0 to 16383;
-  signal slice5winner1_of_four_0_17, slice5winner1_of_four_0_18, slice5winner1_of_four_0_19 : natural range 0 to 16383;
-  signal slice5winner1_of_four_0_20, slice5winner1_of_four_0_21, slice5winner1_of_four_0_22 : natural range 0 to 16383;
-  signal slice5winner1_of_four_0_23, slice5winner1_of_four_0_24, slice5winner1_best_cost_0_0 : natural range 0 to 16383;
-  signal slice5winner1_best_cost_0_1, slice5winner1_best_cost_0_2 : natural range 0 to 16383;
-  signal slice5winner1_best_cost_0_3, slice5winner1_best_cost_0_4 : natural range 0 to 16383;
-  signal slice5winner1_best_cost_0_5, slice5winner1_best_cost_0_6 : natural range 0 to 16383;
-  signal slice5winner1_pair_index_0_0 : boolean;
-  signal slice5winner1_pair_index_0_1, slice5winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice5winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice5winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice5winner1_pair_index_0_3, slice5winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice5winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice5winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice5winner1_pair_index_0_5, slice5winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice5winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice5winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice5winner1_pair_index_0_7, slice5winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice5winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice5winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice5winner1_pair_index_0_9, slice5winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice5winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice5winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice5winner1_pair_index_0_11, slice5winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice5winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice5winner1_best_cost_0_0, slice5winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice5winner1_best_cost_0_2, slice5winner1_best_cost_0_3 : natural range 0 to 16383;
+  signal slice5winner1_best_cost_0_4, slice5winner1_best_cost_0_5 : natural range 0 to 16383;
+  signal slice5winner1_best_cost_0_6, slice5winner1_best_cost_0_7 : natural range 0 to 16383;
+  signal slice5winner1_best_cost_0_8, slice5winner1_best_cost_0_9 : natural range 0 to 16383;
+  signal slice5winner1_best_cost_0_10, slice5winner1_best_cost_0_11 : natural range 0 to 16383;
+  signal slice5winner1_best_cost_0_12 : natural range 0 to 16383;
+  signal slice5winner1_best_index_0_0 : boolean;
+  signal slice5winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice5winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice5winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice5winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice5winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice5winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice5winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice5winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice5winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice5winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice5winner1_best_index_0_11 : natural range 0 to 23;
   -- slice5winner2
-  signal slice5winner2_of_pair_0_0, slice5winner2_of_pair_0_1, slice5winner2_of_pair_0_2 : natural range 0 to 16383;
-  signal slice5winner2_of_pair_0_3, slice5winner2_of_pair_0_4, slice5winner2_of_pair_0_5 : natural range 0 to 16383;
-  signal slice5winner2_of_pair_0_6, slice5winner2_of_four_0_0, slice5winner2_of_four_0_1 : natural range 0 to 16383;
-  signal slice5winner2_of_four_0_2, slice5winner2_of_four_0_3, slice5winner2_of_four_0_4 : natural range 0 to 16383;
-  signal slice5winner2_of_four_0_5, slice5winner2_of_four_0_6, slice5winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice5winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice5winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice5winner2_pair_index_0_1, slice5winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice5winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice5winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice5winner2_four_index_0_1, slice5winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice5winner2_best_cost_0_0, slice5winner2_best_cost_0_1 : natural range 0 to 16383;
+  signal slice5winner2_best_cost_0_2, slice5winner2_best_cost_0_3 : natural range 0 to 16383;
+  signal slice5winner2_best_cost_0_4, slice5winner2_best_cost_0_5 : natural range 0 to 16383;
+  signal slice5winner2_best_cost_0_6 : natural range 0 to 16383;
+  signal slice5winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice5winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice5winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice5winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice5winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice5winner2_best_index_0_5 : natural range 0 to 23;
   -- slice5winner3
-  signal slice5winner3_best_cost_0_0 : natural range 0 to 16383;
-  signal slice5winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice5winner3_best_cost_0_0, slice5winner3_best_cost_0_1 : natural range 0 to 16383;
+  signal slice5winner3_best_cost_0_2, slice5winner3_best_cost_0_3 : natural range 0 to 16383;
+  signal slice5winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice5winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice5winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice5winner4
+  signal slice5winner4_best_cost_0_0, slice5winner4_best_cost_0_1 : natural range 0 to 16383;
+  signal slice5winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice5winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice5winner5
+  signal slice5winner5_best_cost_0_0 : natural range 0 to 16383;
+  signal slice5winner5_best_index_0_0 : natural range 0 to 24;
   -- slice5
   signal slice5_best_cost_0_0 : natural range 0 to 16383;
   signal slice5_best_index_0_0 : natural range 0 to 199;
@@ -1432,59 +1369,49 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice6window_sum_0_21, slice6window_sum_0_22, slice6window_sum_0_23 : natural range 0 to 16383;
   signal slice6window_sum_0_24 : natural range 0 to 16383;
   -- slice6winner1
-  signal slice6winner1_of_pair_0_0, slice6winner1_of_pair_0_1, slice6winner1_of_pair_0_2 : natural range 0 to 16383;
-  signal slice6winner1_of_pair_0_3, slice6winner1_of_pair_0_4, slice6winner1_of_pair_0_5 : natural range 0 to 16383;
-  signal slice6winner1_of_pair_0_6, slice6winner1_of_pair_0_7, slice6winner1_of_pair_0_8 : natural range 0 to 16383;
-  signal slice6winner1_of_pair_0_9, slice6winner1_of_pair_0_10, slice6winner1_of_pair_0_11 : natural range 0 to 16383;
-  signal slice6winner1_of_pair_0_12, slice6winner1_of_pair_0_13, slice6winner1_of_pair_0_14 : natural range 0 to 16383;
-  signal slice6winner1_of_pair_0_15, slice6winner1_of_pair_0_16, slice6winner1_of_pair_0_17 : natural range 0 to 16383;
-  signal slice6winner1_of_pair_0_18, slice6winner1_of_pair_0_19, slice6winner1_of_pair_0_20 : natural range 0 to 16383;
-  signal slice6winner1_of_pair_0_21, slice6winner1_of_pair_0_22, slice6winner1_of_pair_0_23 : natural range 0 to 16383;
-  signal slice6winner1_of_pair_0_24, slice6winner1_of_four_0_0, slice6winner1_of_four_0_1 : natural range 0 to 16383;
-  signal slice6winner1_of_four_0_2, slice6winner1_of_four_0_3, slice6winner1_of_four_0_4 : natural range 0 to 16383;
-  signal slice6winner1_of_four_0_5, slice6winner1_of_four_0_6, slice6winner1_of_four_0_7 : natural range 0 to 16383;
-  signal slice6winner1_of_four_0_8, slice6winner1_of_four_0_9, slice6winner1_of_four_0_10 : natural range 0 to 16383;
-  signal slice6winner1_of_four_0_11, slice6winner1_of_four_0_12, slice6winner1_of_four_0_13 : natural range 0 to 16383;
-  signal slice6winner1_of_four_0_14, slice6winner1_of_four_0_15, slice6winner1_of_four_0_16 : natural range 0 to 16383;
-  signal slice6winner1_of_four_0_17, slice6winner1_of_four_0_18, slice6winner1_of_four_0_19 : natural range 0 to 16383;
-  signal slice6winner1_of_four_0_20, slice6winner1_of_four_0_21, slice6winner1_of_four_0_22 : natural range 0 to 16383;
-  signal slice6winner1_of_four_0_23, slice6winner1_of_four_0_24, slice6winner1_best_cost_0_0 : natural range 0 to 16383;
-  signal slice6winner1_best_cost_0_1, slice6winner1_best_cost_0_2 : natural range 0 to 16383;
-  signal slice6winner1_best_cost_0_3, slice6winner1_best_cost_0_4 : natural range 0 to 16383;
-  signal slice6winner1_best_cost_0_5, slice6winner1_best_cost_0_6 : natural range 0 to 16383;
-  signal slice6winner1_pair_index_0_0 : boolean;
-  signal slice6winner1_pair_index_0_1, slice6winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice6winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice6winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice6winner1_pair_index_0_3, slice6winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice6winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice6winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice6winner1_pair_index_0_5, slice6winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice6winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice6winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice6winner1_pair_index_0_7, slice6winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice6winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice6winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice6winner1_pair_index_0_9, slice6winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice6winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice6winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice6winner1_pair_index_0_11, slice6winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice6winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice6winner1_best_cost_0_0, slice6winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice6winner1_best_cost_0_2, slice6winner1_best_cost_0_3 : natural range 0 to 16383;
+  signal slice6winner1_best_cost_0_4, slice6winner1_best_cost_0_5 : natural range 0 to 16383;
+  signal slice6winner1_best_cost_0_6, slice6winner1_best_cost_0_7 : natural range 0 to 16383;
+  signal slice6winner1_best_cost_0_8, slice6winner1_best_cost_0_9 : natural range 0 to 16383;
+  signal slice6winner1_best_cost_0_10, slice6winner1_best_cost_0_11 : natural range 0 to 16383;
+  signal slice6winner1_best_cost_0_12 : natural range 0 to 16383;
+  signal slice6winner1_best_index_0_0 : boolean;
+  signal slice6winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice6winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice6winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice6winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice6winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice6winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice6winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice6winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice6winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice6winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice6winner1_best_index_0_11 : natural range 0 to 23;
   -- slice6winner2
-  signal slice6winner2_of_pair_0_0, slice6winner2_of_pair_0_1, slice6winner2_of_pair_0_2 : natural range 0 to 16383;
-  signal slice6winner2_of_pair_0_3, slice6winner2_of_pair_0_4, slice6winner2_of_pair_0_5 : natural range 0 to 16383;
-  signal slice6winner2_of_pair_0_6, slice6winner2_of_four_0_0, slice6winner2_of_four_0_1 : natural range 0 to 16383;
-  signal slice6winner2_of_four_0_2, slice6winner2_of_four_0_3, slice6winner2_of_four_0_4 : natural range 0 to 16383;
-  signal slice6winner2_of_four_0_5, slice6winner2_of_four_0_6, slice6winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice6winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice6winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice6winner2_pair_index_0_1, slice6winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice6winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice6winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice6winner2_four_index_0_1, slice6winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice6winner2_best_cost_0_0, slice6winner2_best_cost_0_1 : natural range 0 to 16383;
+  signal slice6winner2_best_cost_0_2, slice6winner2_best_cost_0_3 : natural range 0 to 16383;
+  signal slice6winner2_best_cost_0_4, slice6winner2_best_cost_0_5 : natural range 0 to 16383;
+  signal slice6winner2_best_cost_0_6 : natural range 0 to 16383;
+  signal slice6winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice6winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice6winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice6winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice6winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice6winner2_best_index_0_5 : natural range 0 to 23;
   -- slice6winner3
-  signal slice6winner3_best_cost_0_0 : natural range 0 to 16383;
-  signal slice6winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice6winner3_best_cost_0_0, slice6winner3_best_cost_0_1 : natural range 0 to 16383;
+  signal slice6winner3_best_cost_0_2, slice6winner3_best_cost_0_3 : natural range 0 to 16383;
+  signal slice6winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice6winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice6winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice6winner4
+  signal slice6winner4_best_cost_0_0, slice6winner4_best_cost_0_1 : natural range 0 to 16383;
+  signal slice6winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice6winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice6winner5
+  signal slice6winner5_best_cost_0_0 : natural range 0 to 16383;
+  signal slice6winner5_best_index_0_0 : natural range 0 to 24;
   -- slice6
   signal slice6_best_cost_0_0 : natural range 0 to 16383;
   signal slice6_best_index_0_0 : natural range 0 to 199;
@@ -1621,59 +1548,49 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice7window_centre_output_column_1, slice7window_centre_end_of_line_0 : boolean;
   signal slice7window_centre_end_of_line_1 : boolean;
   -- slice7winner1
-  signal slice7winner1_of_pair_0_0, slice7winner1_of_pair_0_1, slice7winner1_of_pair_0_2 : natural range 0 to 16383;
-  signal slice7winner1_of_pair_0_3, slice7winner1_of_pair_0_4, slice7winner1_of_pair_0_5 : natural range 0 to 16383;
-  signal slice7winner1_of_pair_0_6, slice7winner1_of_pair_0_7, slice7winner1_of_pair_0_8 : natural range 0 to 16383;
-  signal slice7winner1_of_pair_0_9, slice7winner1_of_pair_0_10, slice7winner1_of_pair_0_11 : natural range 0 to 16383;
-  signal slice7winner1_of_pair_0_12, slice7winner1_of_pair_0_13, slice7winner1_of_pair_0_14 : natural range 0 to 16383;
-  signal slice7winner1_of_pair_0_15, slice7winner1_of_pair_0_16, slice7winner1_of_pair_0_17 : natural range 0 to 16383;
-  signal slice7winner1_of_pair_0_18, slice7winner1_of_pair_0_19, slice7winner1_of_pair_0_20 : natural range 0 to 16383;
-  signal slice7winner1_of_pair_0_21, slice7winner1_of_pair_0_22, slice7winner1_of_pair_0_23 : natural range 0 to 16383;
-  signal slice7winner1_of_pair_0_24, slice7winner1_of_four_0_0, slice7winner1_of_four_0_1 : natural range 0 to 16383;
-  signal slice7winner1_of_four_0_2, slice7winner1_of_four_0_3, slice7winner1_of_four_0_4 : natural range 0 to 16383;
-  signal slice7winner1_of_four_0_5, slice7winner1_of_four_0_6, slice7winner1_of_four_0_7 : natural range 0 to 16383;
-  signal slice7winner1_of_four_0_8, slice7winner1_of_four_0_9, slice7winner1_of_four_0_10 : natural range 0 to 16383;
-  signal slice7winner1_of_four_0_11, slice7winner1_of_four_0_12, slice7winner1_of_four_0_13 : natural range 0 to 16383;
-  signal slice7winner1_of_four_0_14, slice7winner1_of_four_0_15, slice7winner1_of_four_0_16 : natural range 0 to 16383;
-  signal slice7winner1_of_four_0_17, slice7winner1_of_four_0_18, slice7winner1_of_four_0_19 : natural range 0 to 16383;
-  signal slice7winner1_of_four_0_20, slice7winner1_of_four_0_21, slice7winner1_of_four_0_22 : natural range 0 to 16383;
-  signal slice7winner1_of_four_0_23, slice7winner1_of_four_0_24, slice7winner1_best_cost_0_0 : natural range 0 to 16383;
-  signal slice7winner1_best_cost_0_1, slice7winner1_best_cost_0_2 : natural range 0 to 16383;
-  signal slice7winner1_best_cost_0_3, slice7winner1_best_cost_0_4 : natural range 0 to 16383;
-  signal slice7winner1_best_cost_0_5, slice7winner1_best_cost_0_6 : natural range 0 to 16383;
-  signal slice7winner1_pair_index_0_0 : boolean;
-  signal slice7winner1_pair_index_0_1, slice7winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice7winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice7winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice7winner1_pair_index_0_3, slice7winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice7winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice7winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice7winner1_pair_index_0_5, slice7winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice7winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice7winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice7winner1_pair_index_0_7, slice7winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice7winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice7winner1_pair_index_0_8 : natural range 0 to 17;
-  signal slice7winner1_pair_index_0_9, slice7winner1_four_index_0_4 : natural range 0 to 19;
-  signal slice7winner1_best_index_0_4 : natural range 0 to 19;
-  signal slice7winner1_pair_index_0_10 : natural range 0 to 21;
-  signal slice7winner1_pair_index_0_11, slice7winner1_four_index_0_5 : natural range 0 to 23;
-  signal slice7winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice7winner1_best_cost_0_0, slice7winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice7winner1_best_cost_0_2, slice7winner1_best_cost_0_3 : natural range 0 to 16383;
+  signal slice7winner1_best_cost_0_4, slice7winner1_best_cost_0_5 : natural range 0 to 16383;
+  signal slice7winner1_best_cost_0_6, slice7winner1_best_cost_0_7 : natural range 0 to 16383;
+  signal slice7winner1_best_cost_0_8, slice7winner1_best_cost_0_9 : natural range 0 to 16383;
+  signal slice7winner1_best_cost_0_10, slice7winner1_best_cost_0_11 : natural range 0 to 16383;
+  signal slice7winner1_best_cost_0_12 : natural range 0 to 16383;
+  signal slice7winner1_best_index_0_0 : boolean;
+  signal slice7winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice7winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice7winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice7winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice7winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice7winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice7winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice7winner1_best_index_0_8 : natural range 0 to 17;
+  signal slice7winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice7winner1_best_index_0_10 : natural range 0 to 21;
+  signal slice7winner1_best_index_0_11 : natural range 0 to 23;
   -- slice7winner2
-  signal slice7winner2_of_pair_0_0, slice7winner2_of_pair_0_1, slice7winner2_of_pair_0_2 : natural range 0 to 16383;
-  signal slice7winner2_of_pair_0_3, slice7winner2_of_pair_0_4, slice7winner2_of_pair_0_5 : natural range 0 to 16383;
-  signal slice7winner2_of_pair_0_6, slice7winner2_of_four_0_0, slice7winner2_of_four_0_1 : natural range 0 to 16383;
-  signal slice7winner2_of_four_0_2, slice7winner2_of_four_0_3, slice7winner2_of_four_0_4 : natural range 0 to 16383;
-  signal slice7winner2_of_four_0_5, slice7winner2_of_four_0_6, slice7winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice7winner2_best_cost_0_1 : natural range 0 to 16383;
-  signal slice7winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice7winner2_pair_index_0_1, slice7winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice7winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice7winner2_pair_index_0_2 : natural range 0 to 23;
-  signal slice7winner2_four_index_0_1, slice7winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice7winner2_best_cost_0_0, slice7winner2_best_cost_0_1 : natural range 0 to 16383;
+  signal slice7winner2_best_cost_0_2, slice7winner2_best_cost_0_3 : natural range 0 to 16383;
+  signal slice7winner2_best_cost_0_4, slice7winner2_best_cost_0_5 : natural range 0 to 16383;
+  signal slice7winner2_best_cost_0_6 : natural range 0 to 16383;
+  signal slice7winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice7winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice7winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice7winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice7winner2_best_index_0_4 : natural range 0 to 19;
+  signal slice7winner2_best_index_0_5 : natural range 0 to 23;
   -- slice7winner3
-  signal slice7winner3_best_cost_0_0 : natural range 0 to 16383;
-  signal slice7winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice7winner3_best_cost_0_0, slice7winner3_best_cost_0_1 : natural range 0 to 16383;
+  signal slice7winner3_best_cost_0_2, slice7winner3_best_cost_0_3 : natural range 0 to 16383;
+  signal slice7winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice7winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice7winner3_best_index_0_2 : natural range 0 to 23;
+  -- slice7winner4
+  signal slice7winner4_best_cost_0_0, slice7winner4_best_cost_0_1 : natural range 0 to 16383;
+  signal slice7winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice7winner4_best_index_0_1 : natural range 0 to 24;
+  -- slice7winner5
+  signal slice7winner5_best_cost_0_0 : natural range 0 to 16383;
+  signal slice7winner5_best_index_0_0 : natural range 0 to 24;
   -- slice7
   signal slice7_best_index_0_0 : natural range 0 to 199;
   signal slice7_best_tag_valid, slice7_best_tag_output_column, slice7_best_tag_start_of_frame : boolean;
@@ -3608,106 +3525,106 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
-    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
-    variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_pair_0_12_is_less : boolean;
-    variable slice0winner1_of_pair_0_14_is_less, slice0winner1_of_pair_0_16_is_less : boolean;
-    variable slice0winner1_of_pair_0_18_is_less, slice0winner1_of_pair_0_20_is_less : boolean;
-    variable slice0winner1_of_pair_0_22_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_0_4_is_less, slice0winner1_of_four_0_8_is_less : boolean;
-    variable slice0winner1_of_four_0_12_is_less, slice0winner1_of_four_0_16_is_less : boolean;
-    variable slice0winner1_of_four_0_20_is_less, slice0winner2_of_pair_0_0_is_less : boolean;
-    variable slice0winner2_of_pair_0_2_is_less, slice0winner2_of_pair_0_4_is_less : boolean;
-    variable slice0winner2_of_four_0_0_is_less, slice0winner2_of_four_0_4_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
-    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
-    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
-    variable slice1winner1_of_pair_0_14_is_less, slice1winner1_of_pair_0_16_is_less : boolean;
-    variable slice1winner1_of_pair_0_18_is_less, slice1winner1_of_pair_0_20_is_less : boolean;
-    variable slice1winner1_of_pair_0_22_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
-    variable slice1winner1_of_four_0_12_is_less, slice1winner1_of_four_0_16_is_less : boolean;
-    variable slice1winner1_of_four_0_20_is_less, slice1winner2_of_pair_0_0_is_less : boolean;
-    variable slice1winner2_of_pair_0_2_is_less, slice1winner2_of_pair_0_4_is_less : boolean;
-    variable slice1winner2_of_four_0_0_is_less, slice1winner2_of_four_0_4_is_less : boolean;
-    variable slice1winner3_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_of_pair_0_0_is_less, slice2winner1_of_pair_0_2_is_less : boolean;
-    variable slice2winner1_of_pair_0_4_is_less, slice2winner1_of_pair_0_6_is_less : boolean;
-    variable slice2winner1_of_pair_0_8_is_less, slice2winner1_of_pair_0_10_is_less : boolean;
-    variable slice2winner1_of_pair_0_12_is_less, slice2winner1_of_pair_0_14_is_less : boolean;
-    variable slice2winner1_of_pair_0_16_is_less, slice2winner1_of_pair_0_18_is_less : boolean;
-    variable slice2winner1_of_pair_0_20_is_less, slice2winner1_of_pair_0_22_is_less : boolean;
-    variable slice2winner1_of_four_0_0_is_less, slice2winner1_of_four_0_4_is_less : boolean;
-    variable slice2winner1_of_four_0_8_is_less, slice2winner1_of_four_0_12_is_less : boolean;
-    variable slice2winner1_of_four_0_16_is_less, slice2winner1_of_four_0_20_is_less : boolean;
-    variable slice2winner2_of_pair_0_0_is_less, slice2winner2_of_pair_0_2_is_less : boolean;
-    variable slice2winner2_of_pair_0_4_is_less, slice2winner2_of_four_0_0_is_less : boolean;
-    variable slice2winner2_of_four_0_4_is_less, slice2winner3_best_cost_0_0_is_less : boolean;
-    variable slice2_best_cost_0_0_is_less, slice3winner1_of_pair_0_0_is_less : boolean;
-    variable slice3winner1_of_pair_0_2_is_less, slice3winner1_of_pair_0_4_is_less : boolean;
-    variable slice3winner1_of_pair_0_6_is_less, slice3winner1_of_pair_0_8_is_less : boolean;
-    variable slice3winner1_of_pair_0_10_is_less, slice3winner1_of_pair_0_12_is_less : boolean;
-    variable slice3winner1_of_pair_0_14_is_less, slice3winner1_of_pair_0_16_is_less : boolean;
-    variable slice3winner1_of_pair_0_18_is_less, slice3winner1_of_pair_0_20_is_less : boolean;
-    variable slice3winner1_of_pair_0_22_is_less, slice3winner1_of_four_0_0_is_less : boolean;
-    variable slice3winner1_of_four_0_4_is_less, slice3winner1_of_four_0_8_is_less : boolean;
-    variable slice3winner1_of_four_0_12_is_less, slice3winner1_of_four_0_16_is_less : boolean;
-    variable slice3winner1_of_four_0_20_is_less, slice3winner2_of_pair_0_0_is_less : boolean;
-    variable slice3winner2_of_pair_0_2_is_less, slice3winner2_of_pair_0_4_is_less : boolean;
-    variable slice3winner2_of_four_0_0_is_less, slice3winner2_of_four_0_4_is_less : boolean;
-    variable slice3winner3_best_cost_0_0_is_less, slice3_best_cost_0_0_is_less : boolean;
-    variable slice4winner1_of_pair_0_0_is_less, slice4winner1_of_pair_0_2_is_less : boolean;
-    variable slice4winner1_of_pair_0_4_is_less, slice4winner1_of_pair_0_6_is_less : boolean;
-    variable slice4winner1_of_pair_0_8_is_less, slice4winner1_of_pair_0_10_is_less : boolean;
-    variable slice4winner1_of_pair_0_12_is_less, slice4winner1_of_pair_0_14_is_less : boolean;
-    variable slice4winner1_of_pair_0_16_is_less, slice4winner1_of_pair_0_18_is_less : boolean;
-    variable slice4winner1_of_pair_0_20_is_less, slice4winner1_of_pair_0_22_is_less : boolean;
-    variable slice4winner1_of_four_0_0_is_less, slice4winner1_of_four_0_4_is_less : boolean;
-    variable slice4winner1_of_four_0_8_is_less, slice4winner1_of_four_0_12_is_less : boolean;
-    variable slice4winner1_of_four_0_16_is_less, slice4winner1_of_four_0_20_is_less : boolean;
-    variable slice4winner2_of_pair_0_0_is_less, slice4winner2_of_pair_0_2_is_less : boolean;
-    variable slice4winner2_of_pair_0_4_is_less, slice4winner2_of_four_0_0_is_less : boolean;
-    variable slice4winner2_of_four_0_4_is_less, slice4winner3_best_cost_0_0_is_less : boolean;
-    variable slice4_best_cost_0_0_is_less, slice5winner1_of_pair_0_0_is_less : boolean;
-    variable slice5winner1_of_pair_0_2_is_less, slice5winner1_of_pair_0_4_is_less : boolean;
-    variable slice5winner1_of_pair_0_6_is_less, slice5winner1_of_pair_0_8_is_less : boolean;
-    variable slice5winner1_of_pair_0_10_is_less, slice5winner1_of_pair_0_12_is_less : boolean;
-    variable slice5winner1_of_pair_0_14_is_less, slice5winner1_of_pair_0_16_is_less : boolean;
-    variable slice5winner1_of_pair_0_18_is_less, slice5winner1_of_pair_0_20_is_less : boolean;
-    variable slice5winner1_of_pair_0_22_is_less, slice5winner1_of_four_0_0_is_less : boolean;
-    variable slice5winner1_of_four_0_4_is_less, slice5winner1_of_four_0_8_is_less : boolean;
-    variable slice5winner1_of_four_0_12_is_less, slice5winner1_of_four_0_16_is_less : boolean;
-    variable slice5winner1_of_four_0_20_is_less, slice5winner2_of_pair_0_0_is_less : boolean;
-    variable slice5winner2_of_pair_0_2_is_less, slice5winner2_of_pair_0_4_is_less : boolean;
-    variable slice5winner2_of_four_0_0_is_less, slice5winner2_of_four_0_4_is_less : boolean;
-    variable slice5winner3_best_cost_0_0_is_less, slice5_best_cost_0_0_is_less : boolean;
-    variable slice6winner1_of_pair_0_0_is_less, slice6winner1_of_pair_0_2_is_less : boolean;
-    variable slice6winner1_of_pair_0_4_is_less, slice6winner1_of_pair_0_6_is_less : boolean;
-    variable slice6winner1_of_pair_0_8_is_less, slice6winner1_of_pair_0_10_is_less : boolean;
-    variable slice6winner1_of_pair_0_12_is_less, slice6winner1_of_pair_0_14_is_less : boolean;
-    variable slice6winner1_of_pair_0_16_is_less, slice6winner1_of_pair_0_18_is_less : boolean;
-    variable slice6winner1_of_pair_0_20_is_less, slice6winner1_of_pair_0_22_is_less : boolean;
-    variable slice6winner1_of_four_0_0_is_less, slice6winner1_of_four_0_4_is_less : boolean;
-    variable slice6winner1_of_four_0_8_is_less, slice6winner1_of_four_0_12_is_less : boolean;
-    variable slice6winner1_of_four_0_16_is_less, slice6winner1_of_four_0_20_is_less : boolean;
-    variable slice6winner2_of_pair_0_0_is_less, slice6winner2_of_pair_0_2_is_less : boolean;
-    variable slice6winner2_of_pair_0_4_is_less, slice6winner2_of_four_0_0_is_less : boolean;
-    variable slice6winner2_of_four_0_4_is_less, slice6winner3_best_cost_0_0_is_less : boolean;
-    variable slice6_best_cost_0_0_is_less, slice7winner1_of_pair_0_0_is_less : boolean;
-    variable slice7winner1_of_pair_0_2_is_less, slice7winner1_of_pair_0_4_is_less : boolean;
-    variable slice7winner1_of_pair_0_6_is_less, slice7winner1_of_pair_0_8_is_less : boolean;
-    variable slice7winner1_of_pair_0_10_is_less, slice7winner1_of_pair_0_12_is_less : boolean;
-    variable slice7winner1_of_pair_0_14_is_less, slice7winner1_of_pair_0_16_is_less : boolean;
-    variable slice7winner1_of_pair_0_18_is_less, slice7winner1_of_pair_0_20_is_less : boolean;
-    variable slice7winner1_of_pair_0_22_is_less, slice7winner1_of_four_0_0_is_less : boolean;
-    variable slice7winner1_of_four_0_4_is_less, slice7winner1_of_four_0_8_is_less : boolean;
-    variable slice7winner1_of_four_0_12_is_less, slice7winner1_of_four_0_16_is_less : boolean;
-    variable slice7winner1_of_four_0_20_is_less, slice7winner2_of_pair_0_0_is_less : boolean;
-    variable slice7winner2_of_pair_0_2_is_less, slice7winner2_of_pair_0_4_is_less : boolean;
-    variable slice7winner2_of_four_0_0_is_less, slice7winner2_of_four_0_4_is_less : boolean;
-    variable slice7winner3_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
+    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
+    variable slice0winner1_best_cost_0_7_is_less, slice0winner1_best_cost_0_8_is_less : boolean;
+    variable slice0winner1_best_cost_0_9_is_less, slice0winner1_best_cost_0_10_is_less : boolean;
+    variable slice0winner1_best_cost_0_11_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
+    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_cost_0_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_5_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_0_1_is_less, slice0winner3_best_cost_0_2_is_less : boolean;
+    variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_cost_0_1_is_less : boolean;
+    variable slice0winner5_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
+    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
+    variable slice1winner1_best_cost_0_7_is_less, slice1winner1_best_cost_0_8_is_less : boolean;
+    variable slice1winner1_best_cost_0_9_is_less, slice1winner1_best_cost_0_10_is_less : boolean;
+    variable slice1winner1_best_cost_0_11_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_3_is_less, slice1winner2_best_cost_0_4_is_less : boolean;
+    variable slice1winner2_best_cost_0_5_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_0_1_is_less, slice1winner3_best_cost_0_2_is_less : boolean;
+    variable slice1winner4_best_cost_0_0_is_less, slice1winner4_best_cost_0_1_is_less : boolean;
+    variable slice1winner5_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
+    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
+    variable slice2winner1_best_cost_0_4_is_less, slice2winner1_best_cost_0_5_is_less : boolean;
+    variable slice2winner1_best_cost_0_6_is_less, slice2winner1_best_cost_0_7_is_less : boolean;
+    variable slice2winner1_best_cost_0_8_is_less, slice2winner1_best_cost_0_9_is_less : boolean;
+    variable slice2winner1_best_cost_0_10_is_less, slice2winner1_best_cost_0_11_is_less : boolean;
+    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
+    variable slice2winner2_best_cost_0_2_is_less, slice2winner2_best_cost_0_3_is_less : boolean;
+    variable slice2winner2_best_cost_0_4_is_less, slice2winner2_best_cost_0_5_is_less : boolean;
+    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_0_1_is_less : boolean;
+    variable slice2winner3_best_cost_0_2_is_less, slice2winner4_best_cost_0_0_is_less : boolean;
+    variable slice2winner4_best_cost_0_1_is_less, slice2winner5_best_cost_0_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice3winner1_best_cost_0_0_is_less : boolean;
+    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
+    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
+    variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
+    variable slice3winner1_best_cost_0_7_is_less, slice3winner1_best_cost_0_8_is_less : boolean;
+    variable slice3winner1_best_cost_0_9_is_less, slice3winner1_best_cost_0_10_is_less : boolean;
+    variable slice3winner1_best_cost_0_11_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
+    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
+    variable slice3winner2_best_cost_0_3_is_less, slice3winner2_best_cost_0_4_is_less : boolean;
+    variable slice3winner2_best_cost_0_5_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
+    variable slice3winner3_best_cost_0_1_is_less, slice3winner3_best_cost_0_2_is_less : boolean;
+    variable slice3winner4_best_cost_0_0_is_less, slice3winner4_best_cost_0_1_is_less : boolean;
+    variable slice3winner5_best_cost_0_0_is_less, slice3_best_cost_0_0_is_less : boolean;
+    variable slice4winner1_best_cost_0_0_is_less, slice4winner1_best_cost_0_1_is_less : boolean;
+    variable slice4winner1_best_cost_0_2_is_less, slice4winner1_best_cost_0_3_is_less : boolean;
+    variable slice4winner1_best_cost_0_4_is_less, slice4winner1_best_cost_0_5_is_less : boolean;
+    variable slice4winner1_best_cost_0_6_is_less, slice4winner1_best_cost_0_7_is_less : boolean;
+    variable slice4winner1_best_cost_0_8_is_less, slice4winner1_best_cost_0_9_is_less : boolean;
+    variable slice4winner1_best_cost_0_10_is_less, slice4winner1_best_cost_0_11_is_less : boolean;
+    variable slice4winner2_best_cost_0_0_is_less, slice4winner2_best_cost_0_1_is_less : boolean;
+    variable slice4winner2_best_cost_0_2_is_less, slice4winner2_best_cost_0_3_is_less : boolean;
+    variable slice4winner2_best_cost_0_4_is_less, slice4winner2_best_cost_0_5_is_less : boolean;
+    variable slice4winner3_best_cost_0_0_is_less, slice4winner3_best_cost_0_1_is_less : boolean;
+    variable slice4winner3_best_cost_0_2_is_less, slice4winner4_best_cost_0_0_is_less : boolean;
+    variable slice4winner4_best_cost_0_1_is_less, slice4winner5_best_cost_0_0_is_less : boolean;
+    variable slice4_best_cost_0_0_is_less, slice5winner1_best_cost_0_0_is_less : boolean;
+    variable slice5winner1_best_cost_0_1_is_less, slice5winner1_best_cost_0_2_is_less : boolean;
+    variable slice5winner1_best_cost_0_3_is_less, slice5winner1_best_cost_0_4_is_less : boolean;
+    variable slice5winner1_best_cost_0_5_is_less, slice5winner1_best_cost_0_6_is_less : boolean;
+    variable slice5winner1_best_cost_0_7_is_less, slice5winner1_best_cost_0_8_is_less : boolean;
+    variable slice5winner1_best_cost_0_9_is_less, slice5winner1_best_cost_0_10_is_less : boolean;
+    variable slice5winner1_best_cost_0_11_is_less, slice5winner2_best_cost_0_0_is_less : boolean;
+    variable slice5winner2_best_cost_0_1_is_less, slice5winner2_best_cost_0_2_is_less : boolean;
+    variable slice5winner2_best_cost_0_3_is_less, slice5winner2_best_cost_0_4_is_less : boolean;
+    variable slice5winner2_best_cost_0_5_is_less, slice5winner3_best_cost_0_0_is_less : boolean;
+    variable slice5winner3_best_cost_0_1_is_less, slice5winner3_best_cost_0_2_is_less : boolean;
+    variable slice5winner4_best_cost_0_0_is_less, slice5winner4_best_cost_0_1_is_less : boolean;
+    variable slice5winner5_best_cost_0_0_is_less, slice5_best_cost_0_0_is_less : boolean;
+    variable slice6winner1_best_cost_0_0_is_less, slice6winner1_best_cost_0_1_is_less : boolean;
+    variable slice6winner1_best_cost_0_2_is_less, slice6winner1_best_cost_0_3_is_less : boolean;
+    variable slice6winner1_best_cost_0_4_is_less, slice6winner1_best_cost_0_5_is_less : boolean;
+    variable slice6winner1_best_cost_0_6_is_less, slice6winner1_best_cost_0_7_is_less : boolean;
+    variable slice6winner1_best_cost_0_8_is_less, slice6winner1_best_cost_0_9_is_less : boolean;
+    variable slice6winner1_best_cost_0_10_is_less, slice6winner1_best_cost_0_11_is_less : boolean;
+    variable slice6winner2_best_cost_0_0_is_less, slice6winner2_best_cost_0_1_is_less : boolean;
+    variable slice6winner2_best_cost_0_2_is_less, slice6winner2_best_cost_0_3_is_less : boolean;
+    variable slice6winner2_best_cost_0_4_is_less, slice6winner2_best_cost_0_5_is_less : boolean;
+    variable slice6winner3_best_cost_0_0_is_less, slice6winner3_best_cost_0_1_is_less : boolean;
+    variable slice6winner3_best_cost_0_2_is_less, slice6winner4_best_cost_0_0_is_less : boolean;
+    variable slice6winner4_best_cost_0_1_is_less, slice6winner5_best_cost_0_0_is_less : boolean;
+    variable slice6_best_cost_0_0_is_less, slice7winner1_best_cost_0_0_is_less : boolean;
+    variable slice7winner1_best_cost_0_1_is_less, slice7winner1_best_cost_0_2_is_less : boolean;
+    variable slice7winner1_best_cost_0_3_is_less, slice7winner1_best_cost_0_4_is_less : boolean;
+    variable slice7winner1_best_cost_0_5_is_less, slice7winner1_best_cost_0_6_is_less : boolean;
+    variable slice7winner1_best_cost_0_7_is_less, slice7winner1_best_cost_0_8_is_less : boolean;
+    variable slice7winner1_best_cost_0_9_is_less, slice7winner1_best_cost_0_10_is_less : boolean;
+    variable slice7winner1_best_cost_0_11_is_less, slice7winner2_best_cost_0_0_is_less : boolean;
+    variable slice7winner2_best_cost_0_1_is_less, slice7winner2_best_cost_0_2_is_less : boolean;
+    variable slice7winner2_best_cost_0_3_is_less, slice7winner2_best_cost_0_4_is_less : boolean;
+    variable slice7winner2_best_cost_0_5_is_less, slice7winner3_best_cost_0_0_is_less : boolean;
+    variable slice7winner3_best_cost_0_1_is_less, slice7winner3_best_cost_0_2_is_less : boolean;
+    variable slice7winner4_best_cost_0_0_is_less, slice7winner4_best_cost_0_1_is_less : boolean;
+    variable slice7winner5_best_cost_0_0_is_less : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 2047;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 2047;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 2047;
@@ -4877,212 +4794,147 @@ begin
         slice0window_sum_0_24 <= (slice0window_sum_0_24_choice + slice0window_change_0_24) mod 16384;
       end if;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_of_pair_0_16_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
-      slice0winner1_of_pair_0_18_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
-      slice0winner1_of_pair_0_20_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
-      slice0winner1_of_pair_0_22_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 14))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 14)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 14))))) < 0;
-      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_11, 14)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_9, 14))))) < 0;
-      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_15, 14)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_13, 14))))) < 0;
-      slice0winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_18, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_19, 14)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_16, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_17, 14))))) < 0;
-      slice0winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_22, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_23, 14)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_20, 14)) or
-        (to_unsigned(slice0winner1_of_pair_0_21, 14))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
-      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
-      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
-      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
-      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
-      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
-      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
-      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
-      slice0winner1_of_pair_0_16 <= 0 when slice0winner1_of_pair_0_16_is_less else slice0window_sum_0_16;
-      slice0winner1_of_pair_0_17 <= slice0window_sum_0_17 when slice0winner1_of_pair_0_16_is_less else 0;
-      slice0winner1_of_pair_0_18 <= 0 when slice0winner1_of_pair_0_18_is_less else slice0window_sum_0_18;
-      slice0winner1_of_pair_0_19 <= slice0window_sum_0_19 when slice0winner1_of_pair_0_18_is_less else 0;
-      slice0winner1_of_pair_0_20 <= 0 when slice0winner1_of_pair_0_20_is_less else slice0window_sum_0_20;
-      slice0winner1_of_pair_0_21 <= slice0window_sum_0_21 when slice0winner1_of_pair_0_20_is_less else 0;
-      slice0winner1_of_pair_0_22 <= 0 when slice0winner1_of_pair_0_22_is_less else slice0window_sum_0_22;
-      slice0winner1_of_pair_0_23 <= slice0window_sum_0_23 when slice0winner1_of_pair_0_22_is_less else 0;
-      slice0winner1_of_pair_0_24 <= slice0window_sum_0_24;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
-      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
-      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
-      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
-      slice0winner1_pair_index_0_8 <= 17 when slice0winner1_of_pair_0_16_is_less else 16;
-      slice0winner1_pair_index_0_9 <= 19 when slice0winner1_of_pair_0_18_is_less else 18;
-      slice0winner1_pair_index_0_10 <= 21 when slice0winner1_of_pair_0_20_is_less else 20;
-      slice0winner1_pair_index_0_11 <= 23 when slice0winner1_of_pair_0_22_is_less else 22;
-      slice0winner1_pair_index_0_12 <= 24;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
-      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
-      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
-      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
-      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_16 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_16;
-      slice0winner1_of_four_0_17 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_17;
-      slice0winner1_of_four_0_18 <= slice0winner1_of_pair_0_18 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_19 <= slice0winner1_of_pair_0_19 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_20 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_20;
-      slice0winner1_of_four_0_21 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_21;
-      slice0winner1_of_four_0_22 <= slice0winner1_of_pair_0_22 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_23 <= slice0winner1_of_pair_0_23 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_24 <= slice0winner1_of_pair_0_24;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
-        slice0winner1_pair_index_0_4;
-      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
-        slice0winner1_pair_index_0_6;
-      slice0winner1_four_index_0_4 <= slice0winner1_pair_index_0_9 when slice0winner1_of_four_0_16_is_less else
-        slice0winner1_pair_index_0_8;
-      slice0winner1_four_index_0_5 <= slice0winner1_pair_index_0_11 when slice0winner1_of_four_0_20_is_less else
-        slice0winner1_pair_index_0_10;
-      slice0winner1_four_index_0_6 <= slice0winner1_pair_index_0_12;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 14)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 14)))) or (to_unsigned(slice0winner1_of_four_0_1, 14)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 14))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 14)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 14)))) or (to_unsigned(slice0winner1_of_four_0_5, 14)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 14))));
-      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 14)) or
-        (to_unsigned(slice0winner1_of_four_0_11, 14)))) or (to_unsigned(slice0winner1_of_four_0_9, 14)))) or
-        (to_unsigned(slice0winner1_of_four_0_8, 14))));
-      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 14)) or
-        (to_unsigned(slice0winner1_of_four_0_15, 14)))) or (to_unsigned(slice0winner1_of_four_0_13, 14)))) or
-        (to_unsigned(slice0winner1_of_four_0_12, 14))));
-      slice0winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_18, 14)) or
-        (to_unsigned(slice0winner1_of_four_0_19, 14)))) or (to_unsigned(slice0winner1_of_four_0_17, 14)))) or
-        (to_unsigned(slice0winner1_of_four_0_16, 14))));
-      slice0winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_22, 14)) or
-        (to_unsigned(slice0winner1_of_four_0_23, 14)))) or (to_unsigned(slice0winner1_of_four_0_21, 14)))) or
-        (to_unsigned(slice0winner1_of_four_0_20, 14))));
-      slice0winner1_best_cost_0_6 <= slice0winner1_of_four_0_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
-      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
-      slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
-      slice0winner1_best_index_0_5 <= slice0winner1_four_index_0_5;
-      slice0winner1_best_index_0_6 <= slice0winner1_four_index_0_6;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_best_cost_0_8_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
+      slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
+      slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
+      slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
+        slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
+        slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
+        slice0window_sum_0_14;
+      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
+        slice0window_sum_0_16;
+      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
+        slice0window_sum_0_18;
+      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
+        slice0window_sum_0_20;
+      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
+        slice0window_sum_0_22;
+      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
+      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
+      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
+      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
+      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
+      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
+      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
+      slice0winner1_best_index_0_12 <= 24;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       -- slice0winner2
-      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_of_pair_0_4_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 14)) or
-        (to_unsigned(slice0winner2_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 14)) or
-        (to_unsigned(slice0winner2_of_pair_0_1, 14))))) < 0;
-      slice0winner2_of_four_0_4_is_less := (slice0winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_0_4, 14)) or (to_unsigned(slice0winner2_of_pair_0_5, 14))))) < 0;
-      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
-      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
-      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
-      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
-      slice0winner2_of_pair_0_4 <= 0 when slice0winner2_of_pair_0_4_is_less else slice0winner1_best_cost_0_4;
-      slice0winner2_of_pair_0_5 <= slice0winner1_best_cost_0_5 when slice0winner2_of_pair_0_4_is_less else 0;
-      slice0winner2_of_pair_0_6 <= slice0winner1_best_cost_0_6;
-      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
-        slice0winner1_best_index_0_0;
-      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
+      slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
+      slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_cost_0_6;
+      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_cost_0_8;
+      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_cost_0_10;
+      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_of_pair_0_4_is_less else
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
         slice0winner1_best_index_0_4;
-      slice0winner2_pair_index_0_3 <= slice0winner1_best_index_0_6;
-      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
-      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
-      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_4 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_4;
-      slice0winner2_of_four_0_5 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_5;
-      slice0winner2_of_four_0_6 <= slice0winner2_of_pair_0_6 when slice0winner2_of_four_0_4_is_less else 0;
-      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
-        slice0winner2_pair_index_0_0;
-      slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_0_4_is_less else
-        slice0winner2_pair_index_0_2;
-      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
-      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 14)) or
-        (to_unsigned(slice0winner2_of_four_0_3, 14)))) or (to_unsigned(slice0winner2_of_four_0_1, 14)))) or
-        (to_unsigned(slice0winner2_of_four_0_0, 14))));
-      slice0winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_0_5, 14)) or
-        (to_unsigned(slice0winner2_of_four_0_6, 14)))) or (to_unsigned(slice0winner2_of_four_0_4, 14))));
-      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
-      slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
-      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
-      if slice0winner2_tag_valid then
-        slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-        slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
-        slice0winner2_tag_output_column <= slice7window_centre_output_column_1;
-        slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
-        slice0winner2_tag_end_of_line <= slice7window_centre_end_of_line_1;
-      end if;
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_index_0_6;
+      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_index_0_8;
+      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_index_0_10;
+      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
+      slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_cost_0_4;
+      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_index_0_4;
+      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_cost_0_2;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_index_0_2;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      if slice0_best_tag_valid then
+        slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      end if;
+      -- slice0winner5
+      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
+      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_cost_0_0;
+      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_index_0_0;
+      slice0winner5_tag_valid <= slice0winner4_tag_valid;
+      if slice0_best_tag_valid then
+        slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      end if;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 175;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 175;
+      slice0_best_tag_valid <= slice0winner5_tag_valid;
+      if slice0_best_tag_valid then
+        slice0_best_tag_output_column <= slice7window_centre_output_column_1;
+        slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
+        slice0_best_tag_end_of_line <= slice7window_centre_end_of_line_1;
+      end if;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -5689,186 +5541,126 @@ begin
         slice1window_sum_0_24 <= (slice1window_sum_0_24_choice + slice1window_change_0_24) mod 16384;
       end if;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_of_pair_0_12_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
-      slice1winner1_of_pair_0_14_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_of_pair_0_16_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
-      slice1winner1_of_pair_0_18_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
-      slice1winner1_of_pair_0_20_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
-      slice1winner1_of_pair_0_22_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
-      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_1, 14))))) < 0;
-      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_7, 14)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_5, 14))))) < 0;
-      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_11, 14)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_9, 14))))) < 0;
-      slice1winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_14, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_15, 14)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_12, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_13, 14))))) < 0;
-      slice1winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_18, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_19, 14)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_16, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_17, 14))))) < 0;
-      slice1winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_22, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_23, 14)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_20, 14)) or
-        (to_unsigned(slice1winner1_of_pair_0_21, 14))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
-      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
-      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
-      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
-      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
-      slice1winner1_of_pair_0_12 <= 0 when slice1winner1_of_pair_0_12_is_less else slice1window_sum_0_12;
-      slice1winner1_of_pair_0_13 <= slice1window_sum_0_13 when slice1winner1_of_pair_0_12_is_less else 0;
-      slice1winner1_of_pair_0_14 <= 0 when slice1winner1_of_pair_0_14_is_less else slice1window_sum_0_14;
-      slice1winner1_of_pair_0_15 <= slice1window_sum_0_15 when slice1winner1_of_pair_0_14_is_less else 0;
-      slice1winner1_of_pair_0_16 <= 0 when slice1winner1_of_pair_0_16_is_less else slice1window_sum_0_16;
-      slice1winner1_of_pair_0_17 <= slice1window_sum_0_17 when slice1winner1_of_pair_0_16_is_less else 0;
-      slice1winner1_of_pair_0_18 <= 0 when slice1winner1_of_pair_0_18_is_less else slice1window_sum_0_18;
-      slice1winner1_of_pair_0_19 <= slice1window_sum_0_19 when slice1winner1_of_pair_0_18_is_less else 0;
-      slice1winner1_of_pair_0_20 <= 0 when slice1winner1_of_pair_0_20_is_less else slice1window_sum_0_20;
-      slice1winner1_of_pair_0_21 <= slice1window_sum_0_21 when slice1winner1_of_pair_0_20_is_less else 0;
-      slice1winner1_of_pair_0_22 <= 0 when slice1winner1_of_pair_0_22_is_less else slice1window_sum_0_22;
-      slice1winner1_of_pair_0_23 <= slice1window_sum_0_23 when slice1winner1_of_pair_0_22_is_less else 0;
-      slice1winner1_of_pair_0_24 <= slice1window_sum_0_24;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
-      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
-      slice1winner1_pair_index_0_6 <= 13 when slice1winner1_of_pair_0_12_is_less else 12;
-      slice1winner1_pair_index_0_7 <= 15 when slice1winner1_of_pair_0_14_is_less else 14;
-      slice1winner1_pair_index_0_8 <= 17 when slice1winner1_of_pair_0_16_is_less else 16;
-      slice1winner1_pair_index_0_9 <= 19 when slice1winner1_of_pair_0_18_is_less else 18;
-      slice1winner1_pair_index_0_10 <= 21 when slice1winner1_of_pair_0_20_is_less else 20;
-      slice1winner1_pair_index_0_11 <= 23 when slice1winner1_of_pair_0_22_is_less else 22;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
-      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
-      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_12 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_12;
-      slice1winner1_of_four_0_13 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_13;
-      slice1winner1_of_four_0_14 <= slice1winner1_of_pair_0_14 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_15 <= slice1winner1_of_pair_0_15 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_16 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_16;
-      slice1winner1_of_four_0_17 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_17;
-      slice1winner1_of_four_0_18 <= slice1winner1_of_pair_0_18 when slice1winner1_of_four_0_16_is_less else 0;
-      slice1winner1_of_four_0_19 <= slice1winner1_of_pair_0_19 when slice1winner1_of_four_0_16_is_less else 0;
-      slice1winner1_of_four_0_20 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_20;
-      slice1winner1_of_four_0_21 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_21;
-      slice1winner1_of_four_0_22 <= slice1winner1_of_pair_0_22 when slice1winner1_of_four_0_20_is_less else 0;
-      slice1winner1_of_four_0_23 <= slice1winner1_of_pair_0_23 when slice1winner1_of_four_0_20_is_less else 0;
-      slice1winner1_of_four_0_24 <= slice1winner1_of_pair_0_24;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
-      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
-        slice1winner1_pair_index_0_4;
-      slice1winner1_four_index_0_3 <= slice1winner1_pair_index_0_7 when slice1winner1_of_four_0_12_is_less else
-        slice1winner1_pair_index_0_6;
-      slice1winner1_four_index_0_4 <= slice1winner1_pair_index_0_9 when slice1winner1_of_four_0_16_is_less else
-        slice1winner1_pair_index_0_8;
-      slice1winner1_four_index_0_5 <= slice1winner1_pair_index_0_11 when slice1winner1_of_four_0_20_is_less else
-        slice1winner1_pair_index_0_10;
-      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 14)) or
-        (to_unsigned(slice1winner1_of_four_0_3, 14)))) or (to_unsigned(slice1winner1_of_four_0_1, 14)))) or
-        (to_unsigned(slice1winner1_of_four_0_0, 14))));
-      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 14)) or
-        (to_unsigned(slice1winner1_of_four_0_7, 14)))) or (to_unsigned(slice1winner1_of_four_0_5, 14)))) or
-        (to_unsigned(slice1winner1_of_four_0_4, 14))));
-      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 14)) or
-        (to_unsigned(slice1winner1_of_four_0_11, 14)))) or (to_unsigned(slice1winner1_of_four_0_9, 14)))) or
-        (to_unsigned(slice1winner1_of_four_0_8, 14))));
-      slice1winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_14, 14)) or
-        (to_unsigned(slice1winner1_of_four_0_15, 14)))) or (to_unsigned(slice1winner1_of_four_0_13, 14)))) or
-        (to_unsigned(slice1winner1_of_four_0_12, 14))));
-      slice1winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_18, 14)) or
-        (to_unsigned(slice1winner1_of_four_0_19, 14)))) or (to_unsigned(slice1winner1_of_four_0_17, 14)))) or
-        (to_unsigned(slice1winner1_of_four_0_16, 14))));
-      slice1winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_22, 14)) or
-        (to_unsigned(slice1winner1_of_four_0_23, 14)))) or (to_unsigned(slice1winner1_of_four_0_21, 14)))) or
-        (to_unsigned(slice1winner1_of_four_0_20, 14))));
-      slice1winner1_best_cost_0_6 <= slice1winner1_of_four_0_24;
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
-      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
-      slice1winner1_best_index_0_3 <= slice1winner1_four_index_0_3;
-      slice1winner1_best_index_0_4 <= slice1winner1_four_index_0_4;
-      slice1winner1_best_index_0_5 <= slice1winner1_four_index_0_5;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
+      slice1winner1_best_cost_0_8_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
+      slice1winner1_best_cost_0_9_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
+      slice1winner1_best_cost_0_10_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
+      slice1winner1_best_cost_0_11_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
+        slice1window_sum_0_8;
+      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
+        slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
+        slice1window_sum_0_12;
+      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
+        slice1window_sum_0_14;
+      slice1winner1_best_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_best_cost_0_8_is_less else
+        slice1window_sum_0_16;
+      slice1winner1_best_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_best_cost_0_9_is_less else
+        slice1window_sum_0_18;
+      slice1winner1_best_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_best_cost_0_10_is_less else
+        slice1window_sum_0_20;
+      slice1winner1_best_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_best_cost_0_11_is_less else
+        slice1window_sum_0_22;
+      slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
+      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
+      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
+      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
+      slice1winner1_best_index_0_8 <= 17 when slice1winner1_best_cost_0_8_is_less else 16;
+      slice1winner1_best_index_0_9 <= 19 when slice1winner1_best_cost_0_9_is_less else 18;
+      slice1winner1_best_index_0_10 <= 21 when slice1winner1_best_cost_0_10_is_less else 20;
+      slice1winner1_best_index_0_11 <= 23 when slice1winner1_best_cost_0_11_is_less else 22;
       -- slice1winner2
-      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_of_pair_0_4_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
-      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 14)) or
-        (to_unsigned(slice1winner2_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 14)) or
-        (to_unsigned(slice1winner2_of_pair_0_1, 14))))) < 0;
-      slice1winner2_of_four_0_4_is_less := (slice1winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice1winner2_of_pair_0_4, 14)) or (to_unsigned(slice1winner2_of_pair_0_5, 14))))) < 0;
-      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
-      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
-      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
-      slice1winner2_of_pair_0_4 <= 0 when slice1winner2_of_pair_0_4_is_less else slice1winner1_best_cost_0_4;
-      slice1winner2_of_pair_0_5 <= slice1winner1_best_cost_0_5 when slice1winner2_of_pair_0_4_is_less else 0;
-      slice1winner2_of_pair_0_6 <= slice1winner1_best_cost_0_6;
-      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
-        slice1winner1_best_index_0_0;
-      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
+      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
+      slice1winner2_best_cost_0_4_is_less := (slice1winner1_best_cost_0_9 - slice1winner1_best_cost_0_8) < 0;
+      slice1winner2_best_cost_0_5_is_less := (slice1winner1_best_cost_0_11 - slice1winner1_best_cost_0_10) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_cost_0_6;
+      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_cost_0_8;
+      slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_cost_0_10;
+      slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_pair_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_of_pair_0_4_is_less else
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
         slice1winner1_best_index_0_4;
-      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
-      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
-      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_4 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_4;
-      slice1winner2_of_four_0_5 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_5;
-      slice1winner2_of_four_0_6 <= slice1winner2_of_pair_0_6 when slice1winner2_of_four_0_4_is_less else 0;
-      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
-        slice1winner2_pair_index_0_0;
-      slice1winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_0_4_is_less else
-        slice1winner2_pair_index_0_2;
-      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 14)) or
-        (to_unsigned(slice1winner2_of_four_0_3, 14)))) or (to_unsigned(slice1winner2_of_four_0_1, 14)))) or
-        (to_unsigned(slice1winner2_of_four_0_0, 14))));
-      slice1winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_0_5, 14)) or
-        (to_unsigned(slice1winner2_of_four_0_6, 14)))) or (to_unsigned(slice1winner2_of_four_0_4, 14))));
-      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
-      slice1winner2_best_index_0_1 <= slice1winner2_four_index_0_1;
+      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_index_0_6;
+      slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_index_0_8;
+      slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_index_0_10;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
+      slice1winner3_best_cost_0_2_is_less := (slice1winner2_best_cost_0_5 - slice1winner2_best_cost_0_4) < 0;
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_cost_0_2;
+      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_cost_0_4;
+      slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
       slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_index_0_0;
+      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_index_0_2;
+      slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_index_0_4;
+      -- slice1winner4
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
+      slice1winner4_best_cost_0_1_is_less := (slice1winner3_best_cost_0_3 - slice1winner3_best_cost_0_2) < 0;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_cost_0_0;
+      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_cost_0_2;
+      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
+      slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_index_0_2;
+      -- slice1winner5
+      slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
+      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_cost_0_0;
+      slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner3_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner5_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner3_best_index_0_0 / 2) + 75) * 2) + (slice1winner3_best_index_0_0 mod 2);
+        (((slice1winner5_best_index_0_0 / 2) + 75) * 2) + (slice1winner5_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -6470,7 +6262,7 @@ begin
       slice2window_sum_0_22_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_22;
       slice2window_sum_0_23_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_23;
       slice2window_sum_0_24_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_24;
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 16384;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 16384;
         slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 16384;
@@ -6498,186 +6290,126 @@ begin
         slice2window_sum_0_24 <= (slice2window_sum_0_24_choice + slice2window_change_0_24) mod 16384;
       end if;
       -- slice2winner1
-      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
-      slice2winner1_of_pair_0_4_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
-      slice2winner1_of_pair_0_6_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
-      slice2winner1_of_pair_0_8_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
-      slice2winner1_of_pair_0_10_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
-      slice2winner1_of_pair_0_12_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
-      slice2winner1_of_pair_0_14_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
-      slice2winner1_of_pair_0_16_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
-      slice2winner1_of_pair_0_18_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
-      slice2winner1_of_pair_0_20_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
-      slice2winner1_of_pair_0_22_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
-      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_1, 14))))) < 0;
-      slice2winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_6, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_7, 14)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_4, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_5, 14))))) < 0;
-      slice2winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_10, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_11, 14)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_8, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_9, 14))))) < 0;
-      slice2winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_14, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_15, 14)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_12, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_13, 14))))) < 0;
-      slice2winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_18, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_19, 14)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_16, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_17, 14))))) < 0;
-      slice2winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_22, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_23, 14)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_20, 14)) or
-        (to_unsigned(slice2winner1_of_pair_0_21, 14))))) < 0;
-      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
-      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
-      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
-      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
-      slice2winner1_of_pair_0_4 <= 0 when slice2winner1_of_pair_0_4_is_less else slice2window_sum_0_4;
-      slice2winner1_of_pair_0_5 <= slice2window_sum_0_5 when slice2winner1_of_pair_0_4_is_less else 0;
-      slice2winner1_of_pair_0_6 <= 0 when slice2winner1_of_pair_0_6_is_less else slice2window_sum_0_6;
-      slice2winner1_of_pair_0_7 <= slice2window_sum_0_7 when slice2winner1_of_pair_0_6_is_less else 0;
-      slice2winner1_of_pair_0_8 <= 0 when slice2winner1_of_pair_0_8_is_less else slice2window_sum_0_8;
-      slice2winner1_of_pair_0_9 <= slice2window_sum_0_9 when slice2winner1_of_pair_0_8_is_less else 0;
-      slice2winner1_of_pair_0_10 <= 0 when slice2winner1_of_pair_0_10_is_less else slice2window_sum_0_10;
-      slice2winner1_of_pair_0_11 <= slice2window_sum_0_11 when slice2winner1_of_pair_0_10_is_less else 0;
-      slice2winner1_of_pair_0_12 <= 0 when slice2winner1_of_pair_0_12_is_less else slice2window_sum_0_12;
-      slice2winner1_of_pair_0_13 <= slice2window_sum_0_13 when slice2winner1_of_pair_0_12_is_less else 0;
-      slice2winner1_of_pair_0_14 <= 0 when slice2winner1_of_pair_0_14_is_less else slice2window_sum_0_14;
-      slice2winner1_of_pair_0_15 <= slice2window_sum_0_15 when slice2winner1_of_pair_0_14_is_less else 0;
-      slice2winner1_of_pair_0_16 <= 0 when slice2winner1_of_pair_0_16_is_less else slice2window_sum_0_16;
-      slice2winner1_of_pair_0_17 <= slice2window_sum_0_17 when slice2winner1_of_pair_0_16_is_less else 0;
-      slice2winner1_of_pair_0_18 <= 0 when slice2winner1_of_pair_0_18_is_less else slice2window_sum_0_18;
-      slice2winner1_of_pair_0_19 <= slice2window_sum_0_19 when slice2winner1_of_pair_0_18_is_less else 0;
-      slice2winner1_of_pair_0_20 <= 0 when slice2winner1_of_pair_0_20_is_less else slice2window_sum_0_20;
-      slice2winner1_of_pair_0_21 <= slice2window_sum_0_21 when slice2winner1_of_pair_0_20_is_less else 0;
-      slice2winner1_of_pair_0_22 <= 0 when slice2winner1_of_pair_0_22_is_less else slice2window_sum_0_22;
-      slice2winner1_of_pair_0_23 <= slice2window_sum_0_23 when slice2winner1_of_pair_0_22_is_less else 0;
-      slice2winner1_of_pair_0_24 <= slice2window_sum_0_24;
-      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
-      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
-      slice2winner1_pair_index_0_2 <= 5 when slice2winner1_of_pair_0_4_is_less else 4;
-      slice2winner1_pair_index_0_3 <= 7 when slice2winner1_of_pair_0_6_is_less else 6;
-      slice2winner1_pair_index_0_4 <= 9 when slice2winner1_of_pair_0_8_is_less else 8;
-      slice2winner1_pair_index_0_5 <= 11 when slice2winner1_of_pair_0_10_is_less else 10;
-      slice2winner1_pair_index_0_6 <= 13 when slice2winner1_of_pair_0_12_is_less else 12;
-      slice2winner1_pair_index_0_7 <= 15 when slice2winner1_of_pair_0_14_is_less else 14;
-      slice2winner1_pair_index_0_8 <= 17 when slice2winner1_of_pair_0_16_is_less else 16;
-      slice2winner1_pair_index_0_9 <= 19 when slice2winner1_of_pair_0_18_is_less else 18;
-      slice2winner1_pair_index_0_10 <= 21 when slice2winner1_of_pair_0_20_is_less else 20;
-      slice2winner1_pair_index_0_11 <= 23 when slice2winner1_of_pair_0_22_is_less else 22;
-      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
-      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
-      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_4 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_4;
-      slice2winner1_of_four_0_5 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_5;
-      slice2winner1_of_four_0_6 <= slice2winner1_of_pair_0_6 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_7 <= slice2winner1_of_pair_0_7 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_8 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_8;
-      slice2winner1_of_four_0_9 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_9;
-      slice2winner1_of_four_0_10 <= slice2winner1_of_pair_0_10 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_11 <= slice2winner1_of_pair_0_11 when slice2winner1_of_four_0_8_is_less else 0;
-      slice2winner1_of_four_0_12 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_12;
-      slice2winner1_of_four_0_13 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_13;
-      slice2winner1_of_four_0_14 <= slice2winner1_of_pair_0_14 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_of_four_0_15 <= slice2winner1_of_pair_0_15 when slice2winner1_of_four_0_12_is_less else 0;
-      slice2winner1_of_four_0_16 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_16;
-      slice2winner1_of_four_0_17 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_17;
-      slice2winner1_of_four_0_18 <= slice2winner1_of_pair_0_18 when slice2winner1_of_four_0_16_is_less else 0;
-      slice2winner1_of_four_0_19 <= slice2winner1_of_pair_0_19 when slice2winner1_of_four_0_16_is_less else 0;
-      slice2winner1_of_four_0_20 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_20;
-      slice2winner1_of_four_0_21 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_21;
-      slice2winner1_of_four_0_22 <= slice2winner1_of_pair_0_22 when slice2winner1_of_four_0_20_is_less else 0;
-      slice2winner1_of_four_0_23 <= slice2winner1_of_pair_0_23 when slice2winner1_of_four_0_20_is_less else 0;
-      slice2winner1_of_four_0_24 <= slice2winner1_of_pair_0_24;
-      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
-        as_number(slice2winner1_pair_index_0_0);
-      slice2winner1_four_index_0_1 <= slice2winner1_pair_index_0_3 when slice2winner1_of_four_0_4_is_less else
-        slice2winner1_pair_index_0_2;
-      slice2winner1_four_index_0_2 <= slice2winner1_pair_index_0_5 when slice2winner1_of_four_0_8_is_less else
-        slice2winner1_pair_index_0_4;
-      slice2winner1_four_index_0_3 <= slice2winner1_pair_index_0_7 when slice2winner1_of_four_0_12_is_less else
-        slice2winner1_pair_index_0_6;
-      slice2winner1_four_index_0_4 <= slice2winner1_pair_index_0_9 when slice2winner1_of_four_0_16_is_less else
-        slice2winner1_pair_index_0_8;
-      slice2winner1_four_index_0_5 <= slice2winner1_pair_index_0_11 when slice2winner1_of_four_0_20_is_less else
-        slice2winner1_pair_index_0_10;
-      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 14)) or
-        (to_unsigned(slice2winner1_of_four_0_3, 14)))) or (to_unsigned(slice2winner1_of_four_0_1, 14)))) or
-        (to_unsigned(slice2winner1_of_four_0_0, 14))));
-      slice2winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_6, 14)) or
-        (to_unsigned(slice2winner1_of_four_0_7, 14)))) or (to_unsigned(slice2winner1_of_four_0_5, 14)))) or
-        (to_unsigned(slice2winner1_of_four_0_4, 14))));
-      slice2winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_10, 14)) or
-        (to_unsigned(slice2winner1_of_four_0_11, 14)))) or (to_unsigned(slice2winner1_of_four_0_9, 14)))) or
-        (to_unsigned(slice2winner1_of_four_0_8, 14))));
-      slice2winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_14, 14)) or
-        (to_unsigned(slice2winner1_of_four_0_15, 14)))) or (to_unsigned(slice2winner1_of_four_0_13, 14)))) or
-        (to_unsigned(slice2winner1_of_four_0_12, 14))));
-      slice2winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_18, 14)) or
-        (to_unsigned(slice2winner1_of_four_0_19, 14)))) or (to_unsigned(slice2winner1_of_four_0_17, 14)))) or
-        (to_unsigned(slice2winner1_of_four_0_16, 14))));
-      slice2winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_22, 14)) or
-        (to_unsigned(slice2winner1_of_four_0_23, 14)))) or (to_unsigned(slice2winner1_of_four_0_21, 14)))) or
-        (to_unsigned(slice2winner1_of_four_0_20, 14))));
-      slice2winner1_best_cost_0_6 <= slice2winner1_of_four_0_24;
-      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
-      slice2winner1_best_index_0_1 <= slice2winner1_four_index_0_1;
-      slice2winner1_best_index_0_2 <= slice2winner1_four_index_0_2;
-      slice2winner1_best_index_0_3 <= slice2winner1_four_index_0_3;
-      slice2winner1_best_index_0_4 <= slice2winner1_four_index_0_4;
-      slice2winner1_best_index_0_5 <= slice2winner1_four_index_0_5;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_best_cost_0_4_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
+      slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
+      slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
+      slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
+      slice2winner1_best_cost_0_8_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
+      slice2winner1_best_cost_0_9_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
+      slice2winner1_best_cost_0_10_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
+      slice2winner1_best_cost_0_11_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
+        slice2window_sum_0_2;
+      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
+        slice2window_sum_0_4;
+      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
+        slice2window_sum_0_6;
+      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
+        slice2window_sum_0_8;
+      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
+        slice2window_sum_0_10;
+      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
+        slice2window_sum_0_12;
+      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
+        slice2window_sum_0_14;
+      slice2winner1_best_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_best_cost_0_8_is_less else
+        slice2window_sum_0_16;
+      slice2winner1_best_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_best_cost_0_9_is_less else
+        slice2window_sum_0_18;
+      slice2winner1_best_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_best_cost_0_10_is_less else
+        slice2window_sum_0_20;
+      slice2winner1_best_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_best_cost_0_11_is_less else
+        slice2window_sum_0_22;
+      slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
+      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
+      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
+      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
+      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
+      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
+      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
+      slice2winner1_best_index_0_8 <= 17 when slice2winner1_best_cost_0_8_is_less else 16;
+      slice2winner1_best_index_0_9 <= 19 when slice2winner1_best_cost_0_9_is_less else 18;
+      slice2winner1_best_index_0_10 <= 21 when slice2winner1_best_cost_0_10_is_less else 20;
+      slice2winner1_best_index_0_11 <= 23 when slice2winner1_best_cost_0_11_is_less else 22;
       -- slice2winner2
-      slice2winner2_of_pair_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
-      slice2winner2_of_pair_0_2_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
-      slice2winner2_of_pair_0_4_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
-      slice2winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_0_2, 14)) or
-        (to_unsigned(slice2winner2_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice2winner2_of_pair_0_0, 14)) or
-        (to_unsigned(slice2winner2_of_pair_0_1, 14))))) < 0;
-      slice2winner2_of_four_0_4_is_less := (slice2winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice2winner2_of_pair_0_4, 14)) or (to_unsigned(slice2winner2_of_pair_0_5, 14))))) < 0;
-      slice2winner2_of_pair_0_0 <= 0 when slice2winner2_of_pair_0_0_is_less else slice2winner1_best_cost_0_0;
-      slice2winner2_of_pair_0_1 <= slice2winner1_best_cost_0_1 when slice2winner2_of_pair_0_0_is_less else 0;
-      slice2winner2_of_pair_0_2 <= 0 when slice2winner2_of_pair_0_2_is_less else slice2winner1_best_cost_0_2;
-      slice2winner2_of_pair_0_3 <= slice2winner1_best_cost_0_3 when slice2winner2_of_pair_0_2_is_less else 0;
-      slice2winner2_of_pair_0_4 <= 0 when slice2winner2_of_pair_0_4_is_less else slice2winner1_best_cost_0_4;
-      slice2winner2_of_pair_0_5 <= slice2winner1_best_cost_0_5 when slice2winner2_of_pair_0_4_is_less else 0;
-      slice2winner2_of_pair_0_6 <= slice2winner1_best_cost_0_6;
-      slice2winner2_pair_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_of_pair_0_0_is_less else
-        slice2winner1_best_index_0_0;
-      slice2winner2_pair_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_of_pair_0_2_is_less else
+      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
+      slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
+      slice2winner2_best_cost_0_4_is_less := (slice2winner1_best_cost_0_9 - slice2winner1_best_cost_0_8) < 0;
+      slice2winner2_best_cost_0_5_is_less := (slice2winner1_best_cost_0_11 - slice2winner1_best_cost_0_10) < 0;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_cost_0_4;
+      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_cost_0_6;
+      slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_cost_0_8;
+      slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_cost_0_10;
+      slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
+        as_number(slice2winner1_best_index_0_0);
+      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
         slice2winner1_best_index_0_2;
-      slice2winner2_pair_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_of_pair_0_4_is_less else
+      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
         slice2winner1_best_index_0_4;
-      slice2winner2_of_four_0_0 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_0;
-      slice2winner2_of_four_0_1 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_1;
-      slice2winner2_of_four_0_2 <= slice2winner2_of_pair_0_2 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_3 <= slice2winner2_of_pair_0_3 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_of_four_0_4 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_4;
-      slice2winner2_of_four_0_5 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_5;
-      slice2winner2_of_four_0_6 <= slice2winner2_of_pair_0_6 when slice2winner2_of_four_0_4_is_less else 0;
-      slice2winner2_four_index_0_0 <= slice2winner2_pair_index_0_1 when slice2winner2_of_four_0_0_is_less else
-        slice2winner2_pair_index_0_0;
-      slice2winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_0_4_is_less else
-        slice2winner2_pair_index_0_2;
-      slice2winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_0_2, 14)) or
-        (to_unsigned(slice2winner2_of_four_0_3, 14)))) or (to_unsigned(slice2winner2_of_four_0_1, 14)))) or
-        (to_unsigned(slice2winner2_of_four_0_0, 14))));
-      slice2winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_0_5, 14)) or
-        (to_unsigned(slice2winner2_of_four_0_6, 14)))) or (to_unsigned(slice2winner2_of_four_0_4, 14))));
-      slice2winner2_best_index_0_0 <= slice2winner2_four_index_0_0;
-      slice2winner2_best_index_0_1 <= slice2winner2_four_index_0_1;
+      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_index_0_6;
+      slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_index_0_8;
+      slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_index_0_10;
       -- slice2winner3
       slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
+      slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
+      slice2winner3_best_cost_0_2_is_less := (slice2winner2_best_cost_0_5 - slice2winner2_best_cost_0_4) < 0;
       slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_cost_0_2;
+      slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_cost_0_4;
+      slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_index_0_0;
+      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_index_0_2;
+      slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_index_0_4;
+      -- slice2winner4
+      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
+      slice2winner4_best_cost_0_1_is_less := (slice2winner3_best_cost_0_3 - slice2winner3_best_cost_0_2) < 0;
+      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_cost_0_0;
+      slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_cost_0_2;
+      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_index_0_0;
+      slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_index_0_2;
+      -- slice2winner5
+      slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0_1 - slice2winner4_best_cost_0_0) < 0;
+      slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_cost_0_0;
+      slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_index_0_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner3_best_cost_0_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner5_best_cost_0_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0 + 125;
+        slice2winner5_best_index_0_0 + 125;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -7268,7 +7000,7 @@ begin
       slice3window_sum_0_22_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_22;
       slice3window_sum_0_23_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_23;
       slice3window_sum_0_24_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_24;
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 16384;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 16384;
         slice3window_sum_0_2 <= (slice3window_sum_0_2_choice + slice3window_change_0_2) mod 16384;
@@ -7296,186 +7028,126 @@ begin
         slice3window_sum_0_24 <= (slice3window_sum_0_24_choice + slice3window_change_0_24) mod 16384;
       end if;
       -- slice3winner1
-      slice3winner1_of_pair_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
-      slice3winner1_of_pair_0_2_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
-      slice3winner1_of_pair_0_4_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
-      slice3winner1_of_pair_0_6_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
-      slice3winner1_of_pair_0_8_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
-      slice3winner1_of_pair_0_10_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
-      slice3winner1_of_pair_0_12_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
-      slice3winner1_of_pair_0_14_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
-      slice3winner1_of_pair_0_16_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
-      slice3winner1_of_pair_0_18_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
-      slice3winner1_of_pair_0_20_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
-      slice3winner1_of_pair_0_22_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
-      slice3winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_2, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_0, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_1, 14))))) < 0;
-      slice3winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_6, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_7, 14)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_4, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_5, 14))))) < 0;
-      slice3winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_10, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_11, 14)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_8, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_9, 14))))) < 0;
-      slice3winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_14, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_15, 14)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_12, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_13, 14))))) < 0;
-      slice3winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_18, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_19, 14)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_16, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_17, 14))))) < 0;
-      slice3winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_22, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_23, 14)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_20, 14)) or
-        (to_unsigned(slice3winner1_of_pair_0_21, 14))))) < 0;
-      slice3winner1_of_pair_0_0 <= 0 when slice3winner1_of_pair_0_0_is_less else slice3window_sum_0_0;
-      slice3winner1_of_pair_0_1 <= slice3window_sum_0_1 when slice3winner1_of_pair_0_0_is_less else 0;
-      slice3winner1_of_pair_0_2 <= 0 when slice3winner1_of_pair_0_2_is_less else slice3window_sum_0_2;
-      slice3winner1_of_pair_0_3 <= slice3window_sum_0_3 when slice3winner1_of_pair_0_2_is_less else 0;
-      slice3winner1_of_pair_0_4 <= 0 when slice3winner1_of_pair_0_4_is_less else slice3window_sum_0_4;
-      slice3winner1_of_pair_0_5 <= slice3window_sum_0_5 when slice3winner1_of_pair_0_4_is_less else 0;
-      slice3winner1_of_pair_0_6 <= 0 when slice3winner1_of_pair_0_6_is_less else slice3window_sum_0_6;
-      slice3winner1_of_pair_0_7 <= slice3window_sum_0_7 when slice3winner1_of_pair_0_6_is_less else 0;
-      slice3winner1_of_pair_0_8 <= 0 when slice3winner1_of_pair_0_8_is_less else slice3window_sum_0_8;
-      slice3winner1_of_pair_0_9 <= slice3window_sum_0_9 when slice3winner1_of_pair_0_8_is_less else 0;
-      slice3winner1_of_pair_0_10 <= 0 when slice3winner1_of_pair_0_10_is_less else slice3window_sum_0_10;
-      slice3winner1_of_pair_0_11 <= slice3window_sum_0_11 when slice3winner1_of_pair_0_10_is_less else 0;
-      slice3winner1_of_pair_0_12 <= 0 when slice3winner1_of_pair_0_12_is_less else slice3window_sum_0_12;
-      slice3winner1_of_pair_0_13 <= slice3window_sum_0_13 when slice3winner1_of_pair_0_12_is_less else 0;
-      slice3winner1_of_pair_0_14 <= 0 when slice3winner1_of_pair_0_14_is_less else slice3window_sum_0_14;
-      slice3winner1_of_pair_0_15 <= slice3window_sum_0_15 when slice3winner1_of_pair_0_14_is_less else 0;
-      slice3winner1_of_pair_0_16 <= 0 when slice3winner1_of_pair_0_16_is_less else slice3window_sum_0_16;
-      slice3winner1_of_pair_0_17 <= slice3window_sum_0_17 when slice3winner1_of_pair_0_16_is_less else 0;
-      slice3winner1_of_pair_0_18 <= 0 when slice3winner1_of_pair_0_18_is_less else slice3window_sum_0_18;
-      slice3winner1_of_pair_0_19 <= slice3window_sum_0_19 when slice3winner1_of_pair_0_18_is_less else 0;
-      slice3winner1_of_pair_0_20 <= 0 when slice3winner1_of_pair_0_20_is_less else slice3window_sum_0_20;
-      slice3winner1_of_pair_0_21 <= slice3window_sum_0_21 when slice3winner1_of_pair_0_20_is_less else 0;
-      slice3winner1_of_pair_0_22 <= 0 when slice3winner1_of_pair_0_22_is_less else slice3window_sum_0_22;
-      slice3winner1_of_pair_0_23 <= slice3window_sum_0_23 when slice3winner1_of_pair_0_22_is_less else 0;
-      slice3winner1_of_pair_0_24 <= slice3window_sum_0_24;
-      slice3winner1_pair_index_0_0 <= slice3winner1_of_pair_0_0_is_less;
-      slice3winner1_pair_index_0_1 <= 3 when slice3winner1_of_pair_0_2_is_less else 2;
-      slice3winner1_pair_index_0_2 <= 5 when slice3winner1_of_pair_0_4_is_less else 4;
-      slice3winner1_pair_index_0_3 <= 7 when slice3winner1_of_pair_0_6_is_less else 6;
-      slice3winner1_pair_index_0_4 <= 9 when slice3winner1_of_pair_0_8_is_less else 8;
-      slice3winner1_pair_index_0_5 <= 11 when slice3winner1_of_pair_0_10_is_less else 10;
-      slice3winner1_pair_index_0_6 <= 13 when slice3winner1_of_pair_0_12_is_less else 12;
-      slice3winner1_pair_index_0_7 <= 15 when slice3winner1_of_pair_0_14_is_less else 14;
-      slice3winner1_pair_index_0_8 <= 17 when slice3winner1_of_pair_0_16_is_less else 16;
-      slice3winner1_pair_index_0_9 <= 19 when slice3winner1_of_pair_0_18_is_less else 18;
-      slice3winner1_pair_index_0_10 <= 21 when slice3winner1_of_pair_0_20_is_less else 20;
-      slice3winner1_pair_index_0_11 <= 23 when slice3winner1_of_pair_0_22_is_less else 22;
-      slice3winner1_of_four_0_0 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_0;
-      slice3winner1_of_four_0_1 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_1;
-      slice3winner1_of_four_0_2 <= slice3winner1_of_pair_0_2 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_3 <= slice3winner1_of_pair_0_3 when slice3winner1_of_four_0_0_is_less else 0;
-      slice3winner1_of_four_0_4 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_4;
-      slice3winner1_of_four_0_5 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_5;
-      slice3winner1_of_four_0_6 <= slice3winner1_of_pair_0_6 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_7 <= slice3winner1_of_pair_0_7 when slice3winner1_of_four_0_4_is_less else 0;
-      slice3winner1_of_four_0_8 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_8;
-      slice3winner1_of_four_0_9 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_9;
-      slice3winner1_of_four_0_10 <= slice3winner1_of_pair_0_10 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_11 <= slice3winner1_of_pair_0_11 when slice3winner1_of_four_0_8_is_less else 0;
-      slice3winner1_of_four_0_12 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_12;
-      slice3winner1_of_four_0_13 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_13;
-      slice3winner1_of_four_0_14 <= slice3winner1_of_pair_0_14 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_of_four_0_15 <= slice3winner1_of_pair_0_15 when slice3winner1_of_four_0_12_is_less else 0;
-      slice3winner1_of_four_0_16 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_16;
-      slice3winner1_of_four_0_17 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_17;
-      slice3winner1_of_four_0_18 <= slice3winner1_of_pair_0_18 when slice3winner1_of_four_0_16_is_less else 0;
-      slice3winner1_of_four_0_19 <= slice3winner1_of_pair_0_19 when slice3winner1_of_four_0_16_is_less else 0;
-      slice3winner1_of_four_0_20 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_20;
-      slice3winner1_of_four_0_21 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_21;
-      slice3winner1_of_four_0_22 <= slice3winner1_of_pair_0_22 when slice3winner1_of_four_0_20_is_less else 0;
-      slice3winner1_of_four_0_23 <= slice3winner1_of_pair_0_23 when slice3winner1_of_four_0_20_is_less else 0;
-      slice3winner1_of_four_0_24 <= slice3winner1_of_pair_0_24;
-      slice3winner1_four_index_0_0 <= slice3winner1_pair_index_0_1 when slice3winner1_of_four_0_0_is_less else
-        as_number(slice3winner1_pair_index_0_0);
-      slice3winner1_four_index_0_1 <= slice3winner1_pair_index_0_3 when slice3winner1_of_four_0_4_is_less else
-        slice3winner1_pair_index_0_2;
-      slice3winner1_four_index_0_2 <= slice3winner1_pair_index_0_5 when slice3winner1_of_four_0_8_is_less else
-        slice3winner1_pair_index_0_4;
-      slice3winner1_four_index_0_3 <= slice3winner1_pair_index_0_7 when slice3winner1_of_four_0_12_is_less else
-        slice3winner1_pair_index_0_6;
-      slice3winner1_four_index_0_4 <= slice3winner1_pair_index_0_9 when slice3winner1_of_four_0_16_is_less else
-        slice3winner1_pair_index_0_8;
-      slice3winner1_four_index_0_5 <= slice3winner1_pair_index_0_11 when slice3winner1_of_four_0_20_is_less else
-        slice3winner1_pair_index_0_10;
-      slice3winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_2, 14)) or
-        (to_unsigned(slice3winner1_of_four_0_3, 14)))) or (to_unsigned(slice3winner1_of_four_0_1, 14)))) or
-        (to_unsigned(slice3winner1_of_four_0_0, 14))));
-      slice3winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_6, 14)) or
-        (to_unsigned(slice3winner1_of_four_0_7, 14)))) or (to_unsigned(slice3winner1_of_four_0_5, 14)))) or
-        (to_unsigned(slice3winner1_of_four_0_4, 14))));
-      slice3winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_10, 14)) or
-        (to_unsigned(slice3winner1_of_four_0_11, 14)))) or (to_unsigned(slice3winner1_of_four_0_9, 14)))) or
-        (to_unsigned(slice3winner1_of_four_0_8, 14))));
-      slice3winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_14, 14)) or
-        (to_unsigned(slice3winner1_of_four_0_15, 14)))) or (to_unsigned(slice3winner1_of_four_0_13, 14)))) or
-        (to_unsigned(slice3winner1_of_four_0_12, 14))));
-      slice3winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_18, 14)) or
-        (to_unsigned(slice3winner1_of_four_0_19, 14)))) or (to_unsigned(slice3winner1_of_four_0_17, 14)))) or
-        (to_unsigned(slice3winner1_of_four_0_16, 14))));
-      slice3winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_22, 14)) or
-        (to_unsigned(slice3winner1_of_four_0_23, 14)))) or (to_unsigned(slice3winner1_of_four_0_21, 14)))) or
-        (to_unsigned(slice3winner1_of_four_0_20, 14))));
-      slice3winner1_best_cost_0_6 <= slice3winner1_of_four_0_24;
-      slice3winner1_best_index_0_0 <= slice3winner1_four_index_0_0;
-      slice3winner1_best_index_0_1 <= slice3winner1_four_index_0_1;
-      slice3winner1_best_index_0_2 <= slice3winner1_four_index_0_2;
-      slice3winner1_best_index_0_3 <= slice3winner1_four_index_0_3;
-      slice3winner1_best_index_0_4 <= slice3winner1_four_index_0_4;
-      slice3winner1_best_index_0_5 <= slice3winner1_four_index_0_5;
+      slice3winner1_best_cost_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
+      slice3winner1_best_cost_0_1_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
+      slice3winner1_best_cost_0_2_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
+      slice3winner1_best_cost_0_3_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
+      slice3winner1_best_cost_0_4_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
+      slice3winner1_best_cost_0_5_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
+      slice3winner1_best_cost_0_6_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
+      slice3winner1_best_cost_0_7_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
+      slice3winner1_best_cost_0_8_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
+      slice3winner1_best_cost_0_9_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
+      slice3winner1_best_cost_0_10_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
+      slice3winner1_best_cost_0_11_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
+      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
+        slice3window_sum_0_0;
+      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
+        slice3window_sum_0_2;
+      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
+        slice3window_sum_0_4;
+      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
+        slice3window_sum_0_6;
+      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
+        slice3window_sum_0_8;
+      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
+        slice3window_sum_0_10;
+      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
+        slice3window_sum_0_12;
+      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
+        slice3window_sum_0_14;
+      slice3winner1_best_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_best_cost_0_8_is_less else
+        slice3window_sum_0_16;
+      slice3winner1_best_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_best_cost_0_9_is_less else
+        slice3window_sum_0_18;
+      slice3winner1_best_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_best_cost_0_10_is_less else
+        slice3window_sum_0_20;
+      slice3winner1_best_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_best_cost_0_11_is_less else
+        slice3window_sum_0_22;
+      slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
+      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
+      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
+      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
+      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
+      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
+      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
+      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
+      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
+      slice3winner1_best_index_0_8 <= 17 when slice3winner1_best_cost_0_8_is_less else 16;
+      slice3winner1_best_index_0_9 <= 19 when slice3winner1_best_cost_0_9_is_less else 18;
+      slice3winner1_best_index_0_10 <= 21 when slice3winner1_best_cost_0_10_is_less else 20;
+      slice3winner1_best_index_0_11 <= 23 when slice3winner1_best_cost_0_11_is_less else 22;
       -- slice3winner2
-      slice3winner2_of_pair_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
-      slice3winner2_of_pair_0_2_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
-      slice3winner2_of_pair_0_4_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
-      slice3winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_0_2, 14)) or
-        (to_unsigned(slice3winner2_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice3winner2_of_pair_0_0, 14)) or
-        (to_unsigned(slice3winner2_of_pair_0_1, 14))))) < 0;
-      slice3winner2_of_four_0_4_is_less := (slice3winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice3winner2_of_pair_0_4, 14)) or (to_unsigned(slice3winner2_of_pair_0_5, 14))))) < 0;
-      slice3winner2_of_pair_0_0 <= 0 when slice3winner2_of_pair_0_0_is_less else slice3winner1_best_cost_0_0;
-      slice3winner2_of_pair_0_1 <= slice3winner1_best_cost_0_1 when slice3winner2_of_pair_0_0_is_less else 0;
-      slice3winner2_of_pair_0_2 <= 0 when slice3winner2_of_pair_0_2_is_less else slice3winner1_best_cost_0_2;
-      slice3winner2_of_pair_0_3 <= slice3winner1_best_cost_0_3 when slice3winner2_of_pair_0_2_is_less else 0;
-      slice3winner2_of_pair_0_4 <= 0 when slice3winner2_of_pair_0_4_is_less else slice3winner1_best_cost_0_4;
-      slice3winner2_of_pair_0_5 <= slice3winner1_best_cost_0_5 when slice3winner2_of_pair_0_4_is_less else 0;
-      slice3winner2_of_pair_0_6 <= slice3winner1_best_cost_0_6;
-      slice3winner2_pair_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_of_pair_0_0_is_less else
-        slice3winner1_best_index_0_0;
-      slice3winner2_pair_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_of_pair_0_2_is_less else
+      slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
+      slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
+      slice3winner2_best_cost_0_2_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
+      slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
+      slice3winner2_best_cost_0_4_is_less := (slice3winner1_best_cost_0_9 - slice3winner1_best_cost_0_8) < 0;
+      slice3winner2_best_cost_0_5_is_less := (slice3winner1_best_cost_0_11 - slice3winner1_best_cost_0_10) < 0;
+      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
+        slice3winner1_best_cost_0_0;
+      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
+        slice3winner1_best_cost_0_2;
+      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_cost_0_4;
+      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_cost_0_6;
+      slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_cost_0_8;
+      slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_cost_0_10;
+      slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
+      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
+        as_number(slice3winner1_best_index_0_0);
+      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
         slice3winner1_best_index_0_2;
-      slice3winner2_pair_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_of_pair_0_4_is_less else
+      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
         slice3winner1_best_index_0_4;
-      slice3winner2_of_four_0_0 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_0;
-      slice3winner2_of_four_0_1 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_1;
-      slice3winner2_of_four_0_2 <= slice3winner2_of_pair_0_2 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_3 <= slice3winner2_of_pair_0_3 when slice3winner2_of_four_0_0_is_less else 0;
-      slice3winner2_of_four_0_4 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_4;
-      slice3winner2_of_four_0_5 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_5;
-      slice3winner2_of_four_0_6 <= slice3winner2_of_pair_0_6 when slice3winner2_of_four_0_4_is_less else 0;
-      slice3winner2_four_index_0_0 <= slice3winner2_pair_index_0_1 when slice3winner2_of_four_0_0_is_less else
-        slice3winner2_pair_index_0_0;
-      slice3winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_0_4_is_less else
-        slice3winner2_pair_index_0_2;
-      slice3winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_0_2, 14)) or
-        (to_unsigned(slice3winner2_of_four_0_3, 14)))) or (to_unsigned(slice3winner2_of_four_0_1, 14)))) or
-        (to_unsigned(slice3winner2_of_four_0_0, 14))));
-      slice3winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_0_5, 14)) or
-        (to_unsigned(slice3winner2_of_four_0_6, 14)))) or (to_unsigned(slice3winner2_of_four_0_4, 14))));
-      slice3winner2_best_index_0_0 <= slice3winner2_four_index_0_0;
-      slice3winner2_best_index_0_1 <= slice3winner2_four_index_0_1;
+      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_index_0_6;
+      slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_index_0_8;
+      slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_index_0_10;
       -- slice3winner3
       slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
+      slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
+      slice3winner3_best_cost_0_2_is_less := (slice3winner2_best_cost_0_5 - slice3winner2_best_cost_0_4) < 0;
       slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_cost_0_0;
+      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_cost_0_2;
+      slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_cost_0_4;
+      slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
       slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_index_0_0;
+      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_index_0_2;
+      slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_index_0_4;
+      -- slice3winner4
+      slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
+      slice3winner4_best_cost_0_1_is_less := (slice3winner3_best_cost_0_3 - slice3winner3_best_cost_0_2) < 0;
+      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_cost_0_0;
+      slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_cost_0_2;
+      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_index_0_0;
+      slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_index_0_2;
+      -- slice3winner5
+      slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0_1 - slice3winner4_best_cost_0_0) < 0;
+      slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_cost_0_0;
+      slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_index_0_0;
       -- slice3
-      slice3_best_cost_0_0_is_less := (slice2_best_cost_0_0 - slice3winner3_best_cost_0_0) < 0;
-      slice3_best_cost_0_0 <= slice2_best_cost_0_0 when slice3_best_cost_0_0_is_less else slice3winner3_best_cost_0_0;
+      slice3_best_cost_0_0_is_less := (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0;
+      slice3_best_cost_0_0 <= slice2_best_cost_0_0 when slice3_best_cost_0_0_is_less else slice3winner5_best_cost_0_0;
       slice3_best_index_0_0 <= slice2_best_index_0_0 when slice3_best_cost_0_0_is_less else
-        (((slice3winner3_best_index_0_0 / 4) + 25) * 4) + (slice3winner3_best_index_0_0 mod 4);
+        (((slice3winner5_best_index_0_0 / 4) + 25) * 4) + (slice3winner5_best_index_0_0 mod 4);
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -7855,7 +7527,7 @@ begin
         slice4cost_write_words_12 <= slice4cost_column_0_24_choice_2;
       end if;
       -- slice4window
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice4window_ring_read_address <= 0 when slice4window_ring_read_address = 7 else
           (slice4window_ring_read_address + 1) mod 8;
         slice4window_ring_write_address <= slice4window_ring_read_address;
@@ -8066,7 +7738,7 @@ begin
       slice4window_sum_0_22_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_22;
       slice4window_sum_0_23_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_23;
       slice4window_sum_0_24_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_24;
-      if slice0winner1_tag_valid then
+      if slice0winner3_tag_valid then
         slice4window_sum_0_0 <= (slice4window_sum_0_0_choice + slice4window_change_0_0) mod 16384;
         slice4window_sum_0_1 <= (slice4window_sum_0_1_choice + slice4window_change_0_1) mod 16384;
         slice4window_sum_0_2 <= (slice4window_sum_0_2_choice + slice4window_change_0_2) mod 16384;
@@ -8094,186 +7766,126 @@ begin
         slice4window_sum_0_24 <= (slice4window_sum_0_24_choice + slice4window_change_0_24) mod 16384;
       end if;
       -- slice4winner1
-      slice4winner1_of_pair_0_0_is_less := (slice4window_sum_0_1 - slice4window_sum_0_0) < 0;
-      slice4winner1_of_pair_0_2_is_less := (slice4window_sum_0_3 - slice4window_sum_0_2) < 0;
-      slice4winner1_of_pair_0_4_is_less := (slice4window_sum_0_5 - slice4window_sum_0_4) < 0;
-      slice4winner1_of_pair_0_6_is_less := (slice4window_sum_0_7 - slice4window_sum_0_6) < 0;
-      slice4winner1_of_pair_0_8_is_less := (slice4window_sum_0_9 - slice4window_sum_0_8) < 0;
-      slice4winner1_of_pair_0_10_is_less := (slice4window_sum_0_11 - slice4window_sum_0_10) < 0;
-      slice4winner1_of_pair_0_12_is_less := (slice4window_sum_0_13 - slice4window_sum_0_12) < 0;
-      slice4winner1_of_pair_0_14_is_less := (slice4window_sum_0_15 - slice4window_sum_0_14) < 0;
-      slice4winner1_of_pair_0_16_is_less := (slice4window_sum_0_17 - slice4window_sum_0_16) < 0;
-      slice4winner1_of_pair_0_18_is_less := (slice4window_sum_0_19 - slice4window_sum_0_18) < 0;
-      slice4winner1_of_pair_0_20_is_less := (slice4window_sum_0_21 - slice4window_sum_0_20) < 0;
-      slice4winner1_of_pair_0_22_is_less := (slice4window_sum_0_23 - slice4window_sum_0_22) < 0;
-      slice4winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_2, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_0, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_1, 14))))) < 0;
-      slice4winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_6, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_7, 14)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_4, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_5, 14))))) < 0;
-      slice4winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_10, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_11, 14)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_8, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_9, 14))))) < 0;
-      slice4winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_14, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_15, 14)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_12, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_13, 14))))) < 0;
-      slice4winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_18, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_19, 14)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_16, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_17, 14))))) < 0;
-      slice4winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice4winner1_of_pair_0_22, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_23, 14)))) - to_integer(((to_unsigned(slice4winner1_of_pair_0_20, 14)) or
-        (to_unsigned(slice4winner1_of_pair_0_21, 14))))) < 0;
-      slice4winner1_of_pair_0_0 <= 0 when slice4winner1_of_pair_0_0_is_less else slice4window_sum_0_0;
-      slice4winner1_of_pair_0_1 <= slice4window_sum_0_1 when slice4winner1_of_pair_0_0_is_less else 0;
-      slice4winner1_of_pair_0_2 <= 0 when slice4winner1_of_pair_0_2_is_less else slice4window_sum_0_2;
-      slice4winner1_of_pair_0_3 <= slice4window_sum_0_3 when slice4winner1_of_pair_0_2_is_less else 0;
-      slice4winner1_of_pair_0_4 <= 0 when slice4winner1_of_pair_0_4_is_less else slice4window_sum_0_4;
-      slice4winner1_of_pair_0_5 <= slice4window_sum_0_5 when slice4winner1_of_pair_0_4_is_less else 0;
-      slice4winner1_of_pair_0_6 <= 0 when slice4winner1_of_pair_0_6_is_less else slice4window_sum_0_6;
-      slice4winner1_of_pair_0_7 <= slice4window_sum_0_7 when slice4winner1_of_pair_0_6_is_less else 0;
-      slice4winner1_of_pair_0_8 <= 0 when slice4winner1_of_pair_0_8_is_less else slice4window_sum_0_8;
-      slice4winner1_of_pair_0_9 <= slice4window_sum_0_9 when slice4winner1_of_pair_0_8_is_less else 0;
-      slice4winner1_of_pair_0_10 <= 0 when slice4winner1_of_pair_0_10_is_less else slice4window_sum_0_10;
-      slice4winner1_of_pair_0_11 <= slice4window_sum_0_11 when slice4winner1_of_pair_0_10_is_less else 0;
-      slice4winner1_of_pair_0_12 <= 0 when slice4winner1_of_pair_0_12_is_less else slice4window_sum_0_12;
-      slice4winner1_of_pair_0_13 <= slice4window_sum_0_13 when slice4winner1_of_pair_0_12_is_less else 0;
-      slice4winner1_of_pair_0_14 <= 0 when slice4winner1_of_pair_0_14_is_less else slice4window_sum_0_14;
-      slice4winner1_of_pair_0_15 <= slice4window_sum_0_15 when slice4winner1_of_pair_0_14_is_less else 0;
-      slice4winner1_of_pair_0_16 <= 0 when slice4winner1_of_pair_0_16_is_less else slice4window_sum_0_16;
-      slice4winner1_of_pair_0_17 <= slice4window_sum_0_17 when slice4winner1_of_pair_0_16_is_less else 0;
-      slice4winner1_of_pair_0_18 <= 0 when slice4winner1_of_pair_0_18_is_less else slice4window_sum_0_18;
-      slice4winner1_of_pair_0_19 <= slice4window_sum_0_19 when slice4winner1_of_pair_0_18_is_less else 0;
-      slice4winner1_of_pair_0_20 <= 0 when slice4winner1_of_pair_0_20_is_less else slice4window_sum_0_20;
-      slice4winner1_of_pair_0_21 <= slice4window_sum_0_21 when slice4winner1_of_pair_0_20_is_less else 0;
-      slice4winner1_of_pair_0_22 <= 0 when slice4winner1_of_pair_0_22_is_less else slice4window_sum_0_22;
-      slice4winner1_of_pair_0_23 <= slice4window_sum_0_23 when slice4winner1_of_pair_0_22_is_less else 0;
-      slice4winner1_of_pair_0_24 <= slice4window_sum_0_24;
-      slice4winner1_pair_index_0_0 <= slice4winner1_of_pair_0_0_is_less;
-      slice4winner1_pair_index_0_1 <= 3 when slice4winner1_of_pair_0_2_is_less else 2;
-      slice4winner1_pair_index_0_2 <= 5 when slice4winner1_of_pair_0_4_is_less else 4;
-      slice4winner1_pair_index_0_3 <= 7 when slice4winner1_of_pair_0_6_is_less else 6;
-      slice4winner1_pair_index_0_4 <= 9 when slice4winner1_of_pair_0_8_is_less else 8;
-      slice4winner1_pair_index_0_5 <= 11 when slice4winner1_of_pair_0_10_is_less else 10;
-      slice4winner1_pair_index_0_6 <= 13 when slice4winner1_of_pair_0_12_is_less else 12;
-      slice4winner1_pair_index_0_7 <= 15 when slice4winner1_of_pair_0_14_is_less else 14;
-      slice4winner1_pair_index_0_8 <= 17 when slice4winner1_of_pair_0_16_is_less else 16;
-      slice4winner1_pair_index_0_9 <= 19 when slice4winner1_of_pair_0_18_is_less else 18;
-      slice4winner1_pair_index_0_10 <= 21 when slice4winner1_of_pair_0_20_is_less else 20;
-      slice4winner1_pair_index_0_11 <= 23 when slice4winner1_of_pair_0_22_is_less else 22;
-      slice4winner1_of_four_0_0 <= 0 when slice4winner1_of_four_0_0_is_less else slice4winner1_of_pair_0_0;
-      slice4winner1_of_four_0_1 <= 0 when slice4winner1_of_four_0_0_is_less else slice4winner1_of_pair_0_1;
-      slice4winner1_of_four_0_2 <= slice4winner1_of_pair_0_2 when slice4winner1_of_four_0_0_is_less else 0;
-      slice4winner1_of_four_0_3 <= slice4winner1_of_pair_0_3 when slice4winner1_of_four_0_0_is_less else 0;
-      slice4winner1_of_four_0_4 <= 0 when slice4winner1_of_four_0_4_is_less else slice4winner1_of_pair_0_4;
-      slice4winner1_of_four_0_5 <= 0 when slice4winner1_of_four_0_4_is_less else slice4winner1_of_pair_0_5;
-      slice4winner1_of_four_0_6 <= slice4winner1_of_pair_0_6 when slice4winner1_of_four_0_4_is_less else 0;
-      slice4winner1_of_four_0_7 <= slice4winner1_of_pair_0_7 when slice4winner1_of_four_0_4_is_less else 0;
-      slice4winner1_of_four_0_8 <= 0 when slice4winner1_of_four_0_8_is_less else slice4winner1_of_pair_0_8;
-      slice4winner1_of_four_0_9 <= 0 when slice4winner1_of_four_0_8_is_less else slice4winner1_of_pair_0_9;
-      slice4winner1_of_four_0_10 <= slice4winner1_of_pair_0_10 when slice4winner1_of_four_0_8_is_less else 0;
-      slice4winner1_of_four_0_11 <= slice4winner1_of_pair_0_11 when slice4winner1_of_four_0_8_is_less else 0;
-      slice4winner1_of_four_0_12 <= 0 when slice4winner1_of_four_0_12_is_less else slice4winner1_of_pair_0_12;
-      slice4winner1_of_four_0_13 <= 0 when slice4winner1_of_four_0_12_is_less else slice4winner1_of_pair_0_13;
-      slice4winner1_of_four_0_14 <= slice4winner1_of_pair_0_14 when slice4winner1_of_four_0_12_is_less else 0;
-      slice4winner1_of_four_0_15 <= slice4winner1_of_pair_0_15 when slice4winner1_of_four_0_12_is_less else 0;
-      slice4winner1_of_four_0_16 <= 0 when slice4winner1_of_four_0_16_is_less else slice4winner1_of_pair_0_16;
-      slice4winner1_of_four_0_17 <= 0 when slice4winner1_of_four_0_16_is_less else slice4winner1_of_pair_0_17;
-      slice4winner1_of_four_0_18 <= slice4winner1_of_pair_0_18 when slice4winner1_of_four_0_16_is_less else 0;
-      slice4winner1_of_four_0_19 <= slice4winner1_of_pair_0_19 when slice4winner1_of_four_0_16_is_less else 0;
-      slice4winner1_of_four_0_20 <= 0 when slice4winner1_of_four_0_20_is_less else slice4winner1_of_pair_0_20;
-      slice4winner1_of_four_0_21 <= 0 when slice4winner1_of_four_0_20_is_less else slice4winner1_of_pair_0_21;
-      slice4winner1_of_four_0_22 <= slice4winner1_of_pair_0_22 when slice4winner1_of_four_0_20_is_less else 0;
-      slice4winner1_of_four_0_23 <= slice4winner1_of_pair_0_23 when slice4winner1_of_four_0_20_is_less else 0;
-      slice4winner1_of_four_0_24 <= slice4winner1_of_pair_0_24;
-      slice4winner1_four_index_0_0 <= slice4winner1_pair_index_0_1 when slice4winner1_of_four_0_0_is_less else
-        as_number(slice4winner1_pair_index_0_0);
-      slice4winner1_four_index_0_1 <= slice4winner1_pair_index_0_3 when slice4winner1_of_four_0_4_is_less else
-        slice4winner1_pair_index_0_2;
-      slice4winner1_four_index_0_2 <= slice4winner1_pair_index_0_5 when slice4winner1_of_four_0_8_is_less else
-        slice4winner1_pair_index_0_4;
-      slice4winner1_four_index_0_3 <= slice4winner1_pair_index_0_7 when slice4winner1_of_four_0_12_is_less else
-        slice4winner1_pair_index_0_6;
-      slice4winner1_four_index_0_4 <= slice4winner1_pair_index_0_9 when slice4winner1_of_four_0_16_is_less else
-        slice4winner1_pair_index_0_8;
-      slice4winner1_four_index_0_5 <= slice4winner1_pair_index_0_11 when slice4winner1_of_four_0_20_is_less else
-        slice4winner1_pair_index_0_10;
-      slice4winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_2, 14)) or
-        (to_unsigned(slice4winner1_of_four_0_3, 14)))) or (to_unsigned(slice4winner1_of_four_0_1, 14)))) or
-        (to_unsigned(slice4winner1_of_four_0_0, 14))));
-      slice4winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_6, 14)) or
-        (to_unsigned(slice4winner1_of_four_0_7, 14)))) or (to_unsigned(slice4winner1_of_four_0_5, 14)))) or
-        (to_unsigned(slice4winner1_of_four_0_4, 14))));
-      slice4winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_10, 14)) or
-        (to_unsigned(slice4winner1_of_four_0_11, 14)))) or (to_unsigned(slice4winner1_of_four_0_9, 14)))) or
-        (to_unsigned(slice4winner1_of_four_0_8, 14))));
-      slice4winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_14, 14)) or
-        (to_unsigned(slice4winner1_of_four_0_15, 14)))) or (to_unsigned(slice4winner1_of_four_0_13, 14)))) or
-        (to_unsigned(slice4winner1_of_four_0_12, 14))));
-      slice4winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_18, 14)) or
-        (to_unsigned(slice4winner1_of_four_0_19, 14)))) or (to_unsigned(slice4winner1_of_four_0_17, 14)))) or
-        (to_unsigned(slice4winner1_of_four_0_16, 14))));
-      slice4winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice4winner1_of_four_0_22, 14)) or
-        (to_unsigned(slice4winner1_of_four_0_23, 14)))) or (to_unsigned(slice4winner1_of_four_0_21, 14)))) or
-        (to_unsigned(slice4winner1_of_four_0_20, 14))));
-      slice4winner1_best_cost_0_6 <= slice4winner1_of_four_0_24;
-      slice4winner1_best_index_0_0 <= slice4winner1_four_index_0_0;
-      slice4winner1_best_index_0_1 <= slice4winner1_four_index_0_1;
-      slice4winner1_best_index_0_2 <= slice4winner1_four_index_0_2;
-      slice4winner1_best_index_0_3 <= slice4winner1_four_index_0_3;
-      slice4winner1_best_index_0_4 <= slice4winner1_four_index_0_4;
-      slice4winner1_best_index_0_5 <= slice4winner1_four_index_0_5;
+      slice4winner1_best_cost_0_0_is_less := (slice4window_sum_0_1 - slice4window_sum_0_0) < 0;
+      slice4winner1_best_cost_0_1_is_less := (slice4window_sum_0_3 - slice4window_sum_0_2) < 0;
+      slice4winner1_best_cost_0_2_is_less := (slice4window_sum_0_5 - slice4window_sum_0_4) < 0;
+      slice4winner1_best_cost_0_3_is_less := (slice4window_sum_0_7 - slice4window_sum_0_6) < 0;
+      slice4winner1_best_cost_0_4_is_less := (slice4window_sum_0_9 - slice4window_sum_0_8) < 0;
+      slice4winner1_best_cost_0_5_is_less := (slice4window_sum_0_11 - slice4window_sum_0_10) < 0;
+      slice4winner1_best_cost_0_6_is_less := (slice4window_sum_0_13 - slice4window_sum_0_12) < 0;
+      slice4winner1_best_cost_0_7_is_less := (slice4window_sum_0_15 - slice4window_sum_0_14) < 0;
+      slice4winner1_best_cost_0_8_is_less := (slice4window_sum_0_17 - slice4window_sum_0_16) < 0;
+      slice4winner1_best_cost_0_9_is_less := (slice4window_sum_0_19 - slice4window_sum_0_18) < 0;
+      slice4winner1_best_cost_0_10_is_less := (slice4window_sum_0_21 - slice4window_sum_0_20) < 0;
+      slice4winner1_best_cost_0_11_is_less := (slice4window_sum_0_23 - slice4window_sum_0_22) < 0;
+      slice4winner1_best_cost_0_0 <= slice4window_sum_0_1 when slice4winner1_best_cost_0_0_is_less else
+        slice4window_sum_0_0;
+      slice4winner1_best_cost_0_1 <= slice4window_sum_0_3 when slice4winner1_best_cost_0_1_is_less else
+        slice4window_sum_0_2;
+      slice4winner1_best_cost_0_2 <= slice4window_sum_0_5 when slice4winner1_best_cost_0_2_is_less else
+        slice4window_sum_0_4;
+      slice4winner1_best_cost_0_3 <= slice4window_sum_0_7 when slice4winner1_best_cost_0_3_is_less else
+        slice4window_sum_0_6;
+      slice4winner1_best_cost_0_4 <= slice4window_sum_0_9 when slice4winner1_best_cost_0_4_is_less else
+        slice4window_sum_0_8;
+      slice4winner1_best_cost_0_5 <= slice4window_sum_0_11 when slice4winner1_best_cost_0_5_is_less else
+        slice4window_sum_0_10;
+      slice4winner1_best_cost_0_6 <= slice4window_sum_0_13 when slice4winner1_best_cost_0_6_is_less else
+        slice4window_sum_0_12;
+      slice4winner1_best_cost_0_7 <= slice4window_sum_0_15 when slice4winner1_best_cost_0_7_is_less else
+        slice4window_sum_0_14;
+      slice4winner1_best_cost_0_8 <= slice4window_sum_0_17 when slice4winner1_best_cost_0_8_is_less else
+        slice4window_sum_0_16;
+      slice4winner1_best_cost_0_9 <= slice4window_sum_0_19 when slice4winner1_best_cost_0_9_is_less else
+        slice4window_sum_0_18;
+      slice4winner1_best_cost_0_10 <= slice4window_sum_0_21 when slice4winner1_best_cost_0_10_is_less else
+        slice4window_sum_0_20;
+      slice4winner1_best_cost_0_11 <= slice4window_sum_0_23 when slice4winner1_best_cost_0_11_is_less else
+        slice4window_sum_0_22;
+      slice4winner1_best_cost_0_12 <= slice4window_sum_0_24;
+      slice4winner1_best_index_0_0 <= slice4winner1_best_cost_0_0_is_less;
+      slice4winner1_best_index_0_1 <= 3 when slice4winner1_best_cost_0_1_is_less else 2;
+      slice4winner1_best_index_0_2 <= 5 when slice4winner1_best_cost_0_2_is_less else 4;
+      slice4winner1_best_index_0_3 <= 7 when slice4winner1_best_cost_0_3_is_less else 6;
+      slice4winner1_best_index_0_4 <= 9 when slice4winner1_best_cost_0_4_is_less else 8;
+      slice4winner1_best_index_0_5 <= 11 when slice4winner1_best_cost_0_5_is_less else 10;
+      slice4winner1_best_index_0_6 <= 13 when slice4winner1_best_cost_0_6_is_less else 12;
+      slice4winner1_best_index_0_7 <= 15 when slice4winner1_best_cost_0_7_is_less else 14;
+      slice4winner1_best_index_0_8 <= 17 when slice4winner1_best_cost_0_8_is_less else 16;
+      slice4winner1_best_index_0_9 <= 19 when slice4winner1_best_cost_0_9_is_less else 18;
+      slice4winner1_best_index_0_10 <= 21 when slice4winner1_best_cost_0_10_is_less else 20;
+      slice4winner1_best_index_0_11 <= 23 when slice4winner1_best_cost_0_11_is_less else 22;
       -- slice4winner2
-      slice4winner2_of_pair_0_0_is_less := (slice4winner1_best_cost_0_1 - slice4winner1_best_cost_0_0) < 0;
-      slice4winner2_of_pair_0_2_is_less := (slice4winner1_best_cost_0_3 - slice4winner1_best_cost_0_2) < 0;
-      slice4winner2_of_pair_0_4_is_less := (slice4winner1_best_cost_0_5 - slice4winner1_best_cost_0_4) < 0;
-      slice4winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice4winner2_of_pair_0_2, 14)) or
-        (to_unsigned(slice4winner2_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice4winner2_of_pair_0_0, 14)) or
-        (to_unsigned(slice4winner2_of_pair_0_1, 14))))) < 0;
-      slice4winner2_of_four_0_4_is_less := (slice4winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice4winner2_of_pair_0_4, 14)) or (to_unsigned(slice4winner2_of_pair_0_5, 14))))) < 0;
-      slice4winner2_of_pair_0_0 <= 0 when slice4winner2_of_pair_0_0_is_less else slice4winner1_best_cost_0_0;
-      slice4winner2_of_pair_0_1 <= slice4winner1_best_cost_0_1 when slice4winner2_of_pair_0_0_is_less else 0;
-      slice4winner2_of_pair_0_2 <= 0 when slice4winner2_of_pair_0_2_is_less else slice4winner1_best_cost_0_2;
-      slice4winner2_of_pair_0_3 <= slice4winner1_best_cost_0_3 when slice4winner2_of_pair_0_2_is_less else 0;
-      slice4winner2_of_pair_0_4 <= 0 when slice4winner2_of_pair_0_4_is_less else slice4winner1_best_cost_0_4;
-      slice4winner2_of_pair_0_5 <= slice4winner1_best_cost_0_5 when slice4winner2_of_pair_0_4_is_less else 0;
-      slice4winner2_of_pair_0_6 <= slice4winner1_best_cost_0_6;
-      slice4winner2_pair_index_0_0 <= slice4winner1_best_index_0_1 when slice4winner2_of_pair_0_0_is_less else
-        slice4winner1_best_index_0_0;
-      slice4winner2_pair_index_0_1 <= slice4winner1_best_index_0_3 when slice4winner2_of_pair_0_2_is_less else
+      slice4winner2_best_cost_0_0_is_less := (slice4winner1_best_cost_0_1 - slice4winner1_best_cost_0_0) < 0;
+      slice4winner2_best_cost_0_1_is_less := (slice4winner1_best_cost_0_3 - slice4winner1_best_cost_0_2) < 0;
+      slice4winner2_best_cost_0_2_is_less := (slice4winner1_best_cost_0_5 - slice4winner1_best_cost_0_4) < 0;
+      slice4winner2_best_cost_0_3_is_less := (slice4winner1_best_cost_0_7 - slice4winner1_best_cost_0_6) < 0;
+      slice4winner2_best_cost_0_4_is_less := (slice4winner1_best_cost_0_9 - slice4winner1_best_cost_0_8) < 0;
+      slice4winner2_best_cost_0_5_is_less := (slice4winner1_best_cost_0_11 - slice4winner1_best_cost_0_10) < 0;
+      slice4winner2_best_cost_0_0 <= slice4winner1_best_cost_0_1 when slice4winner2_best_cost_0_0_is_less else
+        slice4winner1_best_cost_0_0;
+      slice4winner2_best_cost_0_1 <= slice4winner1_best_cost_0_3 when slice4winner2_best_cost_0_1_is_less else
+        slice4winner1_best_cost_0_2;
+      slice4winner2_best_cost_0_2 <= slice4winner1_best_cost_0_5 when slice4winner2_best_cost_0_2_is_less else
+        slice4winner1_best_cost_0_4;
+      slice4winner2_best_cost_0_3 <= slice4winner1_best_cost_0_7 when slice4winner2_best_cost_0_3_is_less else
+        slice4winner1_best_cost_0_6;
+      slice4winner2_best_cost_0_4 <= slice4winner1_best_cost_0_9 when slice4winner2_best_cost_0_4_is_less else
+        slice4winner1_best_cost_0_8;
+      slice4winner2_best_cost_0_5 <= slice4winner1_best_cost_0_11 when slice4winner2_best_cost_0_5_is_less else
+        slice4winner1_best_cost_0_10;
+      slice4winner2_best_cost_0_6 <= slice4winner1_best_cost_0_12;
+      slice4winner2_best_index_0_0 <= slice4winner1_best_index_0_1 when slice4winner2_best_cost_0_0_is_less else
+        as_number(slice4winner1_best_index_0_0);
+      slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_3 when slice4winner2_best_cost_0_1_is_less else
         slice4winner1_best_index_0_2;
-      slice4winner2_pair_index_0_2 <= slice4winner1_best_index_0_5 when slice4winner2_of_pair_0_4_is_less else
+      slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_5 when slice4winner2_best_cost_0_2_is_less else
         slice4winner1_best_index_0_4;
-      slice4winner2_of_four_0_0 <= 0 when slice4winner2_of_four_0_0_is_less else slice4winner2_of_pair_0_0;
-      slice4winner2_of_four_0_1 <= 0 when slice4winner2_of_four_0_0_is_less else slice4winner2_of_pair_0_1;
-      slice4winner2_of_four_0_2 <= slice4winner2_of_pair_0_2 when slice4winner2_of_four_0_0_is_less else 0;
-      slice4winner2_of_four_0_3 <= slice4winner2_of_pair_0_3 when slice4winner2_of_four_0_0_is_less else 0;
-      slice4winner2_of_four_0_4 <= 0 when slice4winner2_of_four_0_4_is_less else slice4winner2_of_pair_0_4;
-      slice4winner2_of_four_0_5 <= 0 when slice4winner2_of_four_0_4_is_less else slice4winner2_of_pair_0_5;
-      slice4winner2_of_four_0_6 <= slice4winner2_of_pair_0_6 when slice4winner2_of_four_0_4_is_less else 0;
-      slice4winner2_four_index_0_0 <= slice4winner2_pair_index_0_1 when slice4winner2_of_four_0_0_is_less else
-        slice4winner2_pair_index_0_0;
-      slice4winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice4winner2_of_four_0_4_is_less else
-        slice4winner2_pair_index_0_2;
-      slice4winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice4winner2_of_four_0_2, 14)) or
-        (to_unsigned(slice4winner2_of_four_0_3, 14)))) or (to_unsigned(slice4winner2_of_four_0_1, 14)))) or
-        (to_unsigned(slice4winner2_of_four_0_0, 14))));
-      slice4winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice4winner2_of_four_0_5, 14)) or
-        (to_unsigned(slice4winner2_of_four_0_6, 14)))) or (to_unsigned(slice4winner2_of_four_0_4, 14))));
-      slice4winner2_best_index_0_0 <= slice4winner2_four_index_0_0;
-      slice4winner2_best_index_0_1 <= slice4winner2_four_index_0_1;
+      slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_7 when slice4winner2_best_cost_0_3_is_less else
+        slice4winner1_best_index_0_6;
+      slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_9 when slice4winner2_best_cost_0_4_is_less else
+        slice4winner1_best_index_0_8;
+      slice4winner2_best_index_0_5 <= slice4winner1_best_index_0_11 when slice4winner2_best_cost_0_5_is_less else
+        slice4winner1_best_index_0_10;
       -- slice4winner3
       slice4winner3_best_cost_0_0_is_less := (slice4winner2_best_cost_0_1 - slice4winner2_best_cost_0_0) < 0;
+      slice4winner3_best_cost_0_1_is_less := (slice4winner2_best_cost_0_3 - slice4winner2_best_cost_0_2) < 0;
+      slice4winner3_best_cost_0_2_is_less := (slice4winner2_best_cost_0_5 - slice4winner2_best_cost_0_4) < 0;
       slice4winner3_best_cost_0_0 <= slice4winner2_best_cost_0_1 when slice4winner3_best_cost_0_0_is_less else
         slice4winner2_best_cost_0_0;
+      slice4winner3_best_cost_0_1 <= slice4winner2_best_cost_0_3 when slice4winner3_best_cost_0_1_is_less else
+        slice4winner2_best_cost_0_2;
+      slice4winner3_best_cost_0_2 <= slice4winner2_best_cost_0_5 when slice4winner3_best_cost_0_2_is_less else
+        slice4winner2_best_cost_0_4;
+      slice4winner3_best_cost_0_3 <= slice4winner2_best_cost_0_6;
       slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_1 when slice4winner3_best_cost_0_0_is_less else
         slice4winner2_best_index_0_0;
+      slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_3 when slice4winner3_best_cost_0_1_is_less else
+        slice4winner2_best_index_0_2;
+      slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_5 when slice4winner3_best_cost_0_2_is_less else
+        slice4winner2_best_index_0_4;
+      -- slice4winner4
+      slice4winner4_best_cost_0_0_is_less := (slice4winner3_best_cost_0_1 - slice4winner3_best_cost_0_0) < 0;
+      slice4winner4_best_cost_0_1_is_less := (slice4winner3_best_cost_0_3 - slice4winner3_best_cost_0_2) < 0;
+      slice4winner4_best_cost_0_0 <= slice4winner3_best_cost_0_1 when slice4winner4_best_cost_0_0_is_less else
+        slice4winner3_best_cost_0_0;
+      slice4winner4_best_cost_0_1 <= slice4winner3_best_cost_0_3 when slice4winner4_best_cost_0_1_is_less else
+        slice4winner3_best_cost_0_2;
+      slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_1 when slice4winner4_best_cost_0_0_is_less else
+        slice4winner3_best_index_0_0;
+      slice4winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice4winner4_best_cost_0_1_is_less else
+        slice4winner3_best_index_0_2;
+      -- slice4winner5
+      slice4winner5_best_cost_0_0_is_less := (slice4winner4_best_cost_0_1 - slice4winner4_best_cost_0_0) < 0;
+      slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0_1 when slice4winner5_best_cost_0_0_is_less else
+        slice4winner4_best_cost_0_0;
+      slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_1 when slice4winner5_best_cost_0_0_is_less else
+        slice4winner4_best_index_0_0;
       -- slice4
-      slice4_best_cost_0_0_is_less := (slice3_best_cost_0_0 - slice4winner3_best_cost_0_0) < 0;
-      slice4_best_cost_0_0 <= slice3_best_cost_0_0 when slice4_best_cost_0_0_is_less else slice4winner3_best_cost_0_0;
+      slice4_best_cost_0_0_is_less := (slice3_best_cost_0_0 - slice4winner5_best_cost_0_0) < 0;
+      slice4_best_cost_0_0 <= slice3_best_cost_0_0 when slice4_best_cost_0_0_is_less else slice4winner5_best_cost_0_0;
       slice4_best_index_0_0 <= slice3_best_index_0_0 when slice4_best_cost_0_0_is_less else
-        slice4winner3_best_index_0_0 + 75;
+        slice4winner5_best_index_0_0 + 75;
       slice4_best_tag_valid <= slice3_best_tag_valid;
       slice4_best_tag_output_column <= slice3_best_tag_output_column;
       slice4_best_tag_start_of_frame <= slice3_best_tag_start_of_frame;
@@ -8640,7 +8252,7 @@ begin
       if slice0window_tag_valid then
         slice5cost_ready_column <= slice4cost_ready_column;
       end if;
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice5cost_write_column <= slice4cost_write_column;
         slice5cost_write_words_0 <= (slice5cost_column_0_1_choice_2 * 2048) + slice5cost_column_0_0_choice_2;
         slice5cost_write_words_1 <= (slice5cost_column_0_3_choice_2 * 2048) + slice5cost_column_0_2_choice_2;
@@ -8657,7 +8269,7 @@ begin
         slice5cost_write_words_12 <= slice5cost_column_0_24_choice_2;
       end if;
       -- slice5window
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice5window_ring_read_address <= 0 when slice5window_ring_read_address = 7 else
           (slice5window_ring_read_address + 1) mod 8;
         slice5window_ring_write_address <= slice5window_ring_read_address;
@@ -8866,7 +8478,7 @@ begin
       slice5window_sum_0_22_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_22;
       slice5window_sum_0_23_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_23;
       slice5window_sum_0_24_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_24;
-      if slice0winner2_pair_tag_valid then
+      if slice0winner4_tag_valid then
         slice5window_sum_0_0 <= (slice5window_sum_0_0_choice + slice5window_change_0_0) mod 16384;
         slice5window_sum_0_1 <= (slice5window_sum_0_1_choice + slice5window_change_0_1) mod 16384;
         slice5window_sum_0_2 <= (slice5window_sum_0_2_choice + slice5window_change_0_2) mod 16384;
@@ -8894,186 +8506,126 @@ begin
         slice5window_sum_0_24 <= (slice5window_sum_0_24_choice + slice5window_change_0_24) mod 16384;
       end if;
       -- slice5winner1
-      slice5winner1_of_pair_0_0_is_less := (slice5window_sum_0_1 - slice5window_sum_0_0) < 0;
-      slice5winner1_of_pair_0_2_is_less := (slice5window_sum_0_3 - slice5window_sum_0_2) < 0;
-      slice5winner1_of_pair_0_4_is_less := (slice5window_sum_0_5 - slice5window_sum_0_4) < 0;
-      slice5winner1_of_pair_0_6_is_less := (slice5window_sum_0_7 - slice5window_sum_0_6) < 0;
-      slice5winner1_of_pair_0_8_is_less := (slice5window_sum_0_9 - slice5window_sum_0_8) < 0;
-      slice5winner1_of_pair_0_10_is_less := (slice5window_sum_0_11 - slice5window_sum_0_10) < 0;
-      slice5winner1_of_pair_0_12_is_less := (slice5window_sum_0_13 - slice5window_sum_0_12) < 0;
-      slice5winner1_of_pair_0_14_is_less := (slice5window_sum_0_15 - slice5window_sum_0_14) < 0;
-      slice5winner1_of_pair_0_16_is_less := (slice5window_sum_0_17 - slice5window_sum_0_16) < 0;
-      slice5winner1_of_pair_0_18_is_less := (slice5window_sum_0_19 - slice5window_sum_0_18) < 0;
-      slice5winner1_of_pair_0_20_is_less := (slice5window_sum_0_21 - slice5window_sum_0_20) < 0;
-      slice5winner1_of_pair_0_22_is_less := (slice5window_sum_0_23 - slice5window_sum_0_22) < 0;
-      slice5winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice5winner1_of_pair_0_2, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice5winner1_of_pair_0_0, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_1, 14))))) < 0;
-      slice5winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice5winner1_of_pair_0_6, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_7, 14)))) - to_integer(((to_unsigned(slice5winner1_of_pair_0_4, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_5, 14))))) < 0;
-      slice5winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice5winner1_of_pair_0_10, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_11, 14)))) - to_integer(((to_unsigned(slice5winner1_of_pair_0_8, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_9, 14))))) < 0;
-      slice5winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice5winner1_of_pair_0_14, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_15, 14)))) - to_integer(((to_unsigned(slice5winner1_of_pair_0_12, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_13, 14))))) < 0;
-      slice5winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice5winner1_of_pair_0_18, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_19, 14)))) - to_integer(((to_unsigned(slice5winner1_of_pair_0_16, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_17, 14))))) < 0;
-      slice5winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice5winner1_of_pair_0_22, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_23, 14)))) - to_integer(((to_unsigned(slice5winner1_of_pair_0_20, 14)) or
-        (to_unsigned(slice5winner1_of_pair_0_21, 14))))) < 0;
-      slice5winner1_of_pair_0_0 <= 0 when slice5winner1_of_pair_0_0_is_less else slice5window_sum_0_0;
-      slice5winner1_of_pair_0_1 <= slice5window_sum_0_1 when slice5winner1_of_pair_0_0_is_less else 0;
-      slice5winner1_of_pair_0_2 <= 0 when slice5winner1_of_pair_0_2_is_less else slice5window_sum_0_2;
-      slice5winner1_of_pair_0_3 <= slice5window_sum_0_3 when slice5winner1_of_pair_0_2_is_less else 0;
-      slice5winner1_of_pair_0_4 <= 0 when slice5winner1_of_pair_0_4_is_less else slice5window_sum_0_4;
-      slice5winner1_of_pair_0_5 <= slice5window_sum_0_5 when slice5winner1_of_pair_0_4_is_less else 0;
-      slice5winner1_of_pair_0_6 <= 0 when slice5winner1_of_pair_0_6_is_less else slice5window_sum_0_6;
-      slice5winner1_of_pair_0_7 <= slice5window_sum_0_7 when slice5winner1_of_pair_0_6_is_less else 0;
-      slice5winner1_of_pair_0_8 <= 0 when slice5winner1_of_pair_0_8_is_less else slice5window_sum_0_8;
-      slice5winner1_of_pair_0_9 <= slice5window_sum_0_9 when slice5winner1_of_pair_0_8_is_less else 0;
-      slice5winner1_of_pair_0_10 <= 0 when slice5winner1_of_pair_0_10_is_less else slice5window_sum_0_10;
-      slice5winner1_of_pair_0_11 <= slice5window_sum_0_11 when slice5winner1_of_pair_0_10_is_less else 0;
-      slice5winner1_of_pair_0_12 <= 0 when slice5winner1_of_pair_0_12_is_less else slice5window_sum_0_12;
-      slice5winner1_of_pair_0_13 <= slice5window_sum_0_13 when slice5winner1_of_pair_0_12_is_less else 0;
-      slice5winner1_of_pair_0_14 <= 0 when slice5winner1_of_pair_0_14_is_less else slice5window_sum_0_14;
-      slice5winner1_of_pair_0_15 <= slice5window_sum_0_15 when slice5winner1_of_pair_0_14_is_less else 0;
-      slice5winner1_of_pair_0_16 <= 0 when slice5winner1_of_pair_0_16_is_less else slice5window_sum_0_16;
-      slice5winner1_of_pair_0_17 <= slice5window_sum_0_17 when slice5winner1_of_pair_0_16_is_less else 0;
-      slice5winner1_of_pair_0_18 <= 0 when slice5winner1_of_pair_0_18_is_less else slice5window_sum_0_18;
-      slice5winner1_of_pair_0_19 <= slice5window_sum_0_19 when slice5winner1_of_pair_0_18_is_less else 0;
-      slice5winner1_of_pair_0_20 <= 0 when slice5winner1_of_pair_0_20_is_less else slice5window_sum_0_20;
-      slice5winner1_of_pair_0_21 <= slice5window_sum_0_21 when slice5winner1_of_pair_0_20_is_less else 0;
-      slice5winner1_of_pair_0_22 <= 0 when slice5winner1_of_pair_0_22_is_less else slice5window_sum_0_22;
-      slice5winner1_of_pair_0_23 <= slice5window_sum_0_23 when slice5winner1_of_pair_0_22_is_less else 0;
-      slice5winner1_of_pair_0_24 <= slice5window_sum_0_24;
-      slice5winner1_pair_index_0_0 <= slice5winner1_of_pair_0_0_is_less;
-      slice5winner1_pair_index_0_1 <= 3 when slice5winner1_of_pair_0_2_is_less else 2;
-      slice5winner1_pair_index_0_2 <= 5 when slice5winner1_of_pair_0_4_is_less else 4;
-      slice5winner1_pair_index_0_3 <= 7 when slice5winner1_of_pair_0_6_is_less else 6;
-      slice5winner1_pair_index_0_4 <= 9 when slice5winner1_of_pair_0_8_is_less else 8;
-      slice5winner1_pair_index_0_5 <= 11 when slice5winner1_of_pair_0_10_is_less else 10;
-      slice5winner1_pair_index_0_6 <= 13 when slice5winner1_of_pair_0_12_is_less else 12;
-      slice5winner1_pair_index_0_7 <= 15 when slice5winner1_of_pair_0_14_is_less else 14;
-      slice5winner1_pair_index_0_8 <= 17 when slice5winner1_of_pair_0_16_is_less else 16;
-      slice5winner1_pair_index_0_9 <= 19 when slice5winner1_of_pair_0_18_is_less else 18;
-      slice5winner1_pair_index_0_10 <= 21 when slice5winner1_of_pair_0_20_is_less else 20;
-      slice5winner1_pair_index_0_11 <= 23 when slice5winner1_of_pair_0_22_is_less else 22;
-      slice5winner1_of_four_0_0 <= 0 when slice5winner1_of_four_0_0_is_less else slice5winner1_of_pair_0_0;
-      slice5winner1_of_four_0_1 <= 0 when slice5winner1_of_four_0_0_is_less else slice5winner1_of_pair_0_1;
-      slice5winner1_of_four_0_2 <= slice5winner1_of_pair_0_2 when slice5winner1_of_four_0_0_is_less else 0;
-      slice5winner1_of_four_0_3 <= slice5winner1_of_pair_0_3 when slice5winner1_of_four_0_0_is_less else 0;
-      slice5winner1_of_four_0_4 <= 0 when slice5winner1_of_four_0_4_is_less else slice5winner1_of_pair_0_4;
-      slice5winner1_of_four_0_5 <= 0 when slice5winner1_of_four_0_4_is_less else slice5winner1_of_pair_0_5;
-      slice5winner1_of_four_0_6 <= slice5winner1_of_pair_0_6 when slice5winner1_of_four_0_4_is_less else 0;
-      slice5winner1_of_four_0_7 <= slice5winner1_of_pair_0_7 when slice5winner1_of_four_0_4_is_less else 0;
-      slice5winner1_of_four_0_8 <= 0 when slice5winner1_of_four_0_8_is_less else slice5winner1_of_pair_0_8;
-      slice5winner1_of_four_0_9 <= 0 when slice5winner1_of_four_0_8_is_less else slice5winner1_of_pair_0_9;
-      slice5winner1_of_four_0_10 <= slice5winner1_of_pair_0_10 when slice5winner1_of_four_0_8_is_less else 0;
-      slice5winner1_of_four_0_11 <= slice5winner1_of_pair_0_11 when slice5winner1_of_four_0_8_is_less else 0;
-      slice5winner1_of_four_0_12 <= 0 when slice5winner1_of_four_0_12_is_less else slice5winner1_of_pair_0_12;
-      slice5winner1_of_four_0_13 <= 0 when slice5winner1_of_four_0_12_is_less else slice5winner1_of_pair_0_13;
-      slice5winner1_of_four_0_14 <= slice5winner1_of_pair_0_14 when slice5winner1_of_four_0_12_is_less else 0;
-      slice5winner1_of_four_0_15 <= slice5winner1_of_pair_0_15 when slice5winner1_of_four_0_12_is_less else 0;
-      slice5winner1_of_four_0_16 <= 0 when slice5winner1_of_four_0_16_is_less else slice5winner1_of_pair_0_16;
-      slice5winner1_of_four_0_17 <= 0 when slice5winner1_of_four_0_16_is_less else slice5winner1_of_pair_0_17;
-      slice5winner1_of_four_0_18 <= slice5winner1_of_pair_0_18 when slice5winner1_of_four_0_16_is_less else 0;
-      slice5winner1_of_four_0_19 <= slice5winner1_of_pair_0_19 when slice5winner1_of_four_0_16_is_less else 0;
-      slice5winner1_of_four_0_20 <= 0 when slice5winner1_of_four_0_20_is_less else slice5winner1_of_pair_0_20;
-      slice5winner1_of_four_0_21 <= 0 when slice5winner1_of_four_0_20_is_less else slice5winner1_of_pair_0_21;
-      slice5winner1_of_four_0_22 <= slice5winner1_of_pair_0_22 when slice5winner1_of_four_0_20_is_less else 0;
-      slice5winner1_of_four_0_23 <= slice5winner1_of_pair_0_23 when slice5winner1_of_four_0_20_is_less else 0;
-      slice5winner1_of_four_0_24 <= slice5winner1_of_pair_0_24;
-      slice5winner1_four_index_0_0 <= slice5winner1_pair_index_0_1 when slice5winner1_of_four_0_0_is_less else
-        as_number(slice5winner1_pair_index_0_0);
-      slice5winner1_four_index_0_1 <= slice5winner1_pair_index_0_3 when slice5winner1_of_four_0_4_is_less else
-        slice5winner1_pair_index_0_2;
-      slice5winner1_four_index_0_2 <= slice5winner1_pair_index_0_5 when slice5winner1_of_four_0_8_is_less else
-        slice5winner1_pair_index_0_4;
-      slice5winner1_four_index_0_3 <= slice5winner1_pair_index_0_7 when slice5winner1_of_four_0_12_is_less else
-        slice5winner1_pair_index_0_6;
-      slice5winner1_four_index_0_4 <= slice5winner1_pair_index_0_9 when slice5winner1_of_four_0_16_is_less else
-        slice5winner1_pair_index_0_8;
-      slice5winner1_four_index_0_5 <= slice5winner1_pair_index_0_11 when slice5winner1_of_four_0_20_is_less else
-        slice5winner1_pair_index_0_10;
-      slice5winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice5winner1_of_four_0_2, 14)) or
-        (to_unsigned(slice5winner1_of_four_0_3, 14)))) or (to_unsigned(slice5winner1_of_four_0_1, 14)))) or
-        (to_unsigned(slice5winner1_of_four_0_0, 14))));
-      slice5winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice5winner1_of_four_0_6, 14)) or
-        (to_unsigned(slice5winner1_of_four_0_7, 14)))) or (to_unsigned(slice5winner1_of_four_0_5, 14)))) or
-        (to_unsigned(slice5winner1_of_four_0_4, 14))));
-      slice5winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice5winner1_of_four_0_10, 14)) or
-        (to_unsigned(slice5winner1_of_four_0_11, 14)))) or (to_unsigned(slice5winner1_of_four_0_9, 14)))) or
-        (to_unsigned(slice5winner1_of_four_0_8, 14))));
-      slice5winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice5winner1_of_four_0_14, 14)) or
-        (to_unsigned(slice5winner1_of_four_0_15, 14)))) or (to_unsigned(slice5winner1_of_four_0_13, 14)))) or
-        (to_unsigned(slice5winner1_of_four_0_12, 14))));
-      slice5winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice5winner1_of_four_0_18, 14)) or
-        (to_unsigned(slice5winner1_of_four_0_19, 14)))) or (to_unsigned(slice5winner1_of_four_0_17, 14)))) or
-        (to_unsigned(slice5winner1_of_four_0_16, 14))));
-      slice5winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice5winner1_of_four_0_22, 14)) or
-        (to_unsigned(slice5winner1_of_four_0_23, 14)))) or (to_unsigned(slice5winner1_of_four_0_21, 14)))) or
-        (to_unsigned(slice5winner1_of_four_0_20, 14))));
-      slice5winner1_best_cost_0_6 <= slice5winner1_of_four_0_24;
-      slice5winner1_best_index_0_0 <= slice5winner1_four_index_0_0;
-      slice5winner1_best_index_0_1 <= slice5winner1_four_index_0_1;
-      slice5winner1_best_index_0_2 <= slice5winner1_four_index_0_2;
-      slice5winner1_best_index_0_3 <= slice5winner1_four_index_0_3;
-      slice5winner1_best_index_0_4 <= slice5winner1_four_index_0_4;
-      slice5winner1_best_index_0_5 <= slice5winner1_four_index_0_5;
+      slice5winner1_best_cost_0_0_is_less := (slice5window_sum_0_1 - slice5window_sum_0_0) < 0;
+      slice5winner1_best_cost_0_1_is_less := (slice5window_sum_0_3 - slice5window_sum_0_2) < 0;
+      slice5winner1_best_cost_0_2_is_less := (slice5window_sum_0_5 - slice5window_sum_0_4) < 0;
+      slice5winner1_best_cost_0_3_is_less := (slice5window_sum_0_7 - slice5window_sum_0_6) < 0;
+      slice5winner1_best_cost_0_4_is_less := (slice5window_sum_0_9 - slice5window_sum_0_8) < 0;
+      slice5winner1_best_cost_0_5_is_less := (slice5window_sum_0_11 - slice5window_sum_0_10) < 0;
+      slice5winner1_best_cost_0_6_is_less := (slice5window_sum_0_13 - slice5window_sum_0_12) < 0;
+      slice5winner1_best_cost_0_7_is_less := (slice5window_sum_0_15 - slice5window_sum_0_14) < 0;
+      slice5winner1_best_cost_0_8_is_less := (slice5window_sum_0_17 - slice5window_sum_0_16) < 0;
+      slice5winner1_best_cost_0_9_is_less := (slice5window_sum_0_19 - slice5window_sum_0_18) < 0;
+      slice5winner1_best_cost_0_10_is_less := (slice5window_sum_0_21 - slice5window_sum_0_20) < 0;
+      slice5winner1_best_cost_0_11_is_less := (slice5window_sum_0_23 - slice5window_sum_0_22) < 0;
+      slice5winner1_best_cost_0_0 <= slice5window_sum_0_1 when slice5winner1_best_cost_0_0_is_less else
+        slice5window_sum_0_0;
+      slice5winner1_best_cost_0_1 <= slice5window_sum_0_3 when slice5winner1_best_cost_0_1_is_less else
+        slice5window_sum_0_2;
+      slice5winner1_best_cost_0_2 <= slice5window_sum_0_5 when slice5winner1_best_cost_0_2_is_less else
+        slice5window_sum_0_4;
+      slice5winner1_best_cost_0_3 <= slice5window_sum_0_7 when slice5winner1_best_cost_0_3_is_less else
+        slice5window_sum_0_6;
+      slice5winner1_best_cost_0_4 <= slice5window_sum_0_9 when slice5winner1_best_cost_0_4_is_less else
+        slice5window_sum_0_8;
+      slice5winner1_best_cost_0_5 <= slice5window_sum_0_11 when slice5winner1_best_cost_0_5_is_less else
+        slice5window_sum_0_10;
+      slice5winner1_best_cost_0_6 <= slice5window_sum_0_13 when slice5winner1_best_cost_0_6_is_less else
+        slice5window_sum_0_12;
+      slice5winner1_best_cost_0_7 <= slice5window_sum_0_15 when slice5winner1_best_cost_0_7_is_less else
+        slice5window_sum_0_14;
+      slice5winner1_best_cost_0_8 <= slice5window_sum_0_17 when slice5winner1_best_cost_0_8_is_less else
+        slice5window_sum_0_16;
+      slice5winner1_best_cost_0_9 <= slice5window_sum_0_19 when slice5winner1_best_cost_0_9_is_less else
+        slice5window_sum_0_18;
+      slice5winner1_best_cost_0_10 <= slice5window_sum_0_21 when slice5winner1_best_cost_0_10_is_less else
+        slice5window_sum_0_20;
+      slice5winner1_best_cost_0_11 <= slice5window_sum_0_23 when slice5winner1_best_cost_0_11_is_less else
+        slice5window_sum_0_22;
+      slice5winner1_best_cost_0_12 <= slice5window_sum_0_24;
+      slice5winner1_best_index_0_0 <= slice5winner1_best_cost_0_0_is_less;
+      slice5winner1_best_index_0_1 <= 3 when slice5winner1_best_cost_0_1_is_less else 2;
+      slice5winner1_best_index_0_2 <= 5 when slice5winner1_best_cost_0_2_is_less else 4;
+      slice5winner1_best_index_0_3 <= 7 when slice5winner1_best_cost_0_3_is_less else 6;
+      slice5winner1_best_index_0_4 <= 9 when slice5winner1_best_cost_0_4_is_less else 8;
+      slice5winner1_best_index_0_5 <= 11 when slice5winner1_best_cost_0_5_is_less else 10;
+      slice5winner1_best_index_0_6 <= 13 when slice5winner1_best_cost_0_6_is_less else 12;
+      slice5winner1_best_index_0_7 <= 15 when slice5winner1_best_cost_0_7_is_less else 14;
+      slice5winner1_best_index_0_8 <= 17 when slice5winner1_best_cost_0_8_is_less else 16;
+      slice5winner1_best_index_0_9 <= 19 when slice5winner1_best_cost_0_9_is_less else 18;
+      slice5winner1_best_index_0_10 <= 21 when slice5winner1_best_cost_0_10_is_less else 20;
+      slice5winner1_best_index_0_11 <= 23 when slice5winner1_best_cost_0_11_is_less else 22;
       -- slice5winner2
-      slice5winner2_of_pair_0_0_is_less := (slice5winner1_best_cost_0_1 - slice5winner1_best_cost_0_0) < 0;
-      slice5winner2_of_pair_0_2_is_less := (slice5winner1_best_cost_0_3 - slice5winner1_best_cost_0_2) < 0;
-      slice5winner2_of_pair_0_4_is_less := (slice5winner1_best_cost_0_5 - slice5winner1_best_cost_0_4) < 0;
-      slice5winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice5winner2_of_pair_0_2, 14)) or
-        (to_unsigned(slice5winner2_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice5winner2_of_pair_0_0, 14)) or
-        (to_unsigned(slice5winner2_of_pair_0_1, 14))))) < 0;
-      slice5winner2_of_four_0_4_is_less := (slice5winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice5winner2_of_pair_0_4, 14)) or (to_unsigned(slice5winner2_of_pair_0_5, 14))))) < 0;
-      slice5winner2_of_pair_0_0 <= 0 when slice5winner2_of_pair_0_0_is_less else slice5winner1_best_cost_0_0;
-      slice5winner2_of_pair_0_1 <= slice5winner1_best_cost_0_1 when slice5winner2_of_pair_0_0_is_less else 0;
-      slice5winner2_of_pair_0_2 <= 0 when slice5winner2_of_pair_0_2_is_less else slice5winner1_best_cost_0_2;
-      slice5winner2_of_pair_0_3 <= slice5winner1_best_cost_0_3 when slice5winner2_of_pair_0_2_is_less else 0;
-      slice5winner2_of_pair_0_4 <= 0 when slice5winner2_of_pair_0_4_is_less else slice5winner1_best_cost_0_4;
-      slice5winner2_of_pair_0_5 <= slice5winner1_best_cost_0_5 when slice5winner2_of_pair_0_4_is_less else 0;
-      slice5winner2_of_pair_0_6 <= slice5winner1_best_cost_0_6;
-      slice5winner2_pair_index_0_0 <= slice5winner1_best_index_0_1 when slice5winner2_of_pair_0_0_is_less else
-        slice5winner1_best_index_0_0;
-      slice5winner2_pair_index_0_1 <= slice5winner1_best_index_0_3 when slice5winner2_of_pair_0_2_is_less else
+      slice5winner2_best_cost_0_0_is_less := (slice5winner1_best_cost_0_1 - slice5winner1_best_cost_0_0) < 0;
+      slice5winner2_best_cost_0_1_is_less := (slice5winner1_best_cost_0_3 - slice5winner1_best_cost_0_2) < 0;
+      slice5winner2_best_cost_0_2_is_less := (slice5winner1_best_cost_0_5 - slice5winner1_best_cost_0_4) < 0;
+      slice5winner2_best_cost_0_3_is_less := (slice5winner1_best_cost_0_7 - slice5winner1_best_cost_0_6) < 0;
+      slice5winner2_best_cost_0_4_is_less := (slice5winner1_best_cost_0_9 - slice5winner1_best_cost_0_8) < 0;
+      slice5winner2_best_cost_0_5_is_less := (slice5winner1_best_cost_0_11 - slice5winner1_best_cost_0_10) < 0;
+      slice5winner2_best_cost_0_0 <= slice5winner1_best_cost_0_1 when slice5winner2_best_cost_0_0_is_less else
+        slice5winner1_best_cost_0_0;
+      slice5winner2_best_cost_0_1 <= slice5winner1_best_cost_0_3 when slice5winner2_best_cost_0_1_is_less else
+        slice5winner1_best_cost_0_2;
+      slice5winner2_best_cost_0_2 <= slice5winner1_best_cost_0_5 when slice5winner2_best_cost_0_2_is_less else
+        slice5winner1_best_cost_0_4;
+      slice5winner2_best_cost_0_3 <= slice5winner1_best_cost_0_7 when slice5winner2_best_cost_0_3_is_less else
+        slice5winner1_best_cost_0_6;
+      slice5winner2_best_cost_0_4 <= slice5winner1_best_cost_0_9 when slice5winner2_best_cost_0_4_is_less else
+        slice5winner1_best_cost_0_8;
+      slice5winner2_best_cost_0_5 <= slice5winner1_best_cost_0_11 when slice5winner2_best_cost_0_5_is_less else
+        slice5winner1_best_cost_0_10;
+      slice5winner2_best_cost_0_6 <= slice5winner1_best_cost_0_12;
+      slice5winner2_best_index_0_0 <= slice5winner1_best_index_0_1 when slice5winner2_best_cost_0_0_is_less else
+        as_number(slice5winner1_best_index_0_0);
+      slice5winner2_best_index_0_1 <= slice5winner1_best_index_0_3 when slice5winner2_best_cost_0_1_is_less else
         slice5winner1_best_index_0_2;
-      slice5winner2_pair_index_0_2 <= slice5winner1_best_index_0_5 when slice5winner2_of_pair_0_4_is_less else
+      slice5winner2_best_index_0_2 <= slice5winner1_best_index_0_5 when slice5winner2_best_cost_0_2_is_less else
         slice5winner1_best_index_0_4;
-      slice5winner2_of_four_0_0 <= 0 when slice5winner2_of_four_0_0_is_less else slice5winner2_of_pair_0_0;
-      slice5winner2_of_four_0_1 <= 0 when slice5winner2_of_four_0_0_is_less else slice5winner2_of_pair_0_1;
-      slice5winner2_of_four_0_2 <= slice5winner2_of_pair_0_2 when slice5winner2_of_four_0_0_is_less else 0;
-      slice5winner2_of_four_0_3 <= slice5winner2_of_pair_0_3 when slice5winner2_of_four_0_0_is_less else 0;
-      slice5winner2_of_four_0_4 <= 0 when slice5winner2_of_four_0_4_is_less else slice5winner2_of_pair_0_4;
-      slice5winner2_of_four_0_5 <= 0 when slice5winner2_of_four_0_4_is_less else slice5winner2_of_pair_0_5;
-      slice5winner2_of_four_0_6 <= slice5winner2_of_pair_0_6 when slice5winner2_of_four_0_4_is_less else 0;
-      slice5winner2_four_index_0_0 <= slice5winner2_pair_index_0_1 when slice5winner2_of_four_0_0_is_less else
-        slice5winner2_pair_index_0_0;
-      slice5winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice5winner2_of_four_0_4_is_less else
-        slice5winner2_pair_index_0_2;
-      slice5winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice5winner2_of_four_0_2, 14)) or
-        (to_unsigned(slice5winner2_of_four_0_3, 14)))) or (to_unsigned(slice5winner2_of_four_0_1, 14)))) or
-        (to_unsigned(slice5winner2_of_four_0_0, 14))));
-      slice5winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice5winner2_of_four_0_5, 14)) or
-        (to_unsigned(slice5winner2_of_four_0_6, 14)))) or (to_unsigned(slice5winner2_of_four_0_4, 14))));
-      slice5winner2_best_index_0_0 <= slice5winner2_four_index_0_0;
-      slice5winner2_best_index_0_1 <= slice5winner2_four_index_0_1;
+      slice5winner2_best_index_0_3 <= slice5winner1_best_index_0_7 when slice5winner2_best_cost_0_3_is_less else
+        slice5winner1_best_index_0_6;
+      slice5winner2_best_index_0_4 <= slice5winner1_best_index_0_9 when slice5winner2_best_cost_0_4_is_less else
+        slice5winner1_best_index_0_8;
+      slice5winner2_best_index_0_5 <= slice5winner1_best_index_0_11 when slice5winner2_best_cost_0_5_is_less else
+        slice5winner1_best_index_0_10;
       -- slice5winner3
       slice5winner3_best_cost_0_0_is_less := (slice5winner2_best_cost_0_1 - slice5winner2_best_cost_0_0) < 0;
+      slice5winner3_best_cost_0_1_is_less := (slice5winner2_best_cost_0_3 - slice5winner2_best_cost_0_2) < 0;
+      slice5winner3_best_cost_0_2_is_less := (slice5winner2_best_cost_0_5 - slice5winner2_best_cost_0_4) < 0;
       slice5winner3_best_cost_0_0 <= slice5winner2_best_cost_0_1 when slice5winner3_best_cost_0_0_is_less else
         slice5winner2_best_cost_0_0;
+      slice5winner3_best_cost_0_1 <= slice5winner2_best_cost_0_3 when slice5winner3_best_cost_0_1_is_less else
+        slice5winner2_best_cost_0_2;
+      slice5winner3_best_cost_0_2 <= slice5winner2_best_cost_0_5 when slice5winner3_best_cost_0_2_is_less else
+        slice5winner2_best_cost_0_4;
+      slice5winner3_best_cost_0_3 <= slice5winner2_best_cost_0_6;
       slice5winner3_best_index_0_0 <= slice5winner2_best_index_0_1 when slice5winner3_best_cost_0_0_is_less else
         slice5winner2_best_index_0_0;
+      slice5winner3_best_index_0_1 <= slice5winner2_best_index_0_3 when slice5winner3_best_cost_0_1_is_less else
+        slice5winner2_best_index_0_2;
+      slice5winner3_best_index_0_2 <= slice5winner2_best_index_0_5 when slice5winner3_best_cost_0_2_is_less else
+        slice5winner2_best_index_0_4;
+      -- slice5winner4
+      slice5winner4_best_cost_0_0_is_less := (slice5winner3_best_cost_0_1 - slice5winner3_best_cost_0_0) < 0;
+      slice5winner4_best_cost_0_1_is_less := (slice5winner3_best_cost_0_3 - slice5winner3_best_cost_0_2) < 0;
+      slice5winner4_best_cost_0_0 <= slice5winner3_best_cost_0_1 when slice5winner4_best_cost_0_0_is_less else
+        slice5winner3_best_cost_0_0;
+      slice5winner4_best_cost_0_1 <= slice5winner3_best_cost_0_3 when slice5winner4_best_cost_0_1_is_less else
+        slice5winner3_best_cost_0_2;
+      slice5winner4_best_index_0_0 <= slice5winner3_best_index_0_1 when slice5winner4_best_cost_0_0_is_less else
+        slice5winner3_best_index_0_0;
+      slice5winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice5winner4_best_cost_0_1_is_less else
+        slice5winner3_best_index_0_2;
+      -- slice5winner5
+      slice5winner5_best_cost_0_0_is_less := (slice5winner4_best_cost_0_1 - slice5winner4_best_cost_0_0) < 0;
+      slice5winner5_best_cost_0_0 <= slice5winner4_best_cost_0_1 when slice5winner5_best_cost_0_0_is_less else
+        slice5winner4_best_cost_0_0;
+      slice5winner5_best_index_0_0 <= slice5winner4_best_index_0_1 when slice5winner5_best_cost_0_0_is_less else
+        slice5winner4_best_index_0_0;
       -- slice5
-      slice5_best_cost_0_0_is_less := (slice4_best_cost_0_0 - slice5winner3_best_cost_0_0) < 0;
-      slice5_best_cost_0_0 <= slice4_best_cost_0_0 when slice5_best_cost_0_0_is_less else slice5winner3_best_cost_0_0;
+      slice5_best_cost_0_0_is_less := (slice4_best_cost_0_0 - slice5winner5_best_cost_0_0) < 0;
+      slice5_best_cost_0_0 <= slice4_best_cost_0_0 when slice5_best_cost_0_0_is_less else slice5winner5_best_cost_0_0;
       slice5_best_index_0_0 <= slice4_best_index_0_0 when slice5_best_cost_0_0_is_less else
-        (((slice5winner3_best_index_0_0 / 2) + 25) * 2) + (slice5winner3_best_index_0_0 mod 2);
+        (((slice5winner5_best_index_0_0 / 2) + 25) * 2) + (slice5winner5_best_index_0_0 mod 2);
       slice5_best_tag_valid <= slice4_best_tag_valid;
       slice5_best_tag_output_column <= slice4_best_tag_output_column;
       slice5_best_tag_start_of_frame <= slice4_best_tag_start_of_frame;
@@ -9440,7 +8992,7 @@ begin
         slice6cost_change_column <= 0 when slice1window_change_tag_row_start else (slice6cost_change_column + 1) mod
           1024;
       end if;
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice6cost_write_words_0 <= (slice6cost_column_0_1_choice_2 * 2048) + slice6cost_column_0_0_choice_2;
         slice6cost_write_words_1 <= (slice6cost_column_0_3_choice_2 * 2048) + slice6cost_column_0_2_choice_2;
         slice6cost_write_words_2 <= (slice6cost_column_0_5_choice_2 * 2048) + slice6cost_column_0_4_choice_2;
@@ -9456,7 +9008,7 @@ begin
         slice6cost_write_words_12 <= slice6cost_column_0_24_choice_2;
       end if;
       -- slice6window
-      if slice0winner1_tag_valid then
+      if slice0winner3_tag_valid then
         slice6window_ring_read_address <= 0 when slice6window_ring_read_address = 7 else
           (slice6window_ring_read_address + 1) mod 8;
         slice6window_ring_write_address <= slice6window_ring_read_address;
@@ -9664,7 +9216,7 @@ begin
       slice6window_sum_0_22_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_22;
       slice6window_sum_0_23_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_23;
       slice6window_sum_0_24_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_24;
-      if slice0winner2_four_tag_valid then
+      if slice0winner5_tag_valid then
         slice6window_sum_0_0 <= (slice6window_sum_0_0_choice + slice6window_change_0_0) mod 16384;
         slice6window_sum_0_1 <= (slice6window_sum_0_1_choice + slice6window_change_0_1) mod 16384;
         slice6window_sum_0_2 <= (slice6window_sum_0_2_choice + slice6window_change_0_2) mod 16384;
@@ -9691,190 +9243,130 @@ begin
         slice6window_sum_0_23 <= (slice6window_sum_0_23_choice + slice6window_change_0_23) mod 16384;
         slice6window_sum_0_24 <= (slice6window_sum_0_24_choice + slice6window_change_0_24) mod 16384;
       end if;
-      if slice0winner2_tag_valid then
+      if slice0_best_tag_valid then
         slice6window_centre_output_column_1 <= slice5window_centre_output_column_1;
       end if;
       -- slice6winner1
-      slice6winner1_of_pair_0_0_is_less := (slice6window_sum_0_1 - slice6window_sum_0_0) < 0;
-      slice6winner1_of_pair_0_2_is_less := (slice6window_sum_0_3 - slice6window_sum_0_2) < 0;
-      slice6winner1_of_pair_0_4_is_less := (slice6window_sum_0_5 - slice6window_sum_0_4) < 0;
-      slice6winner1_of_pair_0_6_is_less := (slice6window_sum_0_7 - slice6window_sum_0_6) < 0;
-      slice6winner1_of_pair_0_8_is_less := (slice6window_sum_0_9 - slice6window_sum_0_8) < 0;
-      slice6winner1_of_pair_0_10_is_less := (slice6window_sum_0_11 - slice6window_sum_0_10) < 0;
-      slice6winner1_of_pair_0_12_is_less := (slice6window_sum_0_13 - slice6window_sum_0_12) < 0;
-      slice6winner1_of_pair_0_14_is_less := (slice6window_sum_0_15 - slice6window_sum_0_14) < 0;
-      slice6winner1_of_pair_0_16_is_less := (slice6window_sum_0_17 - slice6window_sum_0_16) < 0;
-      slice6winner1_of_pair_0_18_is_less := (slice6window_sum_0_19 - slice6window_sum_0_18) < 0;
-      slice6winner1_of_pair_0_20_is_less := (slice6window_sum_0_21 - slice6window_sum_0_20) < 0;
-      slice6winner1_of_pair_0_22_is_less := (slice6window_sum_0_23 - slice6window_sum_0_22) < 0;
-      slice6winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice6winner1_of_pair_0_2, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice6winner1_of_pair_0_0, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_1, 14))))) < 0;
-      slice6winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice6winner1_of_pair_0_6, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_7, 14)))) - to_integer(((to_unsigned(slice6winner1_of_pair_0_4, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_5, 14))))) < 0;
-      slice6winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice6winner1_of_pair_0_10, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_11, 14)))) - to_integer(((to_unsigned(slice6winner1_of_pair_0_8, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_9, 14))))) < 0;
-      slice6winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice6winner1_of_pair_0_14, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_15, 14)))) - to_integer(((to_unsigned(slice6winner1_of_pair_0_12, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_13, 14))))) < 0;
-      slice6winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice6winner1_of_pair_0_18, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_19, 14)))) - to_integer(((to_unsigned(slice6winner1_of_pair_0_16, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_17, 14))))) < 0;
-      slice6winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice6winner1_of_pair_0_22, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_23, 14)))) - to_integer(((to_unsigned(slice6winner1_of_pair_0_20, 14)) or
-        (to_unsigned(slice6winner1_of_pair_0_21, 14))))) < 0;
-      slice6winner1_of_pair_0_0 <= 0 when slice6winner1_of_pair_0_0_is_less else slice6window_sum_0_0;
-      slice6winner1_of_pair_0_1 <= slice6window_sum_0_1 when slice6winner1_of_pair_0_0_is_less else 0;
-      slice6winner1_of_pair_0_2 <= 0 when slice6winner1_of_pair_0_2_is_less else slice6window_sum_0_2;
-      slice6winner1_of_pair_0_3 <= slice6window_sum_0_3 when slice6winner1_of_pair_0_2_is_less else 0;
-      slice6winner1_of_pair_0_4 <= 0 when slice6winner1_of_pair_0_4_is_less else slice6window_sum_0_4;
-      slice6winner1_of_pair_0_5 <= slice6window_sum_0_5 when slice6winner1_of_pair_0_4_is_less else 0;
-      slice6winner1_of_pair_0_6 <= 0 when slice6winner1_of_pair_0_6_is_less else slice6window_sum_0_6;
-      slice6winner1_of_pair_0_7 <= slice6window_sum_0_7 when slice6winner1_of_pair_0_6_is_less else 0;
-      slice6winner1_of_pair_0_8 <= 0 when slice6winner1_of_pair_0_8_is_less else slice6window_sum_0_8;
-      slice6winner1_of_pair_0_9 <= slice6window_sum_0_9 when slice6winner1_of_pair_0_8_is_less else 0;
-      slice6winner1_of_pair_0_10 <= 0 when slice6winner1_of_pair_0_10_is_less else slice6window_sum_0_10;
-      slice6winner1_of_pair_0_11 <= slice6window_sum_0_11 when slice6winner1_of_pair_0_10_is_less else 0;
-      slice6winner1_of_pair_0_12 <= 0 when slice6winner1_of_pair_0_12_is_less else slice6window_sum_0_12;
-      slice6winner1_of_pair_0_13 <= slice6window_sum_0_13 when slice6winner1_of_pair_0_12_is_less else 0;
-      slice6winner1_of_pair_0_14 <= 0 when slice6winner1_of_pair_0_14_is_less else slice6window_sum_0_14;
-      slice6winner1_of_pair_0_15 <= slice6window_sum_0_15 when slice6winner1_of_pair_0_14_is_less else 0;
-      slice6winner1_of_pair_0_16 <= 0 when slice6winner1_of_pair_0_16_is_less else slice6window_sum_0_16;
-      slice6winner1_of_pair_0_17 <= slice6window_sum_0_17 when slice6winner1_of_pair_0_16_is_less else 0;
-      slice6winner1_of_pair_0_18 <= 0 when slice6winner1_of_pair_0_18_is_less else slice6window_sum_0_18;
-      slice6winner1_of_pair_0_19 <= slice6window_sum_0_19 when slice6winner1_of_pair_0_18_is_less else 0;
-      slice6winner1_of_pair_0_20 <= 0 when slice6winner1_of_pair_0_20_is_less else slice6window_sum_0_20;
-      slice6winner1_of_pair_0_21 <= slice6window_sum_0_21 when slice6winner1_of_pair_0_20_is_less else 0;
-      slice6winner1_of_pair_0_22 <= 0 when slice6winner1_of_pair_0_22_is_less else slice6window_sum_0_22;
-      slice6winner1_of_pair_0_23 <= slice6window_sum_0_23 when slice6winner1_of_pair_0_22_is_less else 0;
-      slice6winner1_of_pair_0_24 <= slice6window_sum_0_24;
-      slice6winner1_pair_index_0_0 <= slice6winner1_of_pair_0_0_is_less;
-      slice6winner1_pair_index_0_1 <= 3 when slice6winner1_of_pair_0_2_is_less else 2;
-      slice6winner1_pair_index_0_2 <= 5 when slice6winner1_of_pair_0_4_is_less else 4;
-      slice6winner1_pair_index_0_3 <= 7 when slice6winner1_of_pair_0_6_is_less else 6;
-      slice6winner1_pair_index_0_4 <= 9 when slice6winner1_of_pair_0_8_is_less else 8;
-      slice6winner1_pair_index_0_5 <= 11 when slice6winner1_of_pair_0_10_is_less else 10;
-      slice6winner1_pair_index_0_6 <= 13 when slice6winner1_of_pair_0_12_is_less else 12;
-      slice6winner1_pair_index_0_7 <= 15 when slice6winner1_of_pair_0_14_is_less else 14;
-      slice6winner1_pair_index_0_8 <= 17 when slice6winner1_of_pair_0_16_is_less else 16;
-      slice6winner1_pair_index_0_9 <= 19 when slice6winner1_of_pair_0_18_is_less else 18;
-      slice6winner1_pair_index_0_10 <= 21 when slice6winner1_of_pair_0_20_is_less else 20;
-      slice6winner1_pair_index_0_11 <= 23 when slice6winner1_of_pair_0_22_is_less else 22;
-      slice6winner1_of_four_0_0 <= 0 when slice6winner1_of_four_0_0_is_less else slice6winner1_of_pair_0_0;
-      slice6winner1_of_four_0_1 <= 0 when slice6winner1_of_four_0_0_is_less else slice6winner1_of_pair_0_1;
-      slice6winner1_of_four_0_2 <= slice6winner1_of_pair_0_2 when slice6winner1_of_four_0_0_is_less else 0;
-      slice6winner1_of_four_0_3 <= slice6winner1_of_pair_0_3 when slice6winner1_of_four_0_0_is_less else 0;
-      slice6winner1_of_four_0_4 <= 0 when slice6winner1_of_four_0_4_is_less else slice6winner1_of_pair_0_4;
-      slice6winner1_of_four_0_5 <= 0 when slice6winner1_of_four_0_4_is_less else slice6winner1_of_pair_0_5;
-      slice6winner1_of_four_0_6 <= slice6winner1_of_pair_0_6 when slice6winner1_of_four_0_4_is_less else 0;
-      slice6winner1_of_four_0_7 <= slice6winner1_of_pair_0_7 when slice6winner1_of_four_0_4_is_less else 0;
-      slice6winner1_of_four_0_8 <= 0 when slice6winner1_of_four_0_8_is_less else slice6winner1_of_pair_0_8;
-      slice6winner1_of_four_0_9 <= 0 when slice6winner1_of_four_0_8_is_less else slice6winner1_of_pair_0_9;
-      slice6winner1_of_four_0_10 <= slice6winner1_of_pair_0_10 when slice6winner1_of_four_0_8_is_less else 0;
-      slice6winner1_of_four_0_11 <= slice6winner1_of_pair_0_11 when slice6winner1_of_four_0_8_is_less else 0;
-      slice6winner1_of_four_0_12 <= 0 when slice6winner1_of_four_0_12_is_less else slice6winner1_of_pair_0_12;
-      slice6winner1_of_four_0_13 <= 0 when slice6winner1_of_four_0_12_is_less else slice6winner1_of_pair_0_13;
-      slice6winner1_of_four_0_14 <= slice6winner1_of_pair_0_14 when slice6winner1_of_four_0_12_is_less else 0;
-      slice6winner1_of_four_0_15 <= slice6winner1_of_pair_0_15 when slice6winner1_of_four_0_12_is_less else 0;
-      slice6winner1_of_four_0_16 <= 0 when slice6winner1_of_four_0_16_is_less else slice6winner1_of_pair_0_16;
-      slice6winner1_of_four_0_17 <= 0 when slice6winner1_of_four_0_16_is_less else slice6winner1_of_pair_0_17;
-      slice6winner1_of_four_0_18 <= slice6winner1_of_pair_0_18 when slice6winner1_of_four_0_16_is_less else 0;
-      slice6winner1_of_four_0_19 <= slice6winner1_of_pair_0_19 when slice6winner1_of_four_0_16_is_less else 0;
-      slice6winner1_of_four_0_20 <= 0 when slice6winner1_of_four_0_20_is_less else slice6winner1_of_pair_0_20;
-      slice6winner1_of_four_0_21 <= 0 when slice6winner1_of_four_0_20_is_less else slice6winner1_of_pair_0_21;
-      slice6winner1_of_four_0_22 <= slice6winner1_of_pair_0_22 when slice6winner1_of_four_0_20_is_less else 0;
-      slice6winner1_of_four_0_23 <= slice6winner1_of_pair_0_23 when slice6winner1_of_four_0_20_is_less else 0;
-      slice6winner1_of_four_0_24 <= slice6winner1_of_pair_0_24;
-      slice6winner1_four_index_0_0 <= slice6winner1_pair_index_0_1 when slice6winner1_of_four_0_0_is_less else
-        as_number(slice6winner1_pair_index_0_0);
-      slice6winner1_four_index_0_1 <= slice6winner1_pair_index_0_3 when slice6winner1_of_four_0_4_is_less else
-        slice6winner1_pair_index_0_2;
-      slice6winner1_four_index_0_2 <= slice6winner1_pair_index_0_5 when slice6winner1_of_four_0_8_is_less else
-        slice6winner1_pair_index_0_4;
-      slice6winner1_four_index_0_3 <= slice6winner1_pair_index_0_7 when slice6winner1_of_four_0_12_is_less else
-        slice6winner1_pair_index_0_6;
-      slice6winner1_four_index_0_4 <= slice6winner1_pair_index_0_9 when slice6winner1_of_four_0_16_is_less else
-        slice6winner1_pair_index_0_8;
-      slice6winner1_four_index_0_5 <= slice6winner1_pair_index_0_11 when slice6winner1_of_four_0_20_is_less else
-        slice6winner1_pair_index_0_10;
-      slice6winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice6winner1_of_four_0_2, 14)) or
-        (to_unsigned(slice6winner1_of_four_0_3, 14)))) or (to_unsigned(slice6winner1_of_four_0_1, 14)))) or
-        (to_unsigned(slice6winner1_of_four_0_0, 14))));
-      slice6winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice6winner1_of_four_0_6, 14)) or
-        (to_unsigned(slice6winner1_of_four_0_7, 14)))) or (to_unsigned(slice6winner1_of_four_0_5, 14)))) or
-        (to_unsigned(slice6winner1_of_four_0_4, 14))));
-      slice6winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice6winner1_of_four_0_10, 14)) or
-        (to_unsigned(slice6winner1_of_four_0_11, 14)))) or (to_unsigned(slice6winner1_of_four_0_9, 14)))) or
-        (to_unsigned(slice6winner1_of_four_0_8, 14))));
-      slice6winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice6winner1_of_four_0_14, 14)) or
-        (to_unsigned(slice6winner1_of_four_0_15, 14)))) or (to_unsigned(slice6winner1_of_four_0_13, 14)))) or
-        (to_unsigned(slice6winner1_of_four_0_12, 14))));
-      slice6winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice6winner1_of_four_0_18, 14)) or
-        (to_unsigned(slice6winner1_of_four_0_19, 14)))) or (to_unsigned(slice6winner1_of_four_0_17, 14)))) or
-        (to_unsigned(slice6winner1_of_four_0_16, 14))));
-      slice6winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice6winner1_of_four_0_22, 14)) or
-        (to_unsigned(slice6winner1_of_four_0_23, 14)))) or (to_unsigned(slice6winner1_of_four_0_21, 14)))) or
-        (to_unsigned(slice6winner1_of_four_0_20, 14))));
-      slice6winner1_best_cost_0_6 <= slice6winner1_of_four_0_24;
-      slice6winner1_best_index_0_0 <= slice6winner1_four_index_0_0;
-      slice6winner1_best_index_0_1 <= slice6winner1_four_index_0_1;
-      slice6winner1_best_index_0_2 <= slice6winner1_four_index_0_2;
-      slice6winner1_best_index_0_3 <= slice6winner1_four_index_0_3;
-      slice6winner1_best_index_0_4 <= slice6winner1_four_index_0_4;
-      slice6winner1_best_index_0_5 <= slice6winner1_four_index_0_5;
+      slice6winner1_best_cost_0_0_is_less := (slice6window_sum_0_1 - slice6window_sum_0_0) < 0;
+      slice6winner1_best_cost_0_1_is_less := (slice6window_sum_0_3 - slice6window_sum_0_2) < 0;
+      slice6winner1_best_cost_0_2_is_less := (slice6window_sum_0_5 - slice6window_sum_0_4) < 0;
+      slice6winner1_best_cost_0_3_is_less := (slice6window_sum_0_7 - slice6window_sum_0_6) < 0;
+      slice6winner1_best_cost_0_4_is_less := (slice6window_sum_0_9 - slice6window_sum_0_8) < 0;
+      slice6winner1_best_cost_0_5_is_less := (slice6window_sum_0_11 - slice6window_sum_0_10) < 0;
+      slice6winner1_best_cost_0_6_is_less := (slice6window_sum_0_13 - slice6window_sum_0_12) < 0;
+      slice6winner1_best_cost_0_7_is_less := (slice6window_sum_0_15 - slice6window_sum_0_14) < 0;
+      slice6winner1_best_cost_0_8_is_less := (slice6window_sum_0_17 - slice6window_sum_0_16) < 0;
+      slice6winner1_best_cost_0_9_is_less := (slice6window_sum_0_19 - slice6window_sum_0_18) < 0;
+      slice6winner1_best_cost_0_10_is_less := (slice6window_sum_0_21 - slice6window_sum_0_20) < 0;
+      slice6winner1_best_cost_0_11_is_less := (slice6window_sum_0_23 - slice6window_sum_0_22) < 0;
+      slice6winner1_best_cost_0_0 <= slice6window_sum_0_1 when slice6winner1_best_cost_0_0_is_less else
+        slice6window_sum_0_0;
+      slice6winner1_best_cost_0_1 <= slice6window_sum_0_3 when slice6winner1_best_cost_0_1_is_less else
+        slice6window_sum_0_2;
+      slice6winner1_best_cost_0_2 <= slice6window_sum_0_5 when slice6winner1_best_cost_0_2_is_less else
+        slice6window_sum_0_4;
+      slice6winner1_best_cost_0_3 <= slice6window_sum_0_7 when slice6winner1_best_cost_0_3_is_less else
+        slice6window_sum_0_6;
+      slice6winner1_best_cost_0_4 <= slice6window_sum_0_9 when slice6winner1_best_cost_0_4_is_less else
+        slice6window_sum_0_8;
+      slice6winner1_best_cost_0_5 <= slice6window_sum_0_11 when slice6winner1_best_cost_0_5_is_less else
+        slice6window_sum_0_10;
+      slice6winner1_best_cost_0_6 <= slice6window_sum_0_13 when slice6winner1_best_cost_0_6_is_less else
+        slice6window_sum_0_12;
+      slice6winner1_best_cost_0_7 <= slice6window_sum_0_15 when slice6winner1_best_cost_0_7_is_less else
+        slice6window_sum_0_14;
+      slice6winner1_best_cost_0_8 <= slice6window_sum_0_17 when slice6winner1_best_cost_0_8_is_less else
+        slice6window_sum_0_16;
+      slice6winner1_best_cost_0_9 <= slice6window_sum_0_19 when slice6winner1_best_cost_0_9_is_less else
+        slice6window_sum_0_18;
+      slice6winner1_best_cost_0_10 <= slice6window_sum_0_21 when slice6winner1_best_cost_0_10_is_less else
+        slice6window_sum_0_20;
+      slice6winner1_best_cost_0_11 <= slice6window_sum_0_23 when slice6winner1_best_cost_0_11_is_less else
+        slice6window_sum_0_22;
+      slice6winner1_best_cost_0_12 <= slice6window_sum_0_24;
+      slice6winner1_best_index_0_0 <= slice6winner1_best_cost_0_0_is_less;
+      slice6winner1_best_index_0_1 <= 3 when slice6winner1_best_cost_0_1_is_less else 2;
+      slice6winner1_best_index_0_2 <= 5 when slice6winner1_best_cost_0_2_is_less else 4;
+      slice6winner1_best_index_0_3 <= 7 when slice6winner1_best_cost_0_3_is_less else 6;
+      slice6winner1_best_index_0_4 <= 9 when slice6winner1_best_cost_0_4_is_less else 8;
+      slice6winner1_best_index_0_5 <= 11 when slice6winner1_best_cost_0_5_is_less else 10;
+      slice6winner1_best_index_0_6 <= 13 when slice6winner1_best_cost_0_6_is_less else 12;
+      slice6winner1_best_index_0_7 <= 15 when slice6winner1_best_cost_0_7_is_less else 14;
+      slice6winner1_best_index_0_8 <= 17 when slice6winner1_best_cost_0_8_is_less else 16;
+      slice6winner1_best_index_0_9 <= 19 when slice6winner1_best_cost_0_9_is_less else 18;
+      slice6winner1_best_index_0_10 <= 21 when slice6winner1_best_cost_0_10_is_less else 20;
+      slice6winner1_best_index_0_11 <= 23 when slice6winner1_best_cost_0_11_is_less else 22;
       -- slice6winner2
-      slice6winner2_of_pair_0_0_is_less := (slice6winner1_best_cost_0_1 - slice6winner1_best_cost_0_0) < 0;
-      slice6winner2_of_pair_0_2_is_less := (slice6winner1_best_cost_0_3 - slice6winner1_best_cost_0_2) < 0;
-      slice6winner2_of_pair_0_4_is_less := (slice6winner1_best_cost_0_5 - slice6winner1_best_cost_0_4) < 0;
-      slice6winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice6winner2_of_pair_0_2, 14)) or
-        (to_unsigned(slice6winner2_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice6winner2_of_pair_0_0, 14)) or
-        (to_unsigned(slice6winner2_of_pair_0_1, 14))))) < 0;
-      slice6winner2_of_four_0_4_is_less := (slice6winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice6winner2_of_pair_0_4, 14)) or (to_unsigned(slice6winner2_of_pair_0_5, 14))))) < 0;
-      slice6winner2_of_pair_0_0 <= 0 when slice6winner2_of_pair_0_0_is_less else slice6winner1_best_cost_0_0;
-      slice6winner2_of_pair_0_1 <= slice6winner1_best_cost_0_1 when slice6winner2_of_pair_0_0_is_less else 0;
-      slice6winner2_of_pair_0_2 <= 0 when slice6winner2_of_pair_0_2_is_less else slice6winner1_best_cost_0_2;
-      slice6winner2_of_pair_0_3 <= slice6winner1_best_cost_0_3 when slice6winner2_of_pair_0_2_is_less else 0;
-      slice6winner2_of_pair_0_4 <= 0 when slice6winner2_of_pair_0_4_is_less else slice6winner1_best_cost_0_4;
-      slice6winner2_of_pair_0_5 <= slice6winner1_best_cost_0_5 when slice6winner2_of_pair_0_4_is_less else 0;
-      slice6winner2_of_pair_0_6 <= slice6winner1_best_cost_0_6;
-      slice6winner2_pair_index_0_0 <= slice6winner1_best_index_0_1 when slice6winner2_of_pair_0_0_is_less else
-        slice6winner1_best_index_0_0;
-      slice6winner2_pair_index_0_1 <= slice6winner1_best_index_0_3 when slice6winner2_of_pair_0_2_is_less else
+      slice6winner2_best_cost_0_0_is_less := (slice6winner1_best_cost_0_1 - slice6winner1_best_cost_0_0) < 0;
+      slice6winner2_best_cost_0_1_is_less := (slice6winner1_best_cost_0_3 - slice6winner1_best_cost_0_2) < 0;
+      slice6winner2_best_cost_0_2_is_less := (slice6winner1_best_cost_0_5 - slice6winner1_best_cost_0_4) < 0;
+      slice6winner2_best_cost_0_3_is_less := (slice6winner1_best_cost_0_7 - slice6winner1_best_cost_0_6) < 0;
+      slice6winner2_best_cost_0_4_is_less := (slice6winner1_best_cost_0_9 - slice6winner1_best_cost_0_8) < 0;
+      slice6winner2_best_cost_0_5_is_less := (slice6winner1_best_cost_0_11 - slice6winner1_best_cost_0_10) < 0;
+      slice6winner2_best_cost_0_0 <= slice6winner1_best_cost_0_1 when slice6winner2_best_cost_0_0_is_less else
+        slice6winner1_best_cost_0_0;
+      slice6winner2_best_cost_0_1 <= slice6winner1_best_cost_0_3 when slice6winner2_best_cost_0_1_is_less else
+        slice6winner1_best_cost_0_2;
+      slice6winner2_best_cost_0_2 <= slice6winner1_best_cost_0_5 when slice6winner2_best_cost_0_2_is_less else
+        slice6winner1_best_cost_0_4;
+      slice6winner2_best_cost_0_3 <= slice6winner1_best_cost_0_7 when slice6winner2_best_cost_0_3_is_less else
+        slice6winner1_best_cost_0_6;
+      slice6winner2_best_cost_0_4 <= slice6winner1_best_cost_0_9 when slice6winner2_best_cost_0_4_is_less else
+        slice6winner1_best_cost_0_8;
+      slice6winner2_best_cost_0_5 <= slice6winner1_best_cost_0_11 when slice6winner2_best_cost_0_5_is_less else
+        slice6winner1_best_cost_0_10;
+      slice6winner2_best_cost_0_6 <= slice6winner1_best_cost_0_12;
+      slice6winner2_best_index_0_0 <= slice6winner1_best_index_0_1 when slice6winner2_best_cost_0_0_is_less else
+        as_number(slice6winner1_best_index_0_0);
+      slice6winner2_best_index_0_1 <= slice6winner1_best_index_0_3 when slice6winner2_best_cost_0_1_is_less else
         slice6winner1_best_index_0_2;
-      slice6winner2_pair_index_0_2 <= slice6winner1_best_index_0_5 when slice6winner2_of_pair_0_4_is_less else
+      slice6winner2_best_index_0_2 <= slice6winner1_best_index_0_5 when slice6winner2_best_cost_0_2_is_less else
         slice6winner1_best_index_0_4;
-      slice6winner2_of_four_0_0 <= 0 when slice6winner2_of_four_0_0_is_less else slice6winner2_of_pair_0_0;
-      slice6winner2_of_four_0_1 <= 0 when slice6winner2_of_four_0_0_is_less else slice6winner2_of_pair_0_1;
-      slice6winner2_of_four_0_2 <= slice6winner2_of_pair_0_2 when slice6winner2_of_four_0_0_is_less else 0;
-      slice6winner2_of_four_0_3 <= slice6winner2_of_pair_0_3 when slice6winner2_of_four_0_0_is_less else 0;
-      slice6winner2_of_four_0_4 <= 0 when slice6winner2_of_four_0_4_is_less else slice6winner2_of_pair_0_4;
-      slice6winner2_of_four_0_5 <= 0 when slice6winner2_of_four_0_4_is_less else slice6winner2_of_pair_0_5;
-      slice6winner2_of_four_0_6 <= slice6winner2_of_pair_0_6 when slice6winner2_of_four_0_4_is_less else 0;
-      slice6winner2_four_index_0_0 <= slice6winner2_pair_index_0_1 when slice6winner2_of_four_0_0_is_less else
-        slice6winner2_pair_index_0_0;
-      slice6winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice6winner2_of_four_0_4_is_less else
-        slice6winner2_pair_index_0_2;
-      slice6winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice6winner2_of_four_0_2, 14)) or
-        (to_unsigned(slice6winner2_of_four_0_3, 14)))) or (to_unsigned(slice6winner2_of_four_0_1, 14)))) or
-        (to_unsigned(slice6winner2_of_four_0_0, 14))));
-      slice6winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice6winner2_of_four_0_5, 14)) or
-        (to_unsigned(slice6winner2_of_four_0_6, 14)))) or (to_unsigned(slice6winner2_of_four_0_4, 14))));
-      slice6winner2_best_index_0_0 <= slice6winner2_four_index_0_0;
-      slice6winner2_best_index_0_1 <= slice6winner2_four_index_0_1;
+      slice6winner2_best_index_0_3 <= slice6winner1_best_index_0_7 when slice6winner2_best_cost_0_3_is_less else
+        slice6winner1_best_index_0_6;
+      slice6winner2_best_index_0_4 <= slice6winner1_best_index_0_9 when slice6winner2_best_cost_0_4_is_less else
+        slice6winner1_best_index_0_8;
+      slice6winner2_best_index_0_5 <= slice6winner1_best_index_0_11 when slice6winner2_best_cost_0_5_is_less else
+        slice6winner1_best_index_0_10;
       -- slice6winner3
       slice6winner3_best_cost_0_0_is_less := (slice6winner2_best_cost_0_1 - slice6winner2_best_cost_0_0) < 0;
+      slice6winner3_best_cost_0_1_is_less := (slice6winner2_best_cost_0_3 - slice6winner2_best_cost_0_2) < 0;
+      slice6winner3_best_cost_0_2_is_less := (slice6winner2_best_cost_0_5 - slice6winner2_best_cost_0_4) < 0;
       slice6winner3_best_cost_0_0 <= slice6winner2_best_cost_0_1 when slice6winner3_best_cost_0_0_is_less else
         slice6winner2_best_cost_0_0;
+      slice6winner3_best_cost_0_1 <= slice6winner2_best_cost_0_3 when slice6winner3_best_cost_0_1_is_less else
+        slice6winner2_best_cost_0_2;
+      slice6winner3_best_cost_0_2 <= slice6winner2_best_cost_0_5 when slice6winner3_best_cost_0_2_is_less else
+        slice6winner2_best_cost_0_4;
+      slice6winner3_best_cost_0_3 <= slice6winner2_best_cost_0_6;
       slice6winner3_best_index_0_0 <= slice6winner2_best_index_0_1 when slice6winner3_best_cost_0_0_is_less else
         slice6winner2_best_index_0_0;
+      slice6winner3_best_index_0_1 <= slice6winner2_best_index_0_3 when slice6winner3_best_cost_0_1_is_less else
+        slice6winner2_best_index_0_2;
+      slice6winner3_best_index_0_2 <= slice6winner2_best_index_0_5 when slice6winner3_best_cost_0_2_is_less else
+        slice6winner2_best_index_0_4;
+      -- slice6winner4
+      slice6winner4_best_cost_0_0_is_less := (slice6winner3_best_cost_0_1 - slice6winner3_best_cost_0_0) < 0;
+      slice6winner4_best_cost_0_1_is_less := (slice6winner3_best_cost_0_3 - slice6winner3_best_cost_0_2) < 0;
+      slice6winner4_best_cost_0_0 <= slice6winner3_best_cost_0_1 when slice6winner4_best_cost_0_0_is_less else
+        slice6winner3_best_cost_0_0;
+      slice6winner4_best_cost_0_1 <= slice6winner3_best_cost_0_3 when slice6winner4_best_cost_0_1_is_less else
+        slice6winner3_best_cost_0_2;
+      slice6winner4_best_index_0_0 <= slice6winner3_best_index_0_1 when slice6winner4_best_cost_0_0_is_less else
+        slice6winner3_best_index_0_0;
+      slice6winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice6winner4_best_cost_0_1_is_less else
+        slice6winner3_best_index_0_2;
+      -- slice6winner5
+      slice6winner5_best_cost_0_0_is_less := (slice6winner4_best_cost_0_1 - slice6winner4_best_cost_0_0) < 0;
+      slice6winner5_best_cost_0_0 <= slice6winner4_best_cost_0_1 when slice6winner5_best_cost_0_0_is_less else
+        slice6winner4_best_cost_0_0;
+      slice6winner5_best_index_0_0 <= slice6winner4_best_index_0_1 when slice6winner5_best_cost_0_0_is_less else
+        slice6winner4_best_index_0_0;
       -- slice6
-      slice6_best_cost_0_0_is_less := (slice5_best_cost_0_0 - slice6winner3_best_cost_0_0) < 0;
-      slice6_best_cost_0_0 <= slice5_best_cost_0_0 when slice6_best_cost_0_0_is_less else slice6winner3_best_cost_0_0;
+      slice6_best_cost_0_0_is_less := (slice5_best_cost_0_0 - slice6winner5_best_cost_0_0) < 0;
+      slice6_best_cost_0_0 <= slice5_best_cost_0_0 when slice6_best_cost_0_0_is_less else slice6winner5_best_cost_0_0;
       slice6_best_index_0_0 <= slice5_best_index_0_0 when slice6_best_cost_0_0_is_less else
-        slice6winner3_best_index_0_0 + 25;
+        slice6winner5_best_index_0_0 + 25;
       slice6_best_tag_valid <= slice5_best_tag_valid;
       slice6_best_tag_output_column <= slice5_best_tag_output_column;
       slice6_best_tag_start_of_frame <= slice5_best_tag_start_of_frame;
@@ -10232,10 +9724,10 @@ begin
       slice7cost_column_0_22 <= slice7cost_column_0_22_choice_2;
       slice7cost_column_0_23 <= slice7cost_column_0_23_choice_2;
       slice7cost_column_0_24 <= slice7cost_column_0_24_choice_2;
-      if slice0winner1_four_tag_valid then
+      if slice0winner2_tag_valid then
         slice7cost_ready_column <= slice7cost_change_column;
       end if;
-      if slice0winner1_tag_valid then
+      if slice0winner3_tag_valid then
         slice7cost_write_column <= slice6cost_write_column;
         slice7cost_write_words_0 <= (slice7cost_column_0_1_choice_2 * 2048) + slice7cost_column_0_0_choice_2;
         slice7cost_write_words_1 <= (slice7cost_column_0_3_choice_2 * 2048) + slice7cost_column_0_2_choice_2;
@@ -10252,7 +9744,7 @@ begin
         slice7cost_write_words_12 <= slice7cost_column_0_24_choice_2;
       end if;
       -- slice7window
-      if slice0winner2_pair_tag_valid then
+      if slice0winner4_tag_valid then
         slice7window_ring_read_address <= 0 when slice7window_ring_read_address = 7 else
           (slice7window_ring_read_address + 1) mod 8;
         slice7window_ring_write_address <= slice7window_ring_read_address;
@@ -10457,7 +9949,7 @@ begin
       slice7window_sum_0_22_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_22;
       slice7window_sum_0_23_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_23;
       slice7window_sum_0_24_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_24;
-      if slice0winner2_tag_valid then
+      if slice0_best_tag_valid then
         slice7window_sum_0_0 <= (slice7window_sum_0_0_choice + slice7window_change_0_0) mod 16384;
         slice7window_sum_0_1 <= (slice7window_sum_0_1_choice + slice7window_change_0_1) mod 16384;
         slice7window_sum_0_2 <= (slice7window_sum_0_2_choice + slice7window_change_0_2) mod 16384;
@@ -10488,184 +9980,124 @@ begin
         slice7window_centre_end_of_line_1 <= slice7window_centre_end_of_line_0;
       end if;
       -- slice7winner1
-      slice7winner1_of_pair_0_0_is_less := (slice7window_sum_0_1 - slice7window_sum_0_0) < 0;
-      slice7winner1_of_pair_0_2_is_less := (slice7window_sum_0_3 - slice7window_sum_0_2) < 0;
-      slice7winner1_of_pair_0_4_is_less := (slice7window_sum_0_5 - slice7window_sum_0_4) < 0;
-      slice7winner1_of_pair_0_6_is_less := (slice7window_sum_0_7 - slice7window_sum_0_6) < 0;
-      slice7winner1_of_pair_0_8_is_less := (slice7window_sum_0_9 - slice7window_sum_0_8) < 0;
-      slice7winner1_of_pair_0_10_is_less := (slice7window_sum_0_11 - slice7window_sum_0_10) < 0;
-      slice7winner1_of_pair_0_12_is_less := (slice7window_sum_0_13 - slice7window_sum_0_12) < 0;
-      slice7winner1_of_pair_0_14_is_less := (slice7window_sum_0_15 - slice7window_sum_0_14) < 0;
-      slice7winner1_of_pair_0_16_is_less := (slice7window_sum_0_17 - slice7window_sum_0_16) < 0;
-      slice7winner1_of_pair_0_18_is_less := (slice7window_sum_0_19 - slice7window_sum_0_18) < 0;
-      slice7winner1_of_pair_0_20_is_less := (slice7window_sum_0_21 - slice7window_sum_0_20) < 0;
-      slice7winner1_of_pair_0_22_is_less := (slice7window_sum_0_23 - slice7window_sum_0_22) < 0;
-      slice7winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice7winner1_of_pair_0_2, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice7winner1_of_pair_0_0, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_1, 14))))) < 0;
-      slice7winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice7winner1_of_pair_0_6, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_7, 14)))) - to_integer(((to_unsigned(slice7winner1_of_pair_0_4, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_5, 14))))) < 0;
-      slice7winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice7winner1_of_pair_0_10, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_11, 14)))) - to_integer(((to_unsigned(slice7winner1_of_pair_0_8, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_9, 14))))) < 0;
-      slice7winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice7winner1_of_pair_0_14, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_15, 14)))) - to_integer(((to_unsigned(slice7winner1_of_pair_0_12, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_13, 14))))) < 0;
-      slice7winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice7winner1_of_pair_0_18, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_19, 14)))) - to_integer(((to_unsigned(slice7winner1_of_pair_0_16, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_17, 14))))) < 0;
-      slice7winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice7winner1_of_pair_0_22, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_23, 14)))) - to_integer(((to_unsigned(slice7winner1_of_pair_0_20, 14)) or
-        (to_unsigned(slice7winner1_of_pair_0_21, 14))))) < 0;
-      slice7winner1_of_pair_0_0 <= 0 when slice7winner1_of_pair_0_0_is_less else slice7window_sum_0_0;
-      slice7winner1_of_pair_0_1 <= slice7window_sum_0_1 when slice7winner1_of_pair_0_0_is_less else 0;
-      slice7winner1_of_pair_0_2 <= 0 when slice7winner1_of_pair_0_2_is_less else slice7window_sum_0_2;
-      slice7winner1_of_pair_0_3 <= slice7window_sum_0_3 when slice7winner1_of_pair_0_2_is_less else 0;
-      slice7winner1_of_pair_0_4 <= 0 when slice7winner1_of_pair_0_4_is_less else slice7window_sum_0_4;
-      slice7winner1_of_pair_0_5 <= slice7window_sum_0_5 when slice7winner1_of_pair_0_4_is_less else 0;
-      slice7winner1_of_pair_0_6 <= 0 when slice7winner1_of_pair_0_6_is_less else slice7window_sum_0_6;
-      slice7winner1_of_pair_0_7 <= slice7window_sum_0_7 when slice7winner1_of_pair_0_6_is_less else 0;
-      slice7winner1_of_pair_0_8 <= 0 when slice7winner1_of_pair_0_8_is_less else slice7window_sum_0_8;
-      slice7winner1_of_pair_0_9 <= slice7window_sum_0_9 when slice7winner1_of_pair_0_8_is_less else 0;
-      slice7winner1_of_pair_0_10 <= 0 when slice7winner1_of_pair_0_10_is_less else slice7window_sum_0_10;
-      slice7winner1_of_pair_0_11 <= slice7window_sum_0_11 when slice7winner1_of_pair_0_10_is_less else 0;
-      slice7winner1_of_pair_0_12 <= 0 when slice7winner1_of_pair_0_12_is_less else slice7window_sum_0_12;
-      slice7winner1_of_pair_0_13 <= slice7window_sum_0_13 when slice7winner1_of_pair_0_12_is_less else 0;
-      slice7winner1_of_pair_0_14 <= 0 when slice7winner1_of_pair_0_14_is_less else slice7window_sum_0_14;
-      slice7winner1_of_pair_0_15 <= slice7window_sum_0_15 when slice7winner1_of_pair_0_14_is_less else 0;
-      slice7winner1_of_pair_0_16 <= 0 when slice7winner1_of_pair_0_16_is_less else slice7window_sum_0_16;
-      slice7winner1_of_pair_0_17 <= slice7window_sum_0_17 when slice7winner1_of_pair_0_16_is_less else 0;
-      slice7winner1_of_pair_0_18 <= 0 when slice7winner1_of_pair_0_18_is_less else slice7window_sum_0_18;
-      slice7winner1_of_pair_0_19 <= slice7window_sum_0_19 when slice7winner1_of_pair_0_18_is_less else 0;
-      slice7winner1_of_pair_0_20 <= 0 when slice7winner1_of_pair_0_20_is_less else slice7window_sum_0_20;
-      slice7winner1_of_pair_0_21 <= slice7window_sum_0_21 when slice7winner1_of_pair_0_20_is_less else 0;
-      slice7winner1_of_pair_0_22 <= 0 when slice7winner1_of_pair_0_22_is_less else slice7window_sum_0_22;
-      slice7winner1_of_pair_0_23 <= slice7window_sum_0_23 when slice7winner1_of_pair_0_22_is_less else 0;
-      slice7winner1_of_pair_0_24 <= slice7window_sum_0_24;
-      slice7winner1_pair_index_0_0 <= slice7winner1_of_pair_0_0_is_less;
-      slice7winner1_pair_index_0_1 <= 3 when slice7winner1_of_pair_0_2_is_less else 2;
-      slice7winner1_pair_index_0_2 <= 5 when slice7winner1_of_pair_0_4_is_less else 4;
-      slice7winner1_pair_index_0_3 <= 7 when slice7winner1_of_pair_0_6_is_less else 6;
-      slice7winner1_pair_index_0_4 <= 9 when slice7winner1_of_pair_0_8_is_less else 8;
-      slice7winner1_pair_index_0_5 <= 11 when slice7winner1_of_pair_0_10_is_less else 10;
-      slice7winner1_pair_index_0_6 <= 13 when slice7winner1_of_pair_0_12_is_less else 12;
-      slice7winner1_pair_index_0_7 <= 15 when slice7winner1_of_pair_0_14_is_less else 14;
-      slice7winner1_pair_index_0_8 <= 17 when slice7winner1_of_pair_0_16_is_less else 16;
-      slice7winner1_pair_index_0_9 <= 19 when slice7winner1_of_pair_0_18_is_less else 18;
-      slice7winner1_pair_index_0_10 <= 21 when slice7winner1_of_pair_0_20_is_less else 20;
-      slice7winner1_pair_index_0_11 <= 23 when slice7winner1_of_pair_0_22_is_less else 22;
-      slice7winner1_of_four_0_0 <= 0 when slice7winner1_of_four_0_0_is_less else slice7winner1_of_pair_0_0;
-      slice7winner1_of_four_0_1 <= 0 when slice7winner1_of_four_0_0_is_less else slice7winner1_of_pair_0_1;
-      slice7winner1_of_four_0_2 <= slice7winner1_of_pair_0_2 when slice7winner1_of_four_0_0_is_less else 0;
-      slice7winner1_of_four_0_3 <= slice7winner1_of_pair_0_3 when slice7winner1_of_four_0_0_is_less else 0;
-      slice7winner1_of_four_0_4 <= 0 when slice7winner1_of_four_0_4_is_less else slice7winner1_of_pair_0_4;
-      slice7winner1_of_four_0_5 <= 0 when slice7winner1_of_four_0_4_is_less else slice7winner1_of_pair_0_5;
-      slice7winner1_of_four_0_6 <= slice7winner1_of_pair_0_6 when slice7winner1_of_four_0_4_is_less else 0;
-      slice7winner1_of_four_0_7 <= slice7winner1_of_pair_0_7 when slice7winner1_of_four_0_4_is_less else 0;
-      slice7winner1_of_four_0_8 <= 0 when slice7winner1_of_four_0_8_is_less else slice7winner1_of_pair_0_8;
-      slice7winner1_of_four_0_9 <= 0 when slice7winner1_of_four_0_8_is_less else slice7winner1_of_pair_0_9;
-      slice7winner1_of_four_0_10 <= slice7winner1_of_pair_0_10 when slice7winner1_of_four_0_8_is_less else 0;
-      slice7winner1_of_four_0_11 <= slice7winner1_of_pair_0_11 when slice7winner1_of_four_0_8_is_less else 0;
-      slice7winner1_of_four_0_12 <= 0 when slice7winner1_of_four_0_12_is_less else slice7winner1_of_pair_0_12;
-      slice7winner1_of_four_0_13 <= 0 when slice7winner1_of_four_0_12_is_less else slice7winner1_of_pair_0_13;
-      slice7winner1_of_four_0_14 <= slice7winner1_of_pair_0_14 when slice7winner1_of_four_0_12_is_less else 0;
-      slice7winner1_of_four_0_15 <= slice7winner1_of_pair_0_15 when slice7winner1_of_four_0_12_is_less else 0;
-      slice7winner1_of_four_0_16 <= 0 when slice7winner1_of_four_0_16_is_less else slice7winner1_of_pair_0_16;
-      slice7winner1_of_four_0_17 <= 0 when slice7winner1_of_four_0_16_is_less else slice7winner1_of_pair_0_17;
-      slice7winner1_of_four_0_18 <= slice7winner1_of_pair_0_18 when slice7winner1_of_four_0_16_is_less else 0;
-      slice7winner1_of_four_0_19 <= slice7winner1_of_pair_0_19 when slice7winner1_of_four_0_16_is_less else 0;
-      slice7winner1_of_four_0_20 <= 0 when slice7winner1_of_four_0_20_is_less else slice7winner1_of_pair_0_20;
-      slice7winner1_of_four_0_21 <= 0 when slice7winner1_of_four_0_20_is_less else slice7winner1_of_pair_0_21;
-      slice7winner1_of_four_0_22 <= slice7winner1_of_pair_0_22 when slice7winner1_of_four_0_20_is_less else 0;
-      slice7winner1_of_four_0_23 <= slice7winner1_of_pair_0_23 when slice7winner1_of_four_0_20_is_less else 0;
-      slice7winner1_of_four_0_24 <= slice7winner1_of_pair_0_24;
-      slice7winner1_four_index_0_0 <= slice7winner1_pair_index_0_1 when slice7winner1_of_four_0_0_is_less else
-        as_number(slice7winner1_pair_index_0_0);
-      slice7winner1_four_index_0_1 <= slice7winner1_pair_index_0_3 when slice7winner1_of_four_0_4_is_less else
-        slice7winner1_pair_index_0_2;
-      slice7winner1_four_index_0_2 <= slice7winner1_pair_index_0_5 when slice7winner1_of_four_0_8_is_less else
-        slice7winner1_pair_index_0_4;
-      slice7winner1_four_index_0_3 <= slice7winner1_pair_index_0_7 when slice7winner1_of_four_0_12_is_less else
-        slice7winner1_pair_index_0_6;
-      slice7winner1_four_index_0_4 <= slice7winner1_pair_index_0_9 when slice7winner1_of_four_0_16_is_less else
-        slice7winner1_pair_index_0_8;
-      slice7winner1_four_index_0_5 <= slice7winner1_pair_index_0_11 when slice7winner1_of_four_0_20_is_less else
-        slice7winner1_pair_index_0_10;
-      slice7winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice7winner1_of_four_0_2, 14)) or
-        (to_unsigned(slice7winner1_of_four_0_3, 14)))) or (to_unsigned(slice7winner1_of_four_0_1, 14)))) or
-        (to_unsigned(slice7winner1_of_four_0_0, 14))));
-      slice7winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice7winner1_of_four_0_6, 14)) or
-        (to_unsigned(slice7winner1_of_four_0_7, 14)))) or (to_unsigned(slice7winner1_of_four_0_5, 14)))) or
-        (to_unsigned(slice7winner1_of_four_0_4, 14))));
-      slice7winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice7winner1_of_four_0_10, 14)) or
-        (to_unsigned(slice7winner1_of_four_0_11, 14)))) or (to_unsigned(slice7winner1_of_four_0_9, 14)))) or
-        (to_unsigned(slice7winner1_of_four_0_8, 14))));
-      slice7winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice7winner1_of_four_0_14, 14)) or
-        (to_unsigned(slice7winner1_of_four_0_15, 14)))) or (to_unsigned(slice7winner1_of_four_0_13, 14)))) or
-        (to_unsigned(slice7winner1_of_four_0_12, 14))));
-      slice7winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice7winner1_of_four_0_18, 14)) or
-        (to_unsigned(slice7winner1_of_four_0_19, 14)))) or (to_unsigned(slice7winner1_of_four_0_17, 14)))) or
-        (to_unsigned(slice7winner1_of_four_0_16, 14))));
-      slice7winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice7winner1_of_four_0_22, 14)) or
-        (to_unsigned(slice7winner1_of_four_0_23, 14)))) or (to_unsigned(slice7winner1_of_four_0_21, 14)))) or
-        (to_unsigned(slice7winner1_of_four_0_20, 14))));
-      slice7winner1_best_cost_0_6 <= slice7winner1_of_four_0_24;
-      slice7winner1_best_index_0_0 <= slice7winner1_four_index_0_0;
-      slice7winner1_best_index_0_1 <= slice7winner1_four_index_0_1;
-      slice7winner1_best_index_0_2 <= slice7winner1_four_index_0_2;
-      slice7winner1_best_index_0_3 <= slice7winner1_four_index_0_3;
-      slice7winner1_best_index_0_4 <= slice7winner1_four_index_0_4;
-      slice7winner1_best_index_0_5 <= slice7winner1_four_index_0_5;
+      slice7winner1_best_cost_0_0_is_less := (slice7window_sum_0_1 - slice7window_sum_0_0) < 0;
+      slice7winner1_best_cost_0_1_is_less := (slice7window_sum_0_3 - slice7window_sum_0_2) < 0;
+      slice7winner1_best_cost_0_2_is_less := (slice7window_sum_0_5 - slice7window_sum_0_4) < 0;
+      slice7winner1_best_cost_0_3_is_less := (slice7window_sum_0_7 - slice7window_sum_0_6) < 0;
+      slice7winner1_best_cost_0_4_is_less := (slice7window_sum_0_9 - slice7window_sum_0_8) < 0;
+      slice7winner1_best_cost_0_5_is_less := (slice7window_sum_0_11 - slice7window_sum_0_10) < 0;
+      slice7winner1_best_cost_0_6_is_less := (slice7window_sum_0_13 - slice7window_sum_0_12) < 0;
+      slice7winner1_best_cost_0_7_is_less := (slice7window_sum_0_15 - slice7window_sum_0_14) < 0;
+      slice7winner1_best_cost_0_8_is_less := (slice7window_sum_0_17 - slice7window_sum_0_16) < 0;
+      slice7winner1_best_cost_0_9_is_less := (slice7window_sum_0_19 - slice7window_sum_0_18) < 0;
+      slice7winner1_best_cost_0_10_is_less := (slice7window_sum_0_21 - slice7window_sum_0_20) < 0;
+      slice7winner1_best_cost_0_11_is_less := (slice7window_sum_0_23 - slice7window_sum_0_22) < 0;
+      slice7winner1_best_cost_0_0 <= slice7window_sum_0_1 when slice7winner1_best_cost_0_0_is_less else
+        slice7window_sum_0_0;
+      slice7winner1_best_cost_0_1 <= slice7window_sum_0_3 when slice7winner1_best_cost_0_1_is_less else
+        slice7window_sum_0_2;
+      slice7winner1_best_cost_0_2 <= slice7window_sum_0_5 when slice7winner1_best_cost_0_2_is_less else
+        slice7window_sum_0_4;
+      slice7winner1_best_cost_0_3 <= slice7window_sum_0_7 when slice7winner1_best_cost_0_3_is_less else
+        slice7window_sum_0_6;
+      slice7winner1_best_cost_0_4 <= slice7window_sum_0_9 when slice7winner1_best_cost_0_4_is_less else
+        slice7window_sum_0_8;
+      slice7winner1_best_cost_0_5 <= slice7window_sum_0_11 when slice7winner1_best_cost_0_5_is_less else
+        slice7window_sum_0_10;
+      slice7winner1_best_cost_0_6 <= slice7window_sum_0_13 when slice7winner1_best_cost_0_6_is_less else
+        slice7window_sum_0_12;
+      slice7winner1_best_cost_0_7 <= slice7window_sum_0_15 when slice7winner1_best_cost_0_7_is_less else
+        slice7window_sum_0_14;
+      slice7winner1_best_cost_0_8 <= slice7window_sum_0_17 when slice7winner1_best_cost_0_8_is_less else
+        slice7window_sum_0_16;
+      slice7winner1_best_cost_0_9 <= slice7window_sum_0_19 when slice7winner1_best_cost_0_9_is_less else
+        slice7window_sum_0_18;
+      slice7winner1_best_cost_0_10 <= slice7window_sum_0_21 when slice7winner1_best_cost_0_10_is_less else
+        slice7window_sum_0_20;
+      slice7winner1_best_cost_0_11 <= slice7window_sum_0_23 when slice7winner1_best_cost_0_11_is_less else
+        slice7window_sum_0_22;
+      slice7winner1_best_cost_0_12 <= slice7window_sum_0_24;
+      slice7winner1_best_index_0_0 <= slice7winner1_best_cost_0_0_is_less;
+      slice7winner1_best_index_0_1 <= 3 when slice7winner1_best_cost_0_1_is_less else 2;
+      slice7winner1_best_index_0_2 <= 5 when slice7winner1_best_cost_0_2_is_less else 4;
+      slice7winner1_best_index_0_3 <= 7 when slice7winner1_best_cost_0_3_is_less else 6;
+      slice7winner1_best_index_0_4 <= 9 when slice7winner1_best_cost_0_4_is_less else 8;
+      slice7winner1_best_index_0_5 <= 11 when slice7winner1_best_cost_0_5_is_less else 10;
+      slice7winner1_best_index_0_6 <= 13 when slice7winner1_best_cost_0_6_is_less else 12;
+      slice7winner1_best_index_0_7 <= 15 when slice7winner1_best_cost_0_7_is_less else 14;
+      slice7winner1_best_index_0_8 <= 17 when slice7winner1_best_cost_0_8_is_less else 16;
+      slice7winner1_best_index_0_9 <= 19 when slice7winner1_best_cost_0_9_is_less else 18;
+      slice7winner1_best_index_0_10 <= 21 when slice7winner1_best_cost_0_10_is_less else 20;
+      slice7winner1_best_index_0_11 <= 23 when slice7winner1_best_cost_0_11_is_less else 22;
       -- slice7winner2
-      slice7winner2_of_pair_0_0_is_less := (slice7winner1_best_cost_0_1 - slice7winner1_best_cost_0_0) < 0;
-      slice7winner2_of_pair_0_2_is_less := (slice7winner1_best_cost_0_3 - slice7winner1_best_cost_0_2) < 0;
-      slice7winner2_of_pair_0_4_is_less := (slice7winner1_best_cost_0_5 - slice7winner1_best_cost_0_4) < 0;
-      slice7winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice7winner2_of_pair_0_2, 14)) or
-        (to_unsigned(slice7winner2_of_pair_0_3, 14)))) - to_integer(((to_unsigned(slice7winner2_of_pair_0_0, 14)) or
-        (to_unsigned(slice7winner2_of_pair_0_1, 14))))) < 0;
-      slice7winner2_of_four_0_4_is_less := (slice7winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice7winner2_of_pair_0_4, 14)) or (to_unsigned(slice7winner2_of_pair_0_5, 14))))) < 0;
-      slice7winner2_of_pair_0_0 <= 0 when slice7winner2_of_pair_0_0_is_less else slice7winner1_best_cost_0_0;
-      slice7winner2_of_pair_0_1 <= slice7winner1_best_cost_0_1 when slice7winner2_of_pair_0_0_is_less else 0;
-      slice7winner2_of_pair_0_2 <= 0 when slice7winner2_of_pair_0_2_is_less else slice7winner1_best_cost_0_2;
-      slice7winner2_of_pair_0_3 <= slice7winner1_best_cost_0_3 when slice7winner2_of_pair_0_2_is_less else 0;
-      slice7winner2_of_pair_0_4 <= 0 when slice7winner2_of_pair_0_4_is_less else slice7winner1_best_cost_0_4;
-      slice7winner2_of_pair_0_5 <= slice7winner1_best_cost_0_5 when slice7winner2_of_pair_0_4_is_less else 0;
-      slice7winner2_of_pair_0_6 <= slice7winner1_best_cost_0_6;
-      slice7winner2_pair_index_0_0 <= slice7winner1_best_index_0_1 when slice7winner2_of_pair_0_0_is_less else
-        slice7winner1_best_index_0_0;
-      slice7winner2_pair_index_0_1 <= slice7winner1_best_index_0_3 when slice7winner2_of_pair_0_2_is_less else
+      slice7winner2_best_cost_0_0_is_less := (slice7winner1_best_cost_0_1 - slice7winner1_best_cost_0_0) < 0;
+      slice7winner2_best_cost_0_1_is_less := (slice7winner1_best_cost_0_3 - slice7winner1_best_cost_0_2) < 0;
+      slice7winner2_best_cost_0_2_is_less := (slice7winner1_best_cost_0_5 - slice7winner1_best_cost_0_4) < 0;
+      slice7winner2_best_cost_0_3_is_less := (slice7winner1_best_cost_0_7 - slice7winner1_best_cost_0_6) < 0;
+      slice7winner2_best_cost_0_4_is_less := (slice7winner1_best_cost_0_9 - slice7winner1_best_cost_0_8) < 0;
+      slice7winner2_best_cost_0_5_is_less := (slice7winner1_best_cost_0_11 - slice7winner1_best_cost_0_10) < 0;
+      slice7winner2_best_cost_0_0 <= slice7winner1_best_cost_0_1 when slice7winner2_best_cost_0_0_is_less else
+        slice7winner1_best_cost_0_0;
+      slice7winner2_best_cost_0_1 <= slice7winner1_best_cost_0_3 when slice7winner2_best_cost_0_1_is_less else
+        slice7winner1_best_cost_0_2;
+      slice7winner2_best_cost_0_2 <= slice7winner1_best_cost_0_5 when slice7winner2_best_cost_0_2_is_less else
+        slice7winner1_best_cost_0_4;
+      slice7winner2_best_cost_0_3 <= slice7winner1_best_cost_0_7 when slice7winner2_best_cost_0_3_is_less else
+        slice7winner1_best_cost_0_6;
+      slice7winner2_best_cost_0_4 <= slice7winner1_best_cost_0_9 when slice7winner2_best_cost_0_4_is_less else
+        slice7winner1_best_cost_0_8;
+      slice7winner2_best_cost_0_5 <= slice7winner1_best_cost_0_11 when slice7winner2_best_cost_0_5_is_less else
+        slice7winner1_best_cost_0_10;
+      slice7winner2_best_cost_0_6 <= slice7winner1_best_cost_0_12;
+      slice7winner2_best_index_0_0 <= slice7winner1_best_index_0_1 when slice7winner2_best_cost_0_0_is_less else
+        as_number(slice7winner1_best_index_0_0);
+      slice7winner2_best_index_0_1 <= slice7winner1_best_index_0_3 when slice7winner2_best_cost_0_1_is_less else
         slice7winner1_best_index_0_2;
-      slice7winner2_pair_index_0_2 <= slice7winner1_best_index_0_5 when slice7winner2_of_pair_0_4_is_less else
+      slice7winner2_best_index_0_2 <= slice7winner1_best_index_0_5 when slice7winner2_best_cost_0_2_is_less else
         slice7winner1_best_index_0_4;
-      slice7winner2_of_four_0_0 <= 0 when slice7winner2_of_four_0_0_is_less else slice7winner2_of_pair_0_0;
-      slice7winner2_of_four_0_1 <= 0 when slice7winner2_of_four_0_0_is_less else slice7winner2_of_pair_0_1;
-      slice7winner2_of_four_0_2 <= slice7winner2_of_pair_0_2 when slice7winner2_of_four_0_0_is_less else 0;
-      slice7winner2_of_four_0_3 <= slice7winner2_of_pair_0_3 when slice7winner2_of_four_0_0_is_less else 0;
-      slice7winner2_of_four_0_4 <= 0 when slice7winner2_of_four_0_4_is_less else slice7winner2_of_pair_0_4;
-      slice7winner2_of_four_0_5 <= 0 when slice7winner2_of_four_0_4_is_less else slice7winner2_of_pair_0_5;
-      slice7winner2_of_four_0_6 <= slice7winner2_of_pair_0_6 when slice7winner2_of_four_0_4_is_less else 0;
-      slice7winner2_four_index_0_0 <= slice7winner2_pair_index_0_1 when slice7winner2_of_four_0_0_is_less else
-        slice7winner2_pair_index_0_0;
-      slice7winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice7winner2_of_four_0_4_is_less else
-        slice7winner2_pair_index_0_2;
-      slice7winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice7winner2_of_four_0_2, 14)) or
-        (to_unsigned(slice7winner2_of_four_0_3, 14)))) or (to_unsigned(slice7winner2_of_four_0_1, 14)))) or
-        (to_unsigned(slice7winner2_of_four_0_0, 14))));
-      slice7winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice7winner2_of_four_0_5, 14)) or
-        (to_unsigned(slice7winner2_of_four_0_6, 14)))) or (to_unsigned(slice7winner2_of_four_0_4, 14))));
-      slice7winner2_best_index_0_0 <= slice7winner2_four_index_0_0;
-      slice7winner2_best_index_0_1 <= slice7winner2_four_index_0_1;
+      slice7winner2_best_index_0_3 <= slice7winner1_best_index_0_7 when slice7winner2_best_cost_0_3_is_less else
+        slice7winner1_best_index_0_6;
+      slice7winner2_best_index_0_4 <= slice7winner1_best_index_0_9 when slice7winner2_best_cost_0_4_is_less else
+        slice7winner1_best_index_0_8;
+      slice7winner2_best_index_0_5 <= slice7winner1_best_index_0_11 when slice7winner2_best_cost_0_5_is_less else
+        slice7winner1_best_index_0_10;
       -- slice7winner3
       slice7winner3_best_cost_0_0_is_less := (slice7winner2_best_cost_0_1 - slice7winner2_best_cost_0_0) < 0;
+      slice7winner3_best_cost_0_1_is_less := (slice7winner2_best_cost_0_3 - slice7winner2_best_cost_0_2) < 0;
+      slice7winner3_best_cost_0_2_is_less := (slice7winner2_best_cost_0_5 - slice7winner2_best_cost_0_4) < 0;
       slice7winner3_best_cost_0_0 <= slice7winner2_best_cost_0_1 when slice7winner3_best_cost_0_0_is_less else
         slice7winner2_best_cost_0_0;
+      slice7winner3_best_cost_0_1 <= slice7winner2_best_cost_0_3 when slice7winner3_best_cost_0_1_is_less else
+        slice7winner2_best_cost_0_2;
+      slice7winner3_best_cost_0_2 <= slice7winner2_best_cost_0_5 when slice7winner3_best_cost_0_2_is_less else
+        slice7winner2_best_cost_0_4;
+      slice7winner3_best_cost_0_3 <= slice7winner2_best_cost_0_6;
       slice7winner3_best_index_0_0 <= slice7winner2_best_index_0_1 when slice7winner3_best_cost_0_0_is_less else
         slice7winner2_best_index_0_0;
-      -- slice7
-      slice7_best_index_0_0 <= slice6_best_index_0_0 when (slice6_best_cost_0_0 - slice7winner3_best_cost_0_0) < 0 else
+      slice7winner3_best_index_0_1 <= slice7winner2_best_index_0_3 when slice7winner3_best_cost_0_1_is_less else
+        slice7winner2_best_index_0_2;
+      slice7winner3_best_index_0_2 <= slice7winner2_best_index_0_5 when slice7winner3_best_cost_0_2_is_less else
+        slice7winner2_best_index_0_4;
+      -- slice7winner4
+      slice7winner4_best_cost_0_0_is_less := (slice7winner3_best_cost_0_1 - slice7winner3_best_cost_0_0) < 0;
+      slice7winner4_best_cost_0_1_is_less := (slice7winner3_best_cost_0_3 - slice7winner3_best_cost_0_2) < 0;
+      slice7winner4_best_cost_0_0 <= slice7winner3_best_cost_0_1 when slice7winner4_best_cost_0_0_is_less else
+        slice7winner3_best_cost_0_0;
+      slice7winner4_best_cost_0_1 <= slice7winner3_best_cost_0_3 when slice7winner4_best_cost_0_1_is_less else
+        slice7winner3_best_cost_0_2;
+      slice7winner4_best_index_0_0 <= slice7winner3_best_index_0_1 when slice7winner4_best_cost_0_0_is_less else
         slice7winner3_best_index_0_0;
+      slice7winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice7winner4_best_cost_0_1_is_less else
+        slice7winner3_best_index_0_2;
+      -- slice7winner5
+      slice7winner5_best_cost_0_0_is_less := (slice7winner4_best_cost_0_1 - slice7winner4_best_cost_0_0) < 0;
+      slice7winner5_best_cost_0_0 <= slice7winner4_best_cost_0_1 when slice7winner5_best_cost_0_0_is_less else
+        slice7winner4_best_cost_0_0;
+      slice7winner5_best_index_0_0 <= slice7winner4_best_index_0_1 when slice7winner5_best_cost_0_0_is_less else
+        slice7winner4_best_index_0_0;
+      -- slice7
+      slice7_best_index_0_0 <= slice6_best_index_0_0 when (slice6_best_cost_0_0 - slice7winner5_best_cost_0_0) < 0 else
+        slice7winner5_best_index_0_0;
       slice7_best_tag_valid <= slice6_best_tag_valid;
       slice7_best_tag_output_column <= slice6_best_tag_output_column;
       slice7_best_tag_start_of_frame <= slice6_best_tag_start_of_frame;
@@ -10749,24 +10181,16 @@ begin
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_start_of_frame <= false;
-        slice0winner2_pair_tag_valid <= false;
-        slice0winner2_pair_tag_start_of_frame <= false;
-        slice0winner2_four_tag_valid <= false;
-        slice0winner2_four_tag_start_of_frame <= false;
         slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
         slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner5_tag_valid <= false;
+        slice0winner5_tag_start_of_frame <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 440,
-      latency_clocks => 28,
+      latency_clocks => 26,
       flush_groups => 1922,
       gap_groups => 1920,
-      core_id => x"abd7e9b0",
+      core_id => x"55fe164f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 440,
-      latency_clocks => 28,
+      latency_clocks => 26,
       flush_groups => 1922,
       gap_groups => 1920)
     port map (

@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 199,
-      latency_clocks => 25,
+      latency_clocks => 23,
       flush_groups => 962,
       gap_groups => 960,
-      core_id => x"ec8225b0",
+      core_id => x"fcdf5998",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 199,
-      latency_clocks => 25,
+      latency_clocks => 23,
       flush_groups => 962,
       gap_groups => 960)
     port map (

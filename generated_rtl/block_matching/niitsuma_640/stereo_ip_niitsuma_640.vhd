@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 613,
-      latency_clocks => 21,
+      latency_clocks => 19,
       flush_groups => 1922,
       gap_groups => 1920,
-      core_id => x"c9b14991",
+      core_id => x"4bcf629b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 613,
-      latency_clocks => 21,
+      latency_clocks => 19,
       flush_groups => 1922,
       gap_groups => 1920)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_study_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 304;
-    latency_clocks : positive := 16;
+    latency_clocks : positive := 15;
     flush_groups : positive := 321;
     gap_groups : natural := 0
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_study_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_study_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 304 report "stereo_core_study_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
-  assert latency_clocks = 16 report "stereo_core_study_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 16" severity failure;
+  assert latency_clocks = 15 report "stereo_core_study_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 15" severity failure;
   assert flush_groups = 321 report "stereo_core_study_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 321" severity failure;
   assert gap_groups = 0 report "stereo_core_study_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -221,39 +221,29 @@ architecture rtl of stereo_core_study_p2 is
   signal slice0window_sum_1_4, slice0window_sum_1_5, slice0window_sum_1_6 : natural range 0 to 6395;
   signal slice0window_sum_1_7 : natural range 0 to 6395;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 6395;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 6395;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_1_0 : natural range 0 to 6395;
-  signal slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2, slice0winner1_of_pair_1_3 : natural range 0 to 6395;
-  signal slice0winner1_of_pair_1_4, slice0winner1_of_pair_1_5, slice0winner1_of_pair_1_6 : natural range 0 to 6395;
-  signal slice0winner1_of_pair_1_7, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 6395;
-  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 6395;
-  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 6395;
-  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 6395;
-  signal slice0winner1_of_four_1_3, slice0winner1_of_four_1_4, slice0winner1_of_four_1_5 : natural range 0 to 6395;
-  signal slice0winner1_of_four_1_6, slice0winner1_of_four_1_7 : natural range 0 to 6395;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
-  signal slice0winner1_pair_tag_output_column, slice0winner1_pair_tag_start_of_frame : boolean;
-  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid : boolean;
-  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
-  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice0winner1_four_index_0_0, slice0winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2, slice0winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice0winner1_four_index_0_1, slice0winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 8191;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 8191;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 6395;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 6395;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 6395;
+  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 6395;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 7;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 8191;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 7;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 6395;
+  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 6395;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1, slice0winner2_best_index_1_1 : natural range 0 to 7;
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_1_0 : natural range 0 to 6395;
+  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 8191;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 6395;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 15;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -346,30 +336,22 @@ architecture rtl of stereo_core_study_p2 is
   signal slice1window_sum_1_4, slice1window_sum_1_5, slice1window_sum_1_6 : natural range 0 to 6395;
   signal slice1window_sum_1_7 : natural range 0 to 6395;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 6395;
-  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 6395;
-  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_1_0 : natural range 0 to 6395;
-  signal slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2, slice1winner1_of_pair_1_3 : natural range 0 to 6395;
-  signal slice1winner1_of_pair_1_4, slice1winner1_of_pair_1_5, slice1winner1_of_pair_1_6 : natural range 0 to 6395;
-  signal slice1winner1_of_pair_1_7, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 6395;
-  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 6395;
-  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 6395;
-  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 6395;
-  signal slice1winner1_of_four_1_3, slice1winner1_of_four_1_4, slice1winner1_of_four_1_5 : natural range 0 to 6395;
-  signal slice1winner1_of_four_1_6, slice1winner1_of_four_1_7 : natural range 0 to 6395;
-  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice1winner1_pair_index_0_2, slice1winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_0_3, slice1winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice1winner1_four_index_0_1, slice1winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 8191;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 8191;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 6395;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 6395;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 6395;
+  signal slice1winner1_best_cost_1_2, slice1winner1_best_cost_1_3 : natural range 0 to 6395;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
+  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 7;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 8191;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 7;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 6395;
+  signal slice1winner2_best_cost_1_0, slice1winner2_best_cost_1_1 : natural range 0 to 6395;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 7;
+  -- slice1winner3
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_1_0 : natural range 0 to 6395;
+  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 7;
   -- slice1
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 15;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -418,20 +400,21 @@ begin
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
     variable raster_place_group_is_equal_3, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
-    variable delay_row_inside_2_choice, slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
-    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
-    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_pair_1_2_is_less : boolean;
-    variable slice0winner1_of_pair_1_4_is_less, slice0winner1_of_pair_1_6_is_less : boolean;
-    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
-    variable slice0winner1_of_four_1_0_is_less, slice0winner1_of_four_1_4_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_pair_0_2_is_less : boolean;
-    variable slice1winner1_of_pair_0_4_is_less, slice1winner1_of_pair_0_6_is_less : boolean;
-    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_pair_1_2_is_less : boolean;
-    variable slice1winner1_of_pair_1_4_is_less, slice1winner1_of_pair_1_6_is_less : boolean;
-    variable slice1winner1_of_four_0_0_is_less, slice1winner1_of_four_0_4_is_less : boolean;
-    variable slice1winner1_of_four_1_0_is_less, slice1winner1_of_four_1_4_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable delay_row_inside_2_choice, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
+    variable slice0winner1_best_cost_1_1_is_less, slice0winner1_best_cost_1_2_is_less : boolean;
+    variable slice0winner1_best_cost_1_3_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
+    variable slice0winner2_best_cost_1_1_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_1_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
+    variable slice1winner1_best_cost_1_1_is_less, slice1winner1_best_cost_1_2_is_less : boolean;
+    variable slice1winner1_best_cost_1_3_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable slice1winner2_best_cost_1_1_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_1_0_is_less : boolean;
     variable raster_place_group_choice, raster_place_group_choice_2 : natural range 0 to 63;
   begin
     if rising_edge(clock) then
@@ -851,126 +834,91 @@ begin
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_of_pair_1_2_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
-      slice0winner1_of_pair_1_4_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
-      slice0winner1_of_pair_1_6_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 13)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 13)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 13))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 13)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 13)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 13))))) < 0;
-      slice0winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_2, 13)) or
-        (to_unsigned(slice0winner1_of_pair_1_3, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 13)) or
-        (to_unsigned(slice0winner1_of_pair_1_1, 13))))) < 0;
-      slice0winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_6, 13)) or
-        (to_unsigned(slice0winner1_of_pair_1_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_4, 13)) or
-        (to_unsigned(slice0winner1_of_pair_1_5, 13))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
-      slice0winner1_of_pair_1_2 <= 0 when slice0winner1_of_pair_1_2_is_less else slice0window_sum_1_2;
-      slice0winner1_of_pair_1_3 <= slice0window_sum_1_3 when slice0winner1_of_pair_1_2_is_less else 0;
-      slice0winner1_of_pair_1_4 <= 0 when slice0winner1_of_pair_1_4_is_less else slice0window_sum_1_4;
-      slice0winner1_of_pair_1_5 <= slice0window_sum_1_5 when slice0winner1_of_pair_1_4_is_less else 0;
-      slice0winner1_of_pair_1_6 <= 0 when slice0winner1_of_pair_1_6_is_less else slice0window_sum_1_6;
-      slice0winner1_of_pair_1_7 <= slice0window_sum_1_7 when slice0winner1_of_pair_1_6_is_less else 0;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
-      slice0winner1_pair_index_1_1 <= 3 when slice0winner1_of_pair_1_2_is_less else 2;
-      slice0winner1_pair_index_1_2 <= 5 when slice0winner1_of_pair_1_4_is_less else 4;
-      slice0winner1_pair_index_1_3 <= 7 when slice0winner1_of_pair_1_6_is_less else 6;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_1_3 <= slice0winner1_of_pair_1_3 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_1_4 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_4;
-      slice0winner1_of_four_1_5 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_5;
-      slice0winner1_of_four_1_6 <= slice0winner1_of_pair_1_6 when slice0winner1_of_four_1_4_is_less else 0;
-      slice0winner1_of_four_1_7 <= slice0winner1_of_pair_1_7 when slice0winner1_of_four_1_4_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_1_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
-      slice0winner1_four_index_1_1 <= slice0winner1_pair_index_1_3 when slice0winner1_of_four_1_4_is_less else
-        slice0winner1_pair_index_1_2;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 13)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 13)))) or (to_unsigned(slice0winner1_of_four_0_1, 13)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 13))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 13)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 13)))) or (to_unsigned(slice0winner1_of_four_0_5, 13)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 13))));
-      slice0winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_2, 13)) or
-        (to_unsigned(slice0winner1_of_four_1_3, 13)))) or (to_unsigned(slice0winner1_of_four_1_1, 13)))) or
-        (to_unsigned(slice0winner1_of_four_1_0, 13))));
-      slice0winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_6, 13)) or
-        (to_unsigned(slice0winner1_of_four_1_7, 13)))) or (to_unsigned(slice0winner1_of_four_1_5, 13)))) or
-        (to_unsigned(slice0winner1_of_four_1_4, 13))));
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
-      slice0winner1_best_index_1_1 <= slice0winner1_four_index_1_1;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_best_cost_1_1_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
+      slice0winner1_best_cost_1_2_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
+      slice0winner1_best_cost_1_3_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
+        slice0window_sum_1_2;
+      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
+        slice0window_sum_1_4;
+      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
+        slice0window_sum_1_6;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
+      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
+      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
       slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_best_cost_1_1_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
       slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
         slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
+        slice0winner1_best_cost_1_2;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_index_0_0;
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_index_0_2;
       slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_index_1_0;
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
+        slice0winner1_best_index_1_2;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_1_0_is_less := (slice0winner2_best_cost_1_1 - slice0winner2_best_cost_1_0) < 0;
+      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
+        slice0winner2_best_cost_1_0;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
+        slice0winner2_best_index_1_0;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 8;
-      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 8;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner3_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 8;
+      slice0_best_index_1_0 <= slice0winner3_best_index_1_0 + 8;
+      slice0_best_tag_valid <= slice0winner3_tag_valid;
+      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1259,106 +1207,75 @@ begin
       slice1window_sum_1_6 <= slice1cost_column_1_6 + slice1window_partial_1_3_6;
       slice1window_sum_1_7 <= slice1cost_column_1_7 + slice1window_partial_1_3_7;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_of_pair_1_2_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
-      slice1winner1_of_pair_1_4_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
-      slice1winner1_of_pair_1_6_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
-      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 13)) or
-        (to_unsigned(slice1winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 13)) or
-        (to_unsigned(slice1winner1_of_pair_0_1, 13))))) < 0;
-      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 13)) or
-        (to_unsigned(slice1winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 13)) or
-        (to_unsigned(slice1winner1_of_pair_0_5, 13))))) < 0;
-      slice1winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_2, 13)) or
-        (to_unsigned(slice1winner1_of_pair_1_3, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 13)) or
-        (to_unsigned(slice1winner1_of_pair_1_1, 13))))) < 0;
-      slice1winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_6, 13)) or
-        (to_unsigned(slice1winner1_of_pair_1_7, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_4, 13)) or
-        (to_unsigned(slice1winner1_of_pair_1_5, 13))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
-      slice1winner1_of_pair_1_2 <= 0 when slice1winner1_of_pair_1_2_is_less else slice1window_sum_1_2;
-      slice1winner1_of_pair_1_3 <= slice1window_sum_1_3 when slice1winner1_of_pair_1_2_is_less else 0;
-      slice1winner1_of_pair_1_4 <= 0 when slice1winner1_of_pair_1_4_is_less else slice1window_sum_1_4;
-      slice1winner1_of_pair_1_5 <= slice1window_sum_1_5 when slice1winner1_of_pair_1_4_is_less else 0;
-      slice1winner1_of_pair_1_6 <= 0 when slice1winner1_of_pair_1_6_is_less else slice1window_sum_1_6;
-      slice1winner1_of_pair_1_7 <= slice1window_sum_1_7 when slice1winner1_of_pair_1_6_is_less else 0;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_pair_index_1_1 <= 3 when slice1winner1_of_pair_1_2_is_less else 2;
-      slice1winner1_pair_index_1_2 <= 5 when slice1winner1_of_pair_1_4_is_less else 4;
-      slice1winner1_pair_index_1_3 <= 7 when slice1winner1_of_pair_1_6_is_less else 6;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_of_four_1_3 <= slice1winner1_of_pair_1_3 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_of_four_1_4 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_4;
-      slice1winner1_of_four_1_5 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_5;
-      slice1winner1_of_four_1_6 <= slice1winner1_of_pair_1_6 when slice1winner1_of_four_1_4_is_less else 0;
-      slice1winner1_of_four_1_7 <= slice1winner1_of_pair_1_7 when slice1winner1_of_four_1_4_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
-      slice1winner1_four_index_1_0 <= slice1winner1_pair_index_1_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
-      slice1winner1_four_index_1_1 <= slice1winner1_pair_index_1_3 when slice1winner1_of_four_1_4_is_less else
-        slice1winner1_pair_index_1_2;
-      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 13)) or
-        (to_unsigned(slice1winner1_of_four_0_3, 13)))) or (to_unsigned(slice1winner1_of_four_0_1, 13)))) or
-        (to_unsigned(slice1winner1_of_four_0_0, 13))));
-      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 13)) or
-        (to_unsigned(slice1winner1_of_four_0_7, 13)))) or (to_unsigned(slice1winner1_of_four_0_5, 13)))) or
-        (to_unsigned(slice1winner1_of_four_0_4, 13))));
-      slice1winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_2, 13)) or
-        (to_unsigned(slice1winner1_of_four_1_3, 13)))) or (to_unsigned(slice1winner1_of_four_1_1, 13)))) or
-        (to_unsigned(slice1winner1_of_four_1_0, 13))));
-      slice1winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_6, 13)) or
-        (to_unsigned(slice1winner1_of_four_1_7, 13)))) or (to_unsigned(slice1winner1_of_four_1_5, 13)))) or
-        (to_unsigned(slice1winner1_of_four_1_4, 13))));
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
-      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
-      slice1winner1_best_index_1_1 <= slice1winner1_four_index_1_1;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_best_cost_1_1_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
+      slice1winner1_best_cost_1_2_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
+      slice1winner1_best_cost_1_3_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_3 when slice1winner1_best_cost_1_1_is_less else
+        slice1window_sum_1_2;
+      slice1winner1_best_cost_1_2 <= slice1window_sum_1_5 when slice1winner1_best_cost_1_2_is_less else
+        slice1window_sum_1_4;
+      slice1winner1_best_cost_1_3 <= slice1window_sum_1_7 when slice1winner1_best_cost_1_3_is_less else
+        slice1window_sum_1_6;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      slice1winner1_best_index_1_1 <= 3 when slice1winner1_best_cost_1_1_is_less else 2;
+      slice1winner1_best_index_1_2 <= 5 when slice1winner1_best_cost_1_2_is_less else 4;
+      slice1winner1_best_index_1_3 <= 7 when slice1winner1_best_cost_1_3_is_less else 6;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
       slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
+      slice1winner2_best_cost_1_1_is_less := (slice1winner1_best_cost_1_3 - slice1winner1_best_cost_1_2) < 0;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
       slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
         slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_3 when slice1winner2_best_cost_1_1_is_less else
+        slice1winner1_best_cost_1_2;
       slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_index_0_0;
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_index_0_2;
       slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_index_1_0;
-      -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
+        as_number(slice1winner1_best_index_1_0);
+      slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_best_cost_1_1_is_less else
+        slice1winner1_best_index_1_2;
+      -- slice1winner3
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_1_0_is_less := (slice1winner2_best_cost_1_1 - slice1winner2_best_cost_1_0) < 0;
+      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_1 when slice1winner3_best_cost_1_0_is_less else
+        slice1winner2_best_cost_1_0;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_index_0_0;
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when (slice0_best_cost_1_0 - slice1winner2_best_cost_1_0) < 0 else
+      slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_1 when slice1winner3_best_cost_1_0_is_less else
         slice1winner2_best_index_1_0;
+      -- slice1
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0 else
+        slice1winner3_best_index_0_0;
+      slice1_best_index_1_0 <= slice0_best_index_1_0 when (slice0_best_cost_1_0 - slice1winner3_best_cost_1_0) < 0 else
+        slice1winner3_best_index_1_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1419,14 +1336,6 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_end_of_line <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
@@ -1435,6 +1344,10 @@ begin
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 304,
-      latency_clocks => 16,
+      latency_clocks => 15,
       flush_groups => 321,
       gap_groups => 0,
-      core_id => x"d13bd2de",
+      core_id => x"61dbd95d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 304,
-      latency_clocks => 16,
+      latency_clocks => 15,
       flush_groups => 321,
       gap_groups => 0)
     port map (

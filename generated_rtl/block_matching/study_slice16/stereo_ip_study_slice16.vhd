@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 304,
-      latency_clocks => 17,
+      latency_clocks => 15,
       flush_groups => 641,
       gap_groups => 0,
-      core_id => x"a4890b4e",
+      core_id => x"2ab602d1",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 304,
-      latency_clocks => 17,
+      latency_clocks => 15,
       flush_groups => 641,
       gap_groups => 0)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_tiny_wide_range is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 3;
-    latency_clocks : positive := 19;
+    latency_clocks : positive := 17;
     flush_groups : positive := 32;
     gap_groups : natural := 0
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_wide_range: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_wide_range: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 3 report "stereo_core_tiny_wide_range: output_width_px is " & integer'image(output_width_px) & " but this core has 3" severity failure;
-  assert latency_clocks = 19 report "stereo_core_tiny_wide_range: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
+  assert latency_clocks = 17 report "stereo_core_tiny_wide_range: latency_clocks is " & integer'image(latency_clocks) & " but this core has 17" severity failure;
   assert flush_groups = 32 report "stereo_core_tiny_wide_range: flush_groups is " & integer'image(flush_groups) & " but this core has 32" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_wide_range: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -178,41 +178,36 @@ architecture rtl of stereo_core_tiny_wide_range is
   signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2301;
   signal slice0window_sum_0_9 : natural range 0 to 2301;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_9, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9 : natural range 0 to 2301;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
-  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
-  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_pair_index_0_4, slice0winner1_four_index_0_2 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 9;
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_2 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_4 : natural range 0 to 2301;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
   -- slice0winner2
-  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice0winner2_of_four_0_0, slice0winner2_of_four_0_1, slice0winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_0_0 : natural range 0 to 4095;
-  signal slice0winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_0_1, slice0winner2_four_index_0_0 : natural range 0 to 9;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 9;
-  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
-  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
-  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
-  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
-  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_0_2 : natural range 0 to 2301;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2 : natural range 0 to 9;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1 : natural range 0 to 9;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0 : natural range 0 to 2301;
+  signal slice0winner4_best_index_0_0 : natural range 0 to 9;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0 : natural range 0 to 4095;
+  signal slice0_best_cost_0_0 : natural range 0 to 2301;
   signal slice0_best_index_0_0 : natural range 0 to 28;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -268,32 +263,29 @@ architecture rtl of stereo_core_tiny_wide_range is
   signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 2301;
   signal slice1window_sum_0_9 : natural range 0 to 2301;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_0_9, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 2301;
-  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 2301;
-  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 2301;
-  signal slice1winner1_of_four_0_8, slice1winner1_of_four_0_9 : natural range 0 to 2301;
-  signal slice1winner1_pair_index_0_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_pair_index_0_4, slice1winner1_four_index_0_2 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 9;
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice1winner1_best_cost_0_2 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_0_4 : natural range 0 to 2301;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
   -- slice1winner2
-  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice1winner2_of_four_0_0, slice1winner2_of_four_0_1, slice1winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice1winner2_best_cost_0_0 : natural range 0 to 4095;
-  signal slice1winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice1winner2_pair_index_0_1, slice1winner2_four_index_0_0 : natural range 0 to 9;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 9;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_0_2 : natural range 0 to 2301;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_0_2 : natural range 0 to 9;
+  -- slice1winner3
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_0_1 : natural range 0 to 9;
+  -- slice1winner4
+  signal slice1winner4_best_cost_0_0 : natural range 0 to 2301;
+  signal slice1winner4_best_index_0_0 : natural range 0 to 9;
   -- slice1
-  signal slice1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice1_best_cost_0_0 : natural range 0 to 2301;
   signal slice1_best_index_0_0 : natural range 0 to 28;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -341,29 +333,27 @@ architecture rtl of stereo_core_tiny_wide_range is
   signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 2301;
   signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 2301;
   -- slice2winner1
-  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_0_3, slice2winner1_of_pair_0_4, slice2winner1_of_pair_0_5 : natural range 0 to 2301;
-  signal slice2winner1_of_pair_0_6, slice2winner1_of_pair_0_7, slice2winner1_of_pair_0_8 : natural range 0 to 2301;
-  signal slice2winner1_of_four_0_0, slice2winner1_of_four_0_1, slice2winner1_of_four_0_2 : natural range 0 to 2301;
-  signal slice2winner1_of_four_0_3, slice2winner1_of_four_0_4, slice2winner1_of_four_0_5 : natural range 0 to 2301;
-  signal slice2winner1_of_four_0_6, slice2winner1_of_four_0_7, slice2winner1_of_four_0_8 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_0_2 : natural range 0 to 2301;
-  signal slice2winner1_pair_index_0_0 : boolean;
-  signal slice2winner1_pair_index_0_1, slice2winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_pair_index_0_3, slice2winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner1_pair_index_0_4, slice2winner1_four_index_0_2 : natural range 0 to 8;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 8;
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_0_4 : natural range 0 to 2301;
+  signal slice2winner1_best_index_0_0 : boolean;
+  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_4 : natural range 0 to 8;
   -- slice2winner2
-  signal slice2winner2_of_pair_0_0, slice2winner2_of_pair_0_1, slice2winner2_of_four_0_0 : natural range 0 to 4095;
-  signal slice2winner2_of_four_0_1, slice2winner2_best_cost_0_0 : natural range 0 to 4095;
-  signal slice2winner2_of_pair_0_2, slice2winner2_of_four_0_2 : natural range 0 to 2301;
-  signal slice2winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice2winner2_pair_index_0_1, slice2winner2_four_index_0_0 : natural range 0 to 8;
-  signal slice2winner2_best_index_0_0 : natural range 0 to 8;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_0_2 : natural range 0 to 2301;
+  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice2winner2_best_index_0_2 : natural range 0 to 8;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 2301;
+  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice2winner3_best_index_0_1 : natural range 0 to 8;
+  -- slice2winner4
+  signal slice2winner4_best_cost_0_0 : natural range 0 to 2301;
+  signal slice2winner4_best_index_0_0 : natural range 0 to 8;
   -- slice2
   signal slice2_best_index_0_0 : natural range 0 to 28;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
@@ -411,20 +401,20 @@ begin
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
     variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_column_choice : boolean;
     variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less : boolean;
-    variable delay_row_inside_1_is_less, slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
-    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
-    variable slice0winner1_of_pair_0_8_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_0_4_is_less, slice0winner2_of_pair_0_0_is_less : boolean;
-    variable slice0winner2_of_four_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
-    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
-    variable slice1winner1_of_four_0_0_is_less, slice1winner1_of_four_0_4_is_less : boolean;
-    variable slice1winner2_of_pair_0_0_is_less, slice1winner2_of_four_0_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice2winner1_of_pair_0_0_is_less : boolean;
-    variable slice2winner1_of_pair_0_2_is_less, slice2winner1_of_pair_0_4_is_less : boolean;
-    variable slice2winner1_of_pair_0_6_is_less, slice2winner1_of_four_0_0_is_less : boolean;
-    variable slice2winner1_of_four_0_4_is_less, slice2winner2_of_pair_0_0_is_less : boolean;
-    variable slice2winner2_of_four_0_0_is_less : boolean;
+    variable delay_row_inside_1_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice0winner4_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_1_is_less : boolean;
+    variable slice1winner1_best_cost_0_2_is_less, slice1winner1_best_cost_0_3_is_less : boolean;
+    variable slice1winner1_best_cost_0_4_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
+    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
+    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
+    variable slice2winner3_best_cost_0_0_is_less, slice2winner4_best_cost_0_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
   begin
@@ -711,109 +701,78 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 12))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
-      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_8 <= slice0winner1_of_pair_0_8;
-      slice0winner1_of_four_0_9 <= slice0winner1_of_pair_0_9;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_4;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 12))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 12)))) or (to_unsigned(slice0winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 12))));
-      slice0winner1_best_cost_0_2 <= to_integer(((to_unsigned(slice0winner1_of_four_0_8, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_9, 12))));
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
-      if slice0winner1_pair_tag_valid then
-        slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
-        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_tag_valid then
+        slice0winner1_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
       -- slice0winner2
-      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_of_four_0_0_is_less := (slice0winner2_of_pair_0_2 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 12)) or (to_unsigned(slice0winner2_of_pair_0_1, 12))))) < 0;
-      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
-      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
-      slice0winner2_of_pair_0_2 <= slice0winner1_best_cost_0_2;
-      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
-        slice0winner1_best_index_0_0;
-      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_2;
-      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
-      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
-      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
-        slice0winner2_pair_index_0_0;
-      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
-      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
-      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
-      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
-      slice0winner2_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner2_of_four_0_1, 12)) or
-        (to_unsigned(slice0winner2_of_four_0_2, 12)))) or (to_unsigned(slice0winner2_of_four_0_0, 12))));
-      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
-      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_index_0_2;
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 19;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner4_best_index_0_0 + 19;
+      slice0_best_tag_valid <= slice0winner4_tag_valid;
+      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -979,81 +938,58 @@ begin
       slice1window_sum_0_8 <= slice1cost_column_0_8 + slice1window_partial_0_1_8;
       slice1window_sum_0_9 <= slice1cost_column_0_9 + slice1window_partial_0_1_9;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
-      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice1winner1_of_pair_0_5, 12))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
-      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
-      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_8 <= slice1winner1_of_pair_0_8;
-      slice1winner1_of_four_0_9 <= slice1winner1_of_pair_0_9;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
-      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_4;
-      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_3, 12)))) or (to_unsigned(slice1winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_0, 12))));
-      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_7, 12)))) or (to_unsigned(slice1winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice1winner1_of_four_0_4, 12))));
-      slice1winner1_best_cost_0_2 <= to_integer(((to_unsigned(slice1winner1_of_four_0_8, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_9, 12))));
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
-      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
+        slice1window_sum_0_8;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
       -- slice1winner2
-      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_of_four_0_0_is_less := (slice1winner2_of_pair_0_2 -
-        to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 12)) or (to_unsigned(slice1winner2_of_pair_0_1, 12))))) < 0;
-      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
-      slice1winner2_of_pair_0_2 <= slice1winner1_best_cost_0_2;
-      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
-        slice1winner1_best_index_0_0;
-      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_2;
-      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
-      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
-      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
-        slice1winner2_pair_index_0_0;
-      slice1winner2_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner2_of_four_0_1, 12)) or
-        (to_unsigned(slice1winner2_of_four_0_2, 12)))) or (to_unsigned(slice1winner2_of_four_0_0, 12))));
-      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_index_0_2;
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
+      -- slice1winner3
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_index_0_0;
+      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
+      -- slice1winner4
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_cost_0_0;
+      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner4_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0 + 9;
+        slice1winner4_best_index_0_0 + 9;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1174,7 +1110,7 @@ begin
       slice2cost_column_0_8 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_8) +
         slice2cost_pair_0_8 + slice2cost_single_0_8;
       -- slice2window
-      if slice0winner1_pair_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_0_2 <= slice2cost_column_0_2;
@@ -1204,75 +1140,54 @@ begin
       slice2window_sum_0_7 <= slice2cost_column_0_7 + slice2window_partial_0_1_7;
       slice2window_sum_0_8 <= slice2cost_column_0_8 + slice2window_partial_0_1_8;
       -- slice2winner1
-      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
-      slice2winner1_of_pair_0_4_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
-      slice2winner1_of_pair_0_6_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
-      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_1, 12))))) < 0;
-      slice2winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice2winner1_of_pair_0_5, 12))))) < 0;
-      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
-      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
-      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
-      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
-      slice2winner1_of_pair_0_4 <= 0 when slice2winner1_of_pair_0_4_is_less else slice2window_sum_0_4;
-      slice2winner1_of_pair_0_5 <= slice2window_sum_0_5 when slice2winner1_of_pair_0_4_is_less else 0;
-      slice2winner1_of_pair_0_6 <= 0 when slice2winner1_of_pair_0_6_is_less else slice2window_sum_0_6;
-      slice2winner1_of_pair_0_7 <= slice2window_sum_0_7 when slice2winner1_of_pair_0_6_is_less else 0;
-      slice2winner1_of_pair_0_8 <= slice2window_sum_0_8;
-      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
-      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
-      slice2winner1_pair_index_0_2 <= 5 when slice2winner1_of_pair_0_4_is_less else 4;
-      slice2winner1_pair_index_0_3 <= 7 when slice2winner1_of_pair_0_6_is_less else 6;
-      slice2winner1_pair_index_0_4 <= 8;
-      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
-      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
-      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
-      slice2winner1_of_four_0_4 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_4;
-      slice2winner1_of_four_0_5 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_5;
-      slice2winner1_of_four_0_6 <= slice2winner1_of_pair_0_6 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_7 <= slice2winner1_of_pair_0_7 when slice2winner1_of_four_0_4_is_less else 0;
-      slice2winner1_of_four_0_8 <= slice2winner1_of_pair_0_8;
-      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
-        as_number(slice2winner1_pair_index_0_0);
-      slice2winner1_four_index_0_1 <= slice2winner1_pair_index_0_3 when slice2winner1_of_four_0_4_is_less else
-        slice2winner1_pair_index_0_2;
-      slice2winner1_four_index_0_2 <= slice2winner1_pair_index_0_4;
-      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_3, 12)))) or (to_unsigned(slice2winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_0, 12))));
-      slice2winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice2winner1_of_four_0_7, 12)))) or (to_unsigned(slice2winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice2winner1_of_four_0_4, 12))));
-      slice2winner1_best_cost_0_2 <= slice2winner1_of_four_0_8;
-      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
-      slice2winner1_best_index_0_1 <= slice2winner1_four_index_0_1;
-      slice2winner1_best_index_0_2 <= slice2winner1_four_index_0_2;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
+        slice2window_sum_0_2;
+      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
+        slice2window_sum_0_4;
+      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
+        slice2window_sum_0_6;
+      slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
+      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
+      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
+      slice2winner1_best_index_0_4 <= 8;
       -- slice2winner2
-      slice2winner2_of_pair_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
-      slice2winner2_of_four_0_0_is_less := (slice2winner2_of_pair_0_2 -
-        to_integer(((to_unsigned(slice2winner2_of_pair_0_0, 12)) or (to_unsigned(slice2winner2_of_pair_0_1, 12))))) < 0;
-      slice2winner2_of_pair_0_0 <= 0 when slice2winner2_of_pair_0_0_is_less else slice2winner1_best_cost_0_0;
-      slice2winner2_of_pair_0_1 <= slice2winner1_best_cost_0_1 when slice2winner2_of_pair_0_0_is_less else 0;
-      slice2winner2_of_pair_0_2 <= slice2winner1_best_cost_0_2;
-      slice2winner2_pair_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_of_pair_0_0_is_less else
-        slice2winner1_best_index_0_0;
-      slice2winner2_pair_index_0_1 <= slice2winner1_best_index_0_2;
-      slice2winner2_of_four_0_0 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_0;
-      slice2winner2_of_four_0_1 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_1;
-      slice2winner2_of_four_0_2 <= slice2winner2_of_pair_0_2 when slice2winner2_of_four_0_0_is_less else 0;
-      slice2winner2_four_index_0_0 <= slice2winner2_pair_index_0_1 when slice2winner2_of_four_0_0_is_less else
-        slice2winner2_pair_index_0_0;
-      slice2winner2_best_cost_0_0 <= to_integer(((((to_unsigned(slice2winner2_of_four_0_1, 12)) or
-        (to_unsigned(slice2winner2_of_four_0_2, 12)))) or (to_unsigned(slice2winner2_of_four_0_0, 12))));
-      slice2winner2_best_index_0_0 <= slice2winner2_four_index_0_0;
-      -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 else
+      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
+        as_number(slice2winner1_best_index_0_0);
+      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_index_0_2;
+      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
+        slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_index_0_0;
+      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
+      -- slice2winner4
+      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
+      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_cost_0_0;
+      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_index_0_0;
+      -- slice2
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0 else
+        slice2winner4_best_index_0_0;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1327,30 +1242,22 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_end_of_line <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_pair_tag_valid <= false;
-        slice0winner2_pair_tag_output_column <= false;
-        slice0winner2_pair_tag_start_of_frame <= false;
-        slice0winner2_pair_tag_end_of_line <= false;
-        slice0winner2_four_tag_valid <= false;
-        slice0winner2_four_tag_output_column <= false;
-        slice0winner2_four_tag_start_of_frame <= false;
-        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 3,
-      latency_clocks => 19,
+      latency_clocks => 17,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"d45853a1",
+      core_id => x"29137229",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 3,
-      latency_clocks => 19,
+      latency_clocks => 17,
       flush_groups => 32,
       gap_groups => 0)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_tiny_wide_range_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 4;
-    latency_clocks : positive := 19;
+    latency_clocks : positive := 17;
     flush_groups : positive := 32;
     gap_groups : natural := 0
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_tiny_wide_range_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_wide_range_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 4 report "stereo_core_tiny_wide_range_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 4" severity failure;
-  assert latency_clocks = 19 report "stereo_core_tiny_wide_range_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
+  assert latency_clocks = 17 report "stereo_core_tiny_wide_range_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 17" severity failure;
   assert flush_groups = 32 report "stereo_core_tiny_wide_range_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 32" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_wide_range_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
@@ -309,110 +309,75 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   signal slice0window_sum_1_20, slice0window_sum_1_21, slice0window_sum_1_22 : natural range 0 to 2301;
   signal slice0window_sum_1_23, slice0window_sum_1_24 : natural range 0 to 2301;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_15, slice0winner1_of_pair_0_16, slice0winner1_of_pair_0_17 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_18, slice0winner1_of_pair_0_19, slice0winner1_of_pair_0_20 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_21, slice0winner1_of_pair_0_22, slice0winner1_of_pair_0_23 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_0_24, slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_2, slice0winner1_of_pair_1_3, slice0winner1_of_pair_1_4 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_5, slice0winner1_of_pair_1_6, slice0winner1_of_pair_1_7 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_8, slice0winner1_of_pair_1_9, slice0winner1_of_pair_1_10 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_11, slice0winner1_of_pair_1_12, slice0winner1_of_pair_1_13 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_14, slice0winner1_of_pair_1_15, slice0winner1_of_pair_1_16 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_17, slice0winner1_of_pair_1_18, slice0winner1_of_pair_1_19 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_20, slice0winner1_of_pair_1_21, slice0winner1_of_pair_1_22 : natural range 0 to 2301;
-  signal slice0winner1_of_pair_1_23, slice0winner1_of_pair_1_24, slice0winner1_of_four_0_0 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_7, slice0winner1_of_four_0_8, slice0winner1_of_four_0_9 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_10, slice0winner1_of_four_0_11, slice0winner1_of_four_0_12 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_13, slice0winner1_of_four_0_14, slice0winner1_of_four_0_15 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_16, slice0winner1_of_four_0_17, slice0winner1_of_four_0_18 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_19, slice0winner1_of_four_0_20, slice0winner1_of_four_0_21 : natural range 0 to 2301;
-  signal slice0winner1_of_four_0_22, slice0winner1_of_four_0_23, slice0winner1_of_four_0_24 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_3, slice0winner1_of_four_1_4, slice0winner1_of_four_1_5 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_6, slice0winner1_of_four_1_7, slice0winner1_of_four_1_8 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_9, slice0winner1_of_four_1_10, slice0winner1_of_four_1_11 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_12, slice0winner1_of_four_1_13, slice0winner1_of_four_1_14 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_15, slice0winner1_of_four_1_16, slice0winner1_of_four_1_17 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_18, slice0winner1_of_four_1_19, slice0winner1_of_four_1_20 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_21, slice0winner1_of_four_1_22, slice0winner1_of_four_1_23 : natural range 0 to 2301;
-  signal slice0winner1_of_four_1_24, slice0winner1_best_cost_0_6, slice0winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
-  signal slice0winner1_pair_tag_output_column, slice0winner1_pair_tag_start_of_frame : boolean;
-  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid : boolean;
-  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
-  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_pair_index_1_1 : natural range 0 to 3;
-  signal slice0winner1_four_index_0_0, slice0winner1_four_index_1_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2, slice0winner1_pair_index_1_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_pair_index_1_3 : natural range 0 to 7;
-  signal slice0winner1_four_index_0_1, slice0winner1_four_index_1_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 7;
-  signal slice0winner1_pair_index_0_4, slice0winner1_pair_index_1_4 : natural range 0 to 9;
-  signal slice0winner1_pair_index_0_5, slice0winner1_pair_index_1_5 : natural range 0 to 11;
-  signal slice0winner1_four_index_0_2, slice0winner1_four_index_1_2 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 11;
-  signal slice0winner1_pair_index_0_6, slice0winner1_pair_index_1_6 : natural range 0 to 13;
-  signal slice0winner1_pair_index_0_7, slice0winner1_pair_index_1_7 : natural range 0 to 15;
-  signal slice0winner1_four_index_0_3, slice0winner1_four_index_1_3 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 15;
-  signal slice0winner1_pair_index_0_8, slice0winner1_pair_index_1_8 : natural range 0 to 17;
-  signal slice0winner1_pair_index_0_9, slice0winner1_pair_index_1_9 : natural range 0 to 19;
-  signal slice0winner1_four_index_0_4, slice0winner1_four_index_1_4 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 19;
-  signal slice0winner1_pair_index_0_10, slice0winner1_pair_index_1_10 : natural range 0 to 21;
-  signal slice0winner1_pair_index_0_11, slice0winner1_pair_index_1_11 : natural range 0 to 23;
-  signal slice0winner1_four_index_0_5, slice0winner1_four_index_1_5 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 23;
-  signal slice0winner1_pair_index_0_12, slice0winner1_four_index_0_6 : natural range 0 to 24;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 24;
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 4095;
-  signal slice0winner1_best_cost_1_4, slice0winner1_best_cost_1_5 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_12, slice0winner1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_1, slice0winner1_best_cost_1_2 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_3, slice0winner1_best_cost_1_4 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_5, slice0winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_7, slice0winner1_best_cost_1_8 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_9, slice0winner1_best_cost_1_10 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_11, slice0winner1_best_cost_1_12 : natural range 0 to 2301;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_6, slice0winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice0winner1_best_index_0_7, slice0winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_8, slice0winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice0winner1_best_index_0_9, slice0winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice0winner1_best_index_0_10, slice0winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice0winner1_best_index_0_11, slice0winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
   -- slice0winner2
-  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_0_3, slice0winner2_of_pair_0_4, slice0winner2_of_pair_0_5 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_1_0, slice0winner2_of_pair_1_1, slice0winner2_of_pair_1_2 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_1_3, slice0winner2_of_pair_1_4, slice0winner2_of_pair_1_5 : natural range 0 to 4095;
-  signal slice0winner2_of_four_0_0, slice0winner2_of_four_0_1, slice0winner2_of_four_0_2 : natural range 0 to 4095;
-  signal slice0winner2_of_four_0_3, slice0winner2_of_four_0_4, slice0winner2_of_four_0_5 : natural range 0 to 4095;
-  signal slice0winner2_of_four_1_0, slice0winner2_of_four_1_1, slice0winner2_of_four_1_2 : natural range 0 to 4095;
-  signal slice0winner2_of_four_1_3, slice0winner2_of_four_1_4, slice0winner2_of_four_1_5 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 4095;
-  signal slice0winner2_of_pair_0_6, slice0winner2_of_pair_1_6, slice0winner2_of_four_0_6 : natural range 0 to 2301;
-  signal slice0winner2_of_four_1_6 : natural range 0 to 2301;
-  signal slice0winner2_pair_index_0_0, slice0winner2_pair_index_1_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_0_1, slice0winner2_pair_index_1_1 : natural range 0 to 15;
-  signal slice0winner2_four_index_0_0, slice0winner2_four_index_1_0 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 15;
-  signal slice0winner2_pair_index_0_2, slice0winner2_pair_index_1_2 : natural range 0 to 23;
-  signal slice0winner2_pair_index_0_3, slice0winner2_four_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_four_index_1_1, slice0winner2_best_index_0_1 : natural range 0 to 24;
-  signal slice0winner2_best_index_1_1 : natural range 0 to 24;
-  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
-  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
-  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
-  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
-  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_0_6, slice0winner2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_1, slice0winner2_best_cost_1_2 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_3, slice0winner2_best_cost_1_4 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_5, slice0winner2_best_cost_1_6 : natural range 0 to 2301;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1, slice0winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2, slice0winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_0_3, slice0winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_4, slice0winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice0winner2_best_index_0_5, slice0winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_1_0 : natural range 0 to 4095;
-  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 24;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_1_0, slice0winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_1_2, slice0winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1, slice0winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice0winner3_best_index_0_2, slice0winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner4_best_cost_1_0, slice0winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner4_best_index_0_0, slice0winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice0winner4_best_index_0_1, slice0winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
+  -- slice0winner5
+  signal slice0winner5_best_cost_0_0, slice0winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0winner5_best_index_0_0, slice0winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
+  signal slice0winner5_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 4095;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 2301;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 27;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -442,26 +407,21 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
   signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 2301;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2301;
-  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 2301;
-  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 2301;
-  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 2301;
-  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 2;
-  signal slice1winner1_four_index_1_0, slice1winner1_best_index_0_0 : natural range 0 to 2;
-  signal slice1winner1_best_index_1_0 : natural range 0 to 2;
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 2;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 4095;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 2301;
   signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_1_0 : natural range 0 to 4095;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_1_0 : natural range 0 to 2301;
   signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 2;
   -- slice1winner4
-  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_1_0 : natural range 0 to 4095;
+  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_1_0 : natural range 0 to 2301;
   signal slice1winner4_best_index_0_0, slice1winner4_best_index_1_0 : natural range 0 to 2;
   -- slice1winner5
-  signal slice1winner5_best_cost_0_0, slice1winner5_best_cost_1_0 : natural range 0 to 4095;
+  signal slice1winner5_best_cost_0_0, slice1winner5_best_cost_1_0 : natural range 0 to 2301;
   signal slice1winner5_best_index_0_0, slice1winner5_best_index_1_0 : natural range 0 to 2;
   -- slice1
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 27;
@@ -509,33 +469,33 @@ begin
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
     variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_0_value : boolean;
-    variable delay_row_inside_0_any, delay_row_inside_1_any, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
-    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
-    variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_pair_0_12_is_less : boolean;
-    variable slice0winner1_of_pair_0_14_is_less, slice0winner1_of_pair_0_16_is_less : boolean;
-    variable slice0winner1_of_pair_0_18_is_less, slice0winner1_of_pair_0_20_is_less : boolean;
-    variable slice0winner1_of_pair_0_22_is_less, slice0winner1_of_pair_1_0_is_less : boolean;
-    variable slice0winner1_of_pair_1_2_is_less, slice0winner1_of_pair_1_4_is_less : boolean;
-    variable slice0winner1_of_pair_1_6_is_less, slice0winner1_of_pair_1_8_is_less : boolean;
-    variable slice0winner1_of_pair_1_10_is_less, slice0winner1_of_pair_1_12_is_less : boolean;
-    variable slice0winner1_of_pair_1_14_is_less, slice0winner1_of_pair_1_16_is_less : boolean;
-    variable slice0winner1_of_pair_1_18_is_less, slice0winner1_of_pair_1_20_is_less : boolean;
-    variable slice0winner1_of_pair_1_22_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_0_4_is_less, slice0winner1_of_four_0_8_is_less : boolean;
-    variable slice0winner1_of_four_0_12_is_less, slice0winner1_of_four_0_16_is_less : boolean;
-    variable slice0winner1_of_four_0_20_is_less, slice0winner1_of_four_1_0_is_less : boolean;
-    variable slice0winner1_of_four_1_4_is_less, slice0winner1_of_four_1_8_is_less : boolean;
-    variable slice0winner1_of_four_1_12_is_less, slice0winner1_of_four_1_16_is_less : boolean;
-    variable slice0winner1_of_four_1_20_is_less, slice0winner2_of_pair_0_0_is_less : boolean;
-    variable slice0winner2_of_pair_0_2_is_less, slice0winner2_of_pair_0_4_is_less : boolean;
-    variable slice0winner2_of_pair_1_0_is_less, slice0winner2_of_pair_1_2_is_less : boolean;
-    variable slice0winner2_of_pair_1_4_is_less, slice0winner2_of_four_0_0_is_less : boolean;
-    variable slice0winner2_of_four_0_4_is_less, slice0winner2_of_four_1_0_is_less : boolean;
-    variable slice0winner2_of_four_1_4_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_1_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_1_0_is_less : boolean;
+    variable delay_row_inside_0_any, delay_row_inside_1_any, delay_row_inside_1_choice : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
+    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
+    variable slice0winner1_best_cost_0_4_is_less, slice0winner1_best_cost_0_5_is_less : boolean;
+    variable slice0winner1_best_cost_0_6_is_less, slice0winner1_best_cost_0_7_is_less : boolean;
+    variable slice0winner1_best_cost_0_8_is_less, slice0winner1_best_cost_0_9_is_less : boolean;
+    variable slice0winner1_best_cost_0_10_is_less, slice0winner1_best_cost_0_11_is_less : boolean;
+    variable slice0winner1_best_cost_1_0_is_less, slice0winner1_best_cost_1_1_is_less : boolean;
+    variable slice0winner1_best_cost_1_2_is_less, slice0winner1_best_cost_1_3_is_less : boolean;
+    variable slice0winner1_best_cost_1_4_is_less, slice0winner1_best_cost_1_5_is_less : boolean;
+    variable slice0winner1_best_cost_1_6_is_less, slice0winner1_best_cost_1_7_is_less : boolean;
+    variable slice0winner1_best_cost_1_8_is_less, slice0winner1_best_cost_1_9_is_less : boolean;
+    variable slice0winner1_best_cost_1_10_is_less, slice0winner1_best_cost_1_11_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
+    variable slice0winner2_best_cost_0_2_is_less, slice0winner2_best_cost_0_3_is_less : boolean;
+    variable slice0winner2_best_cost_0_4_is_less, slice0winner2_best_cost_0_5_is_less : boolean;
+    variable slice0winner2_best_cost_1_0_is_less, slice0winner2_best_cost_1_1_is_less : boolean;
+    variable slice0winner2_best_cost_1_2_is_less, slice0winner2_best_cost_1_3_is_less : boolean;
+    variable slice0winner2_best_cost_1_4_is_less, slice0winner2_best_cost_1_5_is_less : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_cost_0_1_is_less : boolean;
+    variable slice0winner3_best_cost_0_2_is_less, slice0winner3_best_cost_1_0_is_less : boolean;
+    variable slice0winner3_best_cost_1_1_is_less, slice0winner3_best_cost_1_2_is_less : boolean;
+    variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_cost_0_1_is_less : boolean;
+    variable slice0winner4_best_cost_1_0_is_less, slice0winner4_best_cost_1_1_is_less : boolean;
+    variable slice0winner5_best_cost_0_0_is_less, slice0winner5_best_cost_1_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
   begin
@@ -547,8 +507,8 @@ begin
       raster_place_group_choice := 3 when raster_place_group_all else 0;
       raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
         (raster_place_group + 1) mod 8;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+      raster_place_group_choice_3 := raster_place_group_choice_2 when raster_place_group_is_equal and
+        (raster_place_group /= 7) and in_valid else raster_place_group;
       raster_features_search_0 <= in_left_pixel mod 256;
       raster_features_search_1 <= in_left_pixel / 256;
       raster_features_reference <= in_right_pixel;
@@ -574,17 +534,19 @@ begin
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
       delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
       delay_row_inside_1_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
+      delay_row_inside_1_choice := delay_row_inside_1_any when (raster_place_group mod 2) = 1 else
+        delay_row_inside_0_any;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_any;
-      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
+      delay_row_inside_1 <= delay_row_inside_1_choice;
       delay_row_inside_3 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (not (((raster_place_column / 16) = 1) and ((((raster_place_column / 4) mod 2) = 1) or
         ((raster_place_column mod 4) = 3)))) or (not (((raster_place_column / 8) mod 2) = 1));
-      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and (raster_place_column >= 27)
-        and (raster_place_column < 31);
+      delay_tag_output_column <= (raster_place_column >= 27) and (raster_place_column < 31) and
+        delay_row_inside_1_choice;
       delay_tag_start_of_frame <= (raster_place_column = 27) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -1286,395 +1248,264 @@ begin
         slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       end if;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_of_pair_0_16_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
-      slice0winner1_of_pair_0_18_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
-      slice0winner1_of_pair_0_20_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
-      slice0winner1_of_pair_0_22_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_of_pair_1_2_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
-      slice0winner1_of_pair_1_4_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
-      slice0winner1_of_pair_1_6_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
-      slice0winner1_of_pair_1_8_is_less := (slice0window_sum_1_9 - slice0window_sum_1_8) < 0;
-      slice0winner1_of_pair_1_10_is_less := (slice0window_sum_1_11 - slice0window_sum_1_10) < 0;
-      slice0winner1_of_pair_1_12_is_less := (slice0window_sum_1_13 - slice0window_sum_1_12) < 0;
-      slice0winner1_of_pair_1_14_is_less := (slice0window_sum_1_15 - slice0window_sum_1_14) < 0;
-      slice0winner1_of_pair_1_16_is_less := (slice0window_sum_1_17 - slice0window_sum_1_16) < 0;
-      slice0winner1_of_pair_1_18_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
-      slice0winner1_of_pair_1_20_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
-      slice0winner1_of_pair_1_22_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 12))))) < 0;
-      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_9, 12))))) < 0;
-      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_13, 12))))) < 0;
-      slice0winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_18, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_16, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_17, 12))))) < 0;
-      slice0winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_22, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_20, 12)) or
-        (to_unsigned(slice0winner1_of_pair_0_21, 12))))) < 0;
-      slice0winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_2, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
-      slice0winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_6, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_4, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_5, 12))))) < 0;
-      slice0winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_10, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_8, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_9, 12))))) < 0;
-      slice0winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_14, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_12, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_13, 12))))) < 0;
-      slice0winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_18, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_16, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_17, 12))))) < 0;
-      slice0winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_22, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_20, 12)) or
-        (to_unsigned(slice0winner1_of_pair_1_21, 12))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
-      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
-      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
-      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
-      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
-      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
-      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
-      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
-      slice0winner1_of_pair_0_16 <= 0 when slice0winner1_of_pair_0_16_is_less else slice0window_sum_0_16;
-      slice0winner1_of_pair_0_17 <= slice0window_sum_0_17 when slice0winner1_of_pair_0_16_is_less else 0;
-      slice0winner1_of_pair_0_18 <= 0 when slice0winner1_of_pair_0_18_is_less else slice0window_sum_0_18;
-      slice0winner1_of_pair_0_19 <= slice0window_sum_0_19 when slice0winner1_of_pair_0_18_is_less else 0;
-      slice0winner1_of_pair_0_20 <= 0 when slice0winner1_of_pair_0_20_is_less else slice0window_sum_0_20;
-      slice0winner1_of_pair_0_21 <= slice0window_sum_0_21 when slice0winner1_of_pair_0_20_is_less else 0;
-      slice0winner1_of_pair_0_22 <= 0 when slice0winner1_of_pair_0_22_is_less else slice0window_sum_0_22;
-      slice0winner1_of_pair_0_23 <= slice0window_sum_0_23 when slice0winner1_of_pair_0_22_is_less else 0;
-      slice0winner1_of_pair_0_24 <= slice0window_sum_0_24;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
-      slice0winner1_of_pair_1_2 <= 0 when slice0winner1_of_pair_1_2_is_less else slice0window_sum_1_2;
-      slice0winner1_of_pair_1_3 <= slice0window_sum_1_3 when slice0winner1_of_pair_1_2_is_less else 0;
-      slice0winner1_of_pair_1_4 <= 0 when slice0winner1_of_pair_1_4_is_less else slice0window_sum_1_4;
-      slice0winner1_of_pair_1_5 <= slice0window_sum_1_5 when slice0winner1_of_pair_1_4_is_less else 0;
-      slice0winner1_of_pair_1_6 <= 0 when slice0winner1_of_pair_1_6_is_less else slice0window_sum_1_6;
-      slice0winner1_of_pair_1_7 <= slice0window_sum_1_7 when slice0winner1_of_pair_1_6_is_less else 0;
-      slice0winner1_of_pair_1_8 <= 0 when slice0winner1_of_pair_1_8_is_less else slice0window_sum_1_8;
-      slice0winner1_of_pair_1_9 <= slice0window_sum_1_9 when slice0winner1_of_pair_1_8_is_less else 0;
-      slice0winner1_of_pair_1_10 <= 0 when slice0winner1_of_pair_1_10_is_less else slice0window_sum_1_10;
-      slice0winner1_of_pair_1_11 <= slice0window_sum_1_11 when slice0winner1_of_pair_1_10_is_less else 0;
-      slice0winner1_of_pair_1_12 <= 0 when slice0winner1_of_pair_1_12_is_less else slice0window_sum_1_12;
-      slice0winner1_of_pair_1_13 <= slice0window_sum_1_13 when slice0winner1_of_pair_1_12_is_less else 0;
-      slice0winner1_of_pair_1_14 <= 0 when slice0winner1_of_pair_1_14_is_less else slice0window_sum_1_14;
-      slice0winner1_of_pair_1_15 <= slice0window_sum_1_15 when slice0winner1_of_pair_1_14_is_less else 0;
-      slice0winner1_of_pair_1_16 <= 0 when slice0winner1_of_pair_1_16_is_less else slice0window_sum_1_16;
-      slice0winner1_of_pair_1_17 <= slice0window_sum_1_17 when slice0winner1_of_pair_1_16_is_less else 0;
-      slice0winner1_of_pair_1_18 <= 0 when slice0winner1_of_pair_1_18_is_less else slice0window_sum_1_18;
-      slice0winner1_of_pair_1_19 <= slice0window_sum_1_19 when slice0winner1_of_pair_1_18_is_less else 0;
-      slice0winner1_of_pair_1_20 <= 0 when slice0winner1_of_pair_1_20_is_less else slice0window_sum_1_20;
-      slice0winner1_of_pair_1_21 <= slice0window_sum_1_21 when slice0winner1_of_pair_1_20_is_less else 0;
-      slice0winner1_of_pair_1_22 <= 0 when slice0winner1_of_pair_1_22_is_less else slice0window_sum_1_22;
-      slice0winner1_of_pair_1_23 <= slice0window_sum_1_23 when slice0winner1_of_pair_1_22_is_less else 0;
-      slice0winner1_of_pair_1_24 <= slice0window_sum_1_24;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
-      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
-      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
-      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
-      slice0winner1_pair_index_0_8 <= 17 when slice0winner1_of_pair_0_16_is_less else 16;
-      slice0winner1_pair_index_0_9 <= 19 when slice0winner1_of_pair_0_18_is_less else 18;
-      slice0winner1_pair_index_0_10 <= 21 when slice0winner1_of_pair_0_20_is_less else 20;
-      slice0winner1_pair_index_0_11 <= 23 when slice0winner1_of_pair_0_22_is_less else 22;
-      slice0winner1_pair_index_0_12 <= 24;
-      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
-      slice0winner1_pair_index_1_1 <= 3 when slice0winner1_of_pair_1_2_is_less else 2;
-      slice0winner1_pair_index_1_2 <= 5 when slice0winner1_of_pair_1_4_is_less else 4;
-      slice0winner1_pair_index_1_3 <= 7 when slice0winner1_of_pair_1_6_is_less else 6;
-      slice0winner1_pair_index_1_4 <= 9 when slice0winner1_of_pair_1_8_is_less else 8;
-      slice0winner1_pair_index_1_5 <= 11 when slice0winner1_of_pair_1_10_is_less else 10;
-      slice0winner1_pair_index_1_6 <= 13 when slice0winner1_of_pair_1_12_is_less else 12;
-      slice0winner1_pair_index_1_7 <= 15 when slice0winner1_of_pair_1_14_is_less else 14;
-      slice0winner1_pair_index_1_8 <= 17 when slice0winner1_of_pair_1_16_is_less else 16;
-      slice0winner1_pair_index_1_9 <= 19 when slice0winner1_of_pair_1_18_is_less else 18;
-      slice0winner1_pair_index_1_10 <= 21 when slice0winner1_of_pair_1_20_is_less else 20;
-      slice0winner1_pair_index_1_11 <= 23 when slice0winner1_of_pair_1_22_is_less else 22;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
-      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
-      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
-      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
-      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_16 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_16;
-      slice0winner1_of_four_0_17 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_17;
-      slice0winner1_of_four_0_18 <= slice0winner1_of_pair_0_18 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_19 <= slice0winner1_of_pair_0_19 when slice0winner1_of_four_0_16_is_less else 0;
-      slice0winner1_of_four_0_20 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_20;
-      slice0winner1_of_four_0_21 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_21;
-      slice0winner1_of_four_0_22 <= slice0winner1_of_pair_0_22 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_23 <= slice0winner1_of_pair_0_23 when slice0winner1_of_four_0_20_is_less else 0;
-      slice0winner1_of_four_0_24 <= slice0winner1_of_pair_0_24;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_1_3 <= slice0winner1_of_pair_1_3 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_of_four_1_4 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_4;
-      slice0winner1_of_four_1_5 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_5;
-      slice0winner1_of_four_1_6 <= slice0winner1_of_pair_1_6 when slice0winner1_of_four_1_4_is_less else 0;
-      slice0winner1_of_four_1_7 <= slice0winner1_of_pair_1_7 when slice0winner1_of_four_1_4_is_less else 0;
-      slice0winner1_of_four_1_8 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_8;
-      slice0winner1_of_four_1_9 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_9;
-      slice0winner1_of_four_1_10 <= slice0winner1_of_pair_1_10 when slice0winner1_of_four_1_8_is_less else 0;
-      slice0winner1_of_four_1_11 <= slice0winner1_of_pair_1_11 when slice0winner1_of_four_1_8_is_less else 0;
-      slice0winner1_of_four_1_12 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_12;
-      slice0winner1_of_four_1_13 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_13;
-      slice0winner1_of_four_1_14 <= slice0winner1_of_pair_1_14 when slice0winner1_of_four_1_12_is_less else 0;
-      slice0winner1_of_four_1_15 <= slice0winner1_of_pair_1_15 when slice0winner1_of_four_1_12_is_less else 0;
-      slice0winner1_of_four_1_16 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_16;
-      slice0winner1_of_four_1_17 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_17;
-      slice0winner1_of_four_1_18 <= slice0winner1_of_pair_1_18 when slice0winner1_of_four_1_16_is_less else 0;
-      slice0winner1_of_four_1_19 <= slice0winner1_of_pair_1_19 when slice0winner1_of_four_1_16_is_less else 0;
-      slice0winner1_of_four_1_20 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_20;
-      slice0winner1_of_four_1_21 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_21;
-      slice0winner1_of_four_1_22 <= slice0winner1_of_pair_1_22 when slice0winner1_of_four_1_20_is_less else 0;
-      slice0winner1_of_four_1_23 <= slice0winner1_of_pair_1_23 when slice0winner1_of_four_1_20_is_less else 0;
-      slice0winner1_of_four_1_24 <= slice0winner1_of_pair_1_24;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
-        slice0winner1_pair_index_0_4;
-      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
-        slice0winner1_pair_index_0_6;
-      slice0winner1_four_index_0_4 <= slice0winner1_pair_index_0_9 when slice0winner1_of_four_0_16_is_less else
-        slice0winner1_pair_index_0_8;
-      slice0winner1_four_index_0_5 <= slice0winner1_pair_index_0_11 when slice0winner1_of_four_0_20_is_less else
-        slice0winner1_pair_index_0_10;
-      slice0winner1_four_index_0_6 <= slice0winner1_pair_index_0_12;
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_1_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
-      slice0winner1_four_index_1_1 <= slice0winner1_pair_index_1_3 when slice0winner1_of_four_1_4_is_less else
-        slice0winner1_pair_index_1_2;
-      slice0winner1_four_index_1_2 <= slice0winner1_pair_index_1_5 when slice0winner1_of_four_1_8_is_less else
-        slice0winner1_pair_index_1_4;
-      slice0winner1_four_index_1_3 <= slice0winner1_pair_index_1_7 when slice0winner1_of_four_1_12_is_less else
-        slice0winner1_pair_index_1_6;
-      slice0winner1_four_index_1_4 <= slice0winner1_pair_index_1_9 when slice0winner1_of_four_1_16_is_less else
-        slice0winner1_pair_index_1_8;
-      slice0winner1_four_index_1_5 <= slice0winner1_pair_index_1_11 when slice0winner1_of_four_1_20_is_less else
-        slice0winner1_pair_index_1_10;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 12))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 12)))) or (to_unsigned(slice0winner1_of_four_0_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 12))));
-      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_11, 12)))) or (to_unsigned(slice0winner1_of_four_0_9, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_8, 12))));
-      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_15, 12)))) or (to_unsigned(slice0winner1_of_four_0_13, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_12, 12))));
-      slice0winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_18, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_19, 12)))) or (to_unsigned(slice0winner1_of_four_0_17, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_16, 12))));
-      slice0winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_22, 12)) or
-        (to_unsigned(slice0winner1_of_four_0_23, 12)))) or (to_unsigned(slice0winner1_of_four_0_21, 12)))) or
-        (to_unsigned(slice0winner1_of_four_0_20, 12))));
-      slice0winner1_best_cost_0_6 <= slice0winner1_of_four_0_24;
-      slice0winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_2, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_3, 12)))) or (to_unsigned(slice0winner1_of_four_1_1, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_0, 12))));
-      slice0winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_6, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_7, 12)))) or (to_unsigned(slice0winner1_of_four_1_5, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_4, 12))));
-      slice0winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_10, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_11, 12)))) or (to_unsigned(slice0winner1_of_four_1_9, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_8, 12))));
-      slice0winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_14, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_15, 12)))) or (to_unsigned(slice0winner1_of_four_1_13, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_12, 12))));
-      slice0winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_18, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_19, 12)))) or (to_unsigned(slice0winner1_of_four_1_17, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_16, 12))));
-      slice0winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_22, 12)) or
-        (to_unsigned(slice0winner1_of_four_1_23, 12)))) or (to_unsigned(slice0winner1_of_four_1_21, 12)))) or
-        (to_unsigned(slice0winner1_of_four_1_20, 12))));
-      slice0winner1_best_cost_1_6 <= slice0winner1_of_four_1_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
-      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
-      slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
-      slice0winner1_best_index_0_5 <= slice0winner1_four_index_0_5;
-      slice0winner1_best_index_0_6 <= slice0winner1_four_index_0_6;
-      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
-      slice0winner1_best_index_1_1 <= slice0winner1_four_index_1_1;
-      slice0winner1_best_index_1_2 <= slice0winner1_four_index_1_2;
-      slice0winner1_best_index_1_3 <= slice0winner1_four_index_1_3;
-      slice0winner1_best_index_1_4 <= slice0winner1_four_index_1_4;
-      slice0winner1_best_index_1_5 <= slice0winner1_four_index_1_5;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_best_cost_0_8_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
+      slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
+      slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
+      slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
+      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_best_cost_1_1_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
+      slice0winner1_best_cost_1_2_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
+      slice0winner1_best_cost_1_3_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
+      slice0winner1_best_cost_1_4_is_less := (slice0window_sum_1_9 - slice0window_sum_1_8) < 0;
+      slice0winner1_best_cost_1_5_is_less := (slice0window_sum_1_11 - slice0window_sum_1_10) < 0;
+      slice0winner1_best_cost_1_6_is_less := (slice0window_sum_1_13 - slice0window_sum_1_12) < 0;
+      slice0winner1_best_cost_1_7_is_less := (slice0window_sum_1_15 - slice0window_sum_1_14) < 0;
+      slice0winner1_best_cost_1_8_is_less := (slice0window_sum_1_17 - slice0window_sum_1_16) < 0;
+      slice0winner1_best_cost_1_9_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
+      slice0winner1_best_cost_1_10_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
+      slice0winner1_best_cost_1_11_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
+        slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
+        slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
+        slice0window_sum_0_14;
+      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
+        slice0window_sum_0_16;
+      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
+        slice0window_sum_0_18;
+      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
+        slice0window_sum_0_20;
+      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
+        slice0window_sum_0_22;
+      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
+        slice0window_sum_1_2;
+      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
+        slice0window_sum_1_4;
+      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
+        slice0window_sum_1_6;
+      slice0winner1_best_cost_1_4 <= slice0window_sum_1_9 when slice0winner1_best_cost_1_4_is_less else
+        slice0window_sum_1_8;
+      slice0winner1_best_cost_1_5 <= slice0window_sum_1_11 when slice0winner1_best_cost_1_5_is_less else
+        slice0window_sum_1_10;
+      slice0winner1_best_cost_1_6 <= slice0window_sum_1_13 when slice0winner1_best_cost_1_6_is_less else
+        slice0window_sum_1_12;
+      slice0winner1_best_cost_1_7 <= slice0window_sum_1_15 when slice0winner1_best_cost_1_7_is_less else
+        slice0window_sum_1_14;
+      slice0winner1_best_cost_1_8 <= slice0window_sum_1_17 when slice0winner1_best_cost_1_8_is_less else
+        slice0window_sum_1_16;
+      slice0winner1_best_cost_1_9 <= slice0window_sum_1_19 when slice0winner1_best_cost_1_9_is_less else
+        slice0window_sum_1_18;
+      slice0winner1_best_cost_1_10 <= slice0window_sum_1_21 when slice0winner1_best_cost_1_10_is_less else
+        slice0window_sum_1_20;
+      slice0winner1_best_cost_1_11 <= slice0window_sum_1_23 when slice0winner1_best_cost_1_11_is_less else
+        slice0window_sum_1_22;
+      slice0winner1_best_cost_1_12 <= slice0window_sum_1_24;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
+      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
+      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
+      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
+      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
+      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
+      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
+      slice0winner1_best_index_0_12 <= 24;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
+      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
+      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
+      slice0winner1_best_index_1_4 <= 9 when slice0winner1_best_cost_1_4_is_less else 8;
+      slice0winner1_best_index_1_5 <= 11 when slice0winner1_best_cost_1_5_is_less else 10;
+      slice0winner1_best_index_1_6 <= 13 when slice0winner1_best_cost_1_6_is_less else 12;
+      slice0winner1_best_index_1_7 <= 15 when slice0winner1_best_cost_1_7_is_less else 14;
+      slice0winner1_best_index_1_8 <= 17 when slice0winner1_best_cost_1_8_is_less else 16;
+      slice0winner1_best_index_1_9 <= 19 when slice0winner1_best_cost_1_9_is_less else 18;
+      slice0winner1_best_index_1_10 <= 21 when slice0winner1_best_cost_1_10_is_less else 20;
+      slice0winner1_best_index_1_11 <= 23 when slice0winner1_best_cost_1_11_is_less else 22;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_of_pair_0_4_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_of_pair_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
-      slice0winner2_of_pair_1_2_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
-      slice0winner2_of_pair_1_4_is_less := (slice0winner1_best_cost_1_5 - slice0winner1_best_cost_1_4) < 0;
-      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 12)) or
-        (to_unsigned(slice0winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 12)) or
-        (to_unsigned(slice0winner2_of_pair_0_1, 12))))) < 0;
-      slice0winner2_of_four_0_4_is_less := (slice0winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_0_4, 12)) or (to_unsigned(slice0winner2_of_pair_0_5, 12))))) < 0;
-      slice0winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_1_2, 12)) or
-        (to_unsigned(slice0winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_1_0, 12)) or
-        (to_unsigned(slice0winner2_of_pair_1_1, 12))))) < 0;
-      slice0winner2_of_four_1_4_is_less := (slice0winner2_of_pair_1_6 -
-        to_integer(((to_unsigned(slice0winner2_of_pair_1_4, 12)) or (to_unsigned(slice0winner2_of_pair_1_5, 12))))) < 0;
-      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
-      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
-      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
-      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
-      slice0winner2_of_pair_0_4 <= 0 when slice0winner2_of_pair_0_4_is_less else slice0winner1_best_cost_0_4;
-      slice0winner2_of_pair_0_5 <= slice0winner1_best_cost_0_5 when slice0winner2_of_pair_0_4_is_less else 0;
-      slice0winner2_of_pair_0_6 <= slice0winner1_best_cost_0_6;
-      slice0winner2_of_pair_1_0 <= 0 when slice0winner2_of_pair_1_0_is_less else slice0winner1_best_cost_1_0;
-      slice0winner2_of_pair_1_1 <= slice0winner1_best_cost_1_1 when slice0winner2_of_pair_1_0_is_less else 0;
-      slice0winner2_of_pair_1_2 <= 0 when slice0winner2_of_pair_1_2_is_less else slice0winner1_best_cost_1_2;
-      slice0winner2_of_pair_1_3 <= slice0winner1_best_cost_1_3 when slice0winner2_of_pair_1_2_is_less else 0;
-      slice0winner2_of_pair_1_4 <= 0 when slice0winner2_of_pair_1_4_is_less else slice0winner1_best_cost_1_4;
-      slice0winner2_of_pair_1_5 <= slice0winner1_best_cost_1_5 when slice0winner2_of_pair_1_4_is_less else 0;
-      slice0winner2_of_pair_1_6 <= slice0winner1_best_cost_1_6;
-      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
-        slice0winner1_best_index_0_0;
-      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
+      slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
+      slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
+      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_best_cost_1_1_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
+      slice0winner2_best_cost_1_2_is_less := (slice0winner1_best_cost_1_5 - slice0winner1_best_cost_1_4) < 0;
+      slice0winner2_best_cost_1_3_is_less := (slice0winner1_best_cost_1_7 - slice0winner1_best_cost_1_6) < 0;
+      slice0winner2_best_cost_1_4_is_less := (slice0winner1_best_cost_1_9 - slice0winner1_best_cost_1_8) < 0;
+      slice0winner2_best_cost_1_5_is_less := (slice0winner1_best_cost_1_11 - slice0winner1_best_cost_1_10) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_cost_0_6;
+      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_cost_0_8;
+      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_cost_0_10;
+      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
+        slice0winner1_best_cost_1_2;
+      slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_5 when slice0winner2_best_cost_1_2_is_less else
+        slice0winner1_best_cost_1_4;
+      slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_7 when slice0winner2_best_cost_1_3_is_less else
+        slice0winner1_best_cost_1_6;
+      slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_9 when slice0winner2_best_cost_1_4_is_less else
+        slice0winner1_best_cost_1_8;
+      slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_11 when slice0winner2_best_cost_1_5_is_less else
+        slice0winner1_best_cost_1_10;
+      slice0winner2_best_cost_1_6 <= slice0winner1_best_cost_1_12;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_of_pair_0_4_is_less else
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
         slice0winner1_best_index_0_4;
-      slice0winner2_pair_index_0_3 <= slice0winner1_best_index_0_6;
-      slice0winner2_pair_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_of_pair_1_0_is_less else
-        slice0winner1_best_index_1_0;
-      slice0winner2_pair_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_of_pair_1_2_is_less else
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_index_0_6;
+      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_index_0_8;
+      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_index_0_10;
+      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
         slice0winner1_best_index_1_2;
-      slice0winner2_pair_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_of_pair_1_4_is_less else
+      slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_best_cost_1_2_is_less else
         slice0winner1_best_index_1_4;
-      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
-      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
-      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_4 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_4;
-      slice0winner2_of_four_0_5 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_5;
-      slice0winner2_of_four_0_6 <= slice0winner2_of_pair_0_6 when slice0winner2_of_four_0_4_is_less else 0;
-      slice0winner2_of_four_1_0 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_0;
-      slice0winner2_of_four_1_1 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_1;
-      slice0winner2_of_four_1_2 <= slice0winner2_of_pair_1_2 when slice0winner2_of_four_1_0_is_less else 0;
-      slice0winner2_of_four_1_3 <= slice0winner2_of_pair_1_3 when slice0winner2_of_four_1_0_is_less else 0;
-      slice0winner2_of_four_1_4 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_4;
-      slice0winner2_of_four_1_5 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_5;
-      slice0winner2_of_four_1_6 <= slice0winner2_of_pair_1_6 when slice0winner2_of_four_1_4_is_less else 0;
-      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
-        slice0winner2_pair_index_0_0;
-      slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_0_4_is_less else
-        slice0winner2_pair_index_0_2;
-      slice0winner2_four_index_1_0 <= slice0winner2_pair_index_1_1 when slice0winner2_of_four_1_0_is_less else
-        slice0winner2_pair_index_1_0;
-      slice0winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_1_4_is_less else
-        slice0winner2_pair_index_1_2;
-      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
-      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
-      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
-      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
-      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 12)) or
-        (to_unsigned(slice0winner2_of_four_0_3, 12)))) or (to_unsigned(slice0winner2_of_four_0_1, 12)))) or
-        (to_unsigned(slice0winner2_of_four_0_0, 12))));
-      slice0winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_0_5, 12)) or
-        (to_unsigned(slice0winner2_of_four_0_6, 12)))) or (to_unsigned(slice0winner2_of_four_0_4, 12))));
-      slice0winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_1_2, 12)) or
-        (to_unsigned(slice0winner2_of_four_1_3, 12)))) or (to_unsigned(slice0winner2_of_four_1_1, 12)))) or
-        (to_unsigned(slice0winner2_of_four_1_0, 12))));
-      slice0winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_1_5, 12)) or
-        (to_unsigned(slice0winner2_of_four_1_6, 12)))) or (to_unsigned(slice0winner2_of_four_1_4, 12))));
-      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
-      slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
-      slice0winner2_best_index_1_0 <= slice0winner2_four_index_1_0;
-      slice0winner2_best_index_1_1 <= slice0winner2_four_index_1_1;
-      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
+      slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_7 when slice0winner2_best_cost_1_3_is_less else
+        slice0winner1_best_index_1_6;
+      slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_9 when slice0winner2_best_cost_1_4_is_less else
+        slice0winner1_best_index_1_8;
+      slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_11 when slice0winner2_best_cost_1_5_is_less else
+        slice0winner1_best_index_1_10;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
+      slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
       slice0winner3_best_cost_1_0_is_less := (slice0winner2_best_cost_1_1 - slice0winner2_best_cost_1_0) < 0;
+      slice0winner3_best_cost_1_1_is_less := (slice0winner2_best_cost_1_3 - slice0winner2_best_cost_1_2) < 0;
+      slice0winner3_best_cost_1_2_is_less := (slice0winner2_best_cost_1_5 - slice0winner2_best_cost_1_4) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_cost_0_4;
+      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
       slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_cost_1_0;
+      slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_3 when slice0winner3_best_cost_1_1_is_less else
+        slice0winner2_best_cost_1_2;
+      slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_5 when slice0winner3_best_cost_1_2_is_less else
+        slice0winner2_best_cost_1_4;
+      slice0winner3_best_cost_1_3 <= slice0winner2_best_cost_1_6;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_index_0_4;
+      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_index_1_0;
+      slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_3 when slice0winner3_best_cost_1_1_is_less else
+        slice0winner2_best_index_1_2;
+      slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_5 when slice0winner3_best_cost_1_2_is_less else
+        slice0winner2_best_index_1_4;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
+      slice0winner4_best_cost_1_0_is_less := (slice0winner3_best_cost_1_1 - slice0winner3_best_cost_1_0) < 0;
+      slice0winner4_best_cost_1_1_is_less := (slice0winner3_best_cost_1_3 - slice0winner3_best_cost_1_2) < 0;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_cost_0_2;
+      slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_1 when slice0winner4_best_cost_1_0_is_less else
+        slice0winner3_best_cost_1_0;
+      slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_3 when slice0winner4_best_cost_1_1_is_less else
+        slice0winner3_best_cost_1_2;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_index_0_2;
+      slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_1 when slice0winner4_best_cost_1_0_is_less else
+        slice0winner3_best_index_1_0;
+      slice0winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_1_1_is_less else
+        slice0winner3_best_index_1_2;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice0winner5
+      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
+      slice0winner5_best_cost_1_0_is_less := (slice0winner4_best_cost_1_1 - slice0winner4_best_cost_1_0) < 0;
+      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_cost_0_0;
+      slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_1 when slice0winner5_best_cost_1_0_is_less else
+        slice0winner4_best_cost_1_0;
+      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_index_0_0;
+      slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_1 when slice0winner5_best_cost_1_0_is_less else
+        slice0winner4_best_index_1_0;
+      slice0winner5_tag_valid <= slice0winner4_tag_valid;
+      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
+      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner3_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 3;
-      slice0_best_index_1_0 <= slice0winner3_best_index_1_0 + 3;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner5_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 3;
+      slice0_best_index_1_0 <= slice0winner5_best_index_1_0 + 3;
+      slice0_best_tag_valid <= slice0winner5_tag_valid;
+      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1756,42 +1587,28 @@ begin
       slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
-      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
-        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
-      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 2;
-      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_1_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
-      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
-        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
-      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 12)) or
-        (to_unsigned(slice1winner1_of_four_1_2, 12)))) or (to_unsigned(slice1winner1_of_four_1_0, 12))));
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 2;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
       -- slice1winner2
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_0;
-      slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_0;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_cost_1_0;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_1_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
+        as_number(slice1winner1_best_index_1_0);
       -- slice1winner3
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
       slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_0;
@@ -1866,26 +1683,10 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_end_of_line <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_pair_tag_valid <= false;
-        slice0winner2_pair_tag_output_column <= false;
-        slice0winner2_pair_tag_start_of_frame <= false;
-        slice0winner2_pair_tag_end_of_line <= false;
-        slice0winner2_four_tag_valid <= false;
-        slice0winner2_four_tag_output_column <= false;
-        slice0winner2_four_tag_start_of_frame <= false;
-        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
@@ -1894,6 +1695,14 @@ begin
         slice0winner3_tag_output_column <= false;
         slice0winner3_tag_start_of_frame <= false;
         slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
+        slice0winner5_tag_valid <= false;
+        slice0winner5_tag_output_column <= false;
+        slice0winner5_tag_start_of_frame <= false;
+        slice0winner5_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -17,7 +17,7 @@ entity stereo_core_yi_270 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 236;
-    latency_clocks : positive := 22;
+    latency_clocks : positive := 20;
     flush_groups : positive := 1083;
     gap_groups : positive := 1080
   );
@@ -41,7 +41,7 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_yi_270: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_yi_270: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 236 report "stereo_core_yi_270: output_width_px is " & integer'image(output_width_px) & " but this core has 236" severity failure;
-  assert latency_clocks = 22 report "stereo_core_yi_270: latency_clocks is " & integer'image(latency_clocks) & " but this core has 22" severity failure;
+  assert latency_clocks = 20 report "stereo_core_yi_270: latency_clocks is " & integer'image(latency_clocks) & " but this core has 20" severity failure;
   assert flush_groups = 1083 report "stereo_core_yi_270: flush_groups is " & integer'image(flush_groups) & " but this core has 1083" severity failure;
   assert gap_groups = 1080 report "stereo_core_yi_270: gap_groups is " & integer'image(gap_groups) & " but this core has 1080" severity failure;
 end entity;
@@ -247,58 +247,51 @@ architecture rtl of stereo_core_yi_270 is
   signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 32767;
   signal slice0window_sum_0_15, slice0window_sum_0_16 : natural range 0 to 32767;
   -- slice0winner1
-  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 32767;
-  signal slice0winner1_of_pair_0_15, slice0winner1_of_pair_0_16, slice0winner1_of_four_0_0 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_7, slice0winner1_of_four_0_8, slice0winner1_of_four_0_9 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_10, slice0winner1_of_four_0_11, slice0winner1_of_four_0_12 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_13, slice0winner1_of_four_0_14, slice0winner1_of_four_0_15 : natural range 0 to 32767;
-  signal slice0winner1_of_four_0_16, slice0winner1_best_cost_0_0 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_3, slice0winner1_best_cost_0_4 : natural range 0 to 32767;
-  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
-  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
-  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
-  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_pair_index_0_5, slice0winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_pair_index_0_7, slice0winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner1_pair_index_0_8, slice0winner1_four_index_0_4 : natural range 0 to 16;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 16;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_8 : natural range 0 to 32767;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_8 : natural range 0 to 16;
   -- slice0winner2
-  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 32767;
-  signal slice0winner2_of_pair_0_3, slice0winner2_of_pair_0_4, slice0winner2_of_four_0_0 : natural range 0 to 32767;
-  signal slice0winner2_of_four_0_1, slice0winner2_of_four_0_2, slice0winner2_of_four_0_3 : natural range 0 to 32767;
-  signal slice0winner2_of_four_0_4, slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice0winner2_pair_index_0_1, slice0winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner2_pair_index_0_2, slice0winner2_four_index_0_1 : natural range 0 to 16;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 16;
-  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
-  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
-  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
-  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
-  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 32767;
+  signal slice0winner2_best_cost_0_4 : natural range 0 to 32767;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_4 : natural range 0 to 16;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0 : natural range 0 to 32767;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 16;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner3_best_cost_0_2 : natural range 0 to 32767;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice0winner3_best_index_0_2 : natural range 0 to 16;
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice0winner4_best_index_0_1 : natural range 0 to 16;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
+  -- slice0winner5
+  signal slice0winner5_best_cost_0_0 : natural range 0 to 32767;
+  signal slice0winner5_best_index_0_0 : natural range 0 to 16;
+  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
+  signal slice0winner5_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 32767;
   signal slice0_best_index_0_0 : natural range 0 to 33;
@@ -401,43 +394,38 @@ architecture rtl of stereo_core_yi_270 is
   signal slice1window_centre_start_of_frame_2, slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_centre_end_of_line_1, slice1window_centre_end_of_line_2 : boolean;
   -- slice1winner1
-  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_12, slice1winner1_of_pair_0_13, slice1winner1_of_pair_0_14 : natural range 0 to 32767;
-  signal slice1winner1_of_pair_0_15, slice1winner1_of_pair_0_16, slice1winner1_of_four_0_0 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_1, slice1winner1_of_four_0_2, slice1winner1_of_four_0_3 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_4, slice1winner1_of_four_0_5, slice1winner1_of_four_0_6 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_7, slice1winner1_of_four_0_8, slice1winner1_of_four_0_9 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_10, slice1winner1_of_four_0_11, slice1winner1_of_four_0_12 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_13, slice1winner1_of_four_0_14, slice1winner1_of_four_0_15 : natural range 0 to 32767;
-  signal slice1winner1_of_four_0_16, slice1winner1_best_cost_0_0 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_3, slice1winner1_best_cost_0_4 : natural range 0 to 32767;
-  signal slice1winner1_pair_index_0_0 : boolean;
-  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner1_pair_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_pair_index_0_5, slice1winner1_four_index_0_2 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner1_pair_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_pair_index_0_7, slice1winner1_four_index_0_3 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 15;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_8 : natural range 0 to 32767;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
+  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
+  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
   -- slice1winner2
-  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 32767;
-  signal slice1winner2_of_pair_0_3, slice1winner2_of_pair_0_4, slice1winner2_of_four_0_0 : natural range 0 to 32767;
-  signal slice1winner2_of_four_0_1, slice1winner2_of_four_0_2, slice1winner2_of_four_0_3 : natural range 0 to 32767;
-  signal slice1winner2_of_four_0_4, slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner2_pair_index_0_0 : natural range 0 to 7;
-  signal slice1winner2_pair_index_0_1, slice1winner2_four_index_0_0 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 15;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 32767;
+  signal slice1winner2_best_cost_0_4 : natural range 0 to 32767;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0 : natural range 0 to 32767;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 16;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner3_best_cost_0_2 : natural range 0 to 32767;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
+  -- slice1winner4
+  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner4_best_index_0_0 : natural range 0 to 15;
+  -- slice1winner5
+  signal slice1winner5_best_cost_0_0 : natural range 0 to 32767;
+  signal slice1winner5_best_index_0_0 : natural range 0 to 16;
   -- slice1
   signal slice1_best_index_0_0 : natural range 0 to 33;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -842,23 +830,23 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
-    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
-    variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_pair_0_12_is_less : boolean;
-    variable slice0winner1_of_pair_0_14_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_0_4_is_less, slice0winner1_of_four_0_8_is_less : boolean;
-    variable slice0winner1_of_four_0_12_is_less, slice0winner2_of_pair_0_0_is_less : boolean;
-    variable slice0winner2_of_pair_0_2_is_less, slice0winner2_of_four_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
-    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
-    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
-    variable slice1winner1_of_pair_0_14_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
-    variable slice1winner1_of_four_0_12_is_less, slice1winner2_of_pair_0_0_is_less : boolean;
-    variable slice1winner2_of_pair_0_2_is_less, slice1winner2_of_four_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
+    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
+    variable slice0winner1_best_cost_0_7_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
+    variable slice0winner2_best_cost_0_3_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_0_1_is_less, slice0winner4_best_cost_0_0_is_less : boolean;
+    variable slice0winner5_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
+    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
+    variable slice1winner1_best_cost_0_7_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_3_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_0_1_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
+    variable slice1winner5_best_cost_0_0_is_less : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 4095;
@@ -1507,167 +1495,117 @@ begin
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_2;
       end if;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
-      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
-      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
-      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_1, 15))))) < 0;
-      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_5, 15))))) < 0;
-      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_11, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_9, 15))))) < 0;
-      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_15, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 15)) or
-        (to_unsigned(slice0winner1_of_pair_0_13, 15))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
-      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
-      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
-      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
-      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
-      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
-      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
-      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
-      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
-      slice0winner1_of_pair_0_16 <= slice0window_sum_0_16;
-      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
-      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
-      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
-      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
-      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
-      slice0winner1_pair_index_0_8 <= 16;
-      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
-      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
-      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
-      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
-      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
-      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
-      slice0winner1_of_four_0_16 <= slice0winner1_of_pair_0_16;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
-      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
-        slice0winner1_pair_index_0_4;
-      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
-        slice0winner1_pair_index_0_6;
-      slice0winner1_four_index_0_4 <= slice0winner1_pair_index_0_8;
-      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
-      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
-      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
-      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_3, 15)))) or (to_unsigned(slice0winner1_of_four_0_1, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_0, 15))));
-      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_7, 15)))) or (to_unsigned(slice0winner1_of_four_0_5, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_4, 15))));
-      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_11, 15)))) or (to_unsigned(slice0winner1_of_four_0_9, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_8, 15))));
-      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 15)) or
-        (to_unsigned(slice0winner1_of_four_0_15, 15)))) or (to_unsigned(slice0winner1_of_four_0_13, 15)))) or
-        (to_unsigned(slice0winner1_of_four_0_12, 15))));
-      slice0winner1_best_cost_0_4 <= slice0winner1_of_four_0_16;
-      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
-      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
-      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
-      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
-      slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
-      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
-      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
+        slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
+        slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
+        slice0window_sum_0_14;
+      slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
+      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
+      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
+      slice0winner1_best_index_0_8 <= 16;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 15)) or
-        (to_unsigned(slice0winner2_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 15)) or
-        (to_unsigned(slice0winner2_of_pair_0_1, 15))))) < 0;
-      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
-      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
-      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
-      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
-      slice0winner2_of_pair_0_4 <= slice0winner1_best_cost_0_4;
-      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
-        slice0winner1_best_index_0_0;
-      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_cost_0_6;
+      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_4;
-      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
-      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
-      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
-      slice0winner2_of_four_0_4 <= slice0winner2_of_pair_0_4;
-      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
-        slice0winner2_pair_index_0_0;
-      slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_2;
-      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
-      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
-      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
-      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
-      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 15)) or
-        (to_unsigned(slice0winner2_of_four_0_3, 15)))) or (to_unsigned(slice0winner2_of_four_0_1, 15)))) or
-        (to_unsigned(slice0winner2_of_four_0_0, 15))));
-      slice0winner2_best_cost_0_1 <= slice0winner2_of_four_0_4;
-      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
-      slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
-      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_index_0_4;
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_index_0_6;
+      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice0winner5
+      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
+      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_cost_0_0;
+      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_index_0_0;
+      slice0winner5_tag_valid <= slice0winner4_tag_valid;
+      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
+      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 17;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 17;
+      slice0_best_tag_valid <= slice0winner5_tag_valid;
+      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -2091,129 +2029,89 @@ begin
         slice1window_centre_end_of_line_2 <= slice1window_centre_end_of_line_1;
       end if;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
-      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
-      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_of_pair_0_12_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
-      slice1winner1_of_pair_0_14_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_1, 15))))) < 0;
-      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_5, 15))))) < 0;
-      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_11, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_9, 15))))) < 0;
-      slice1winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_14, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_15, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_12, 15)) or
-        (to_unsigned(slice1winner1_of_pair_0_13, 15))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
-      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
-      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
-      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
-      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
-      slice1winner1_of_pair_0_12 <= 0 when slice1winner1_of_pair_0_12_is_less else slice1window_sum_0_12;
-      slice1winner1_of_pair_0_13 <= slice1window_sum_0_13 when slice1winner1_of_pair_0_12_is_less else 0;
-      slice1winner1_of_pair_0_14 <= 0 when slice1winner1_of_pair_0_14_is_less else slice1window_sum_0_14;
-      slice1winner1_of_pair_0_15 <= slice1window_sum_0_15 when slice1winner1_of_pair_0_14_is_less else 0;
-      slice1winner1_of_pair_0_16 <= slice1window_sum_0_16;
-      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
-      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
-      slice1winner1_pair_index_0_6 <= 13 when slice1winner1_of_pair_0_12_is_less else 12;
-      slice1winner1_pair_index_0_7 <= 15 when slice1winner1_of_pair_0_14_is_less else 14;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
-      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
-      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
-      slice1winner1_of_four_0_12 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_12;
-      slice1winner1_of_four_0_13 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_13;
-      slice1winner1_of_four_0_14 <= slice1winner1_of_pair_0_14 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_15 <= slice1winner1_of_pair_0_15 when slice1winner1_of_four_0_12_is_less else 0;
-      slice1winner1_of_four_0_16 <= slice1winner1_of_pair_0_16;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
-      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
-        slice1winner1_pair_index_0_4;
-      slice1winner1_four_index_0_3 <= slice1winner1_pair_index_0_7 when slice1winner1_of_four_0_12_is_less else
-        slice1winner1_pair_index_0_6;
-      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_3, 15)))) or (to_unsigned(slice1winner1_of_four_0_1, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_0, 15))));
-      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_7, 15)))) or (to_unsigned(slice1winner1_of_four_0_5, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_4, 15))));
-      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_11, 15)))) or (to_unsigned(slice1winner1_of_four_0_9, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_8, 15))));
-      slice1winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_14, 15)) or
-        (to_unsigned(slice1winner1_of_four_0_15, 15)))) or (to_unsigned(slice1winner1_of_four_0_13, 15)))) or
-        (to_unsigned(slice1winner1_of_four_0_12, 15))));
-      slice1winner1_best_cost_0_4 <= slice1winner1_of_four_0_16;
-      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
-      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
-      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
-      slice1winner1_best_index_0_3 <= slice1winner1_four_index_0_3;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
+        slice1window_sum_0_8;
+      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
+        slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
+        slice1window_sum_0_12;
+      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
+        slice1window_sum_0_14;
+      slice1winner1_best_cost_0_8 <= slice1window_sum_0_16;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
+      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
+      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
+      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
       -- slice1winner2
-      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 15)) or
-        (to_unsigned(slice1winner2_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 15)) or
-        (to_unsigned(slice1winner2_of_pair_0_1, 15))))) < 0;
-      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
-      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
-      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
-      slice1winner2_of_pair_0_4 <= slice1winner1_best_cost_0_4;
-      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
-        slice1winner1_best_index_0_0;
-      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
+      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_cost_0_6;
+      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_8;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
-      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
-      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
-      slice1winner2_of_four_0_4 <= slice1winner2_of_pair_0_4;
-      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
-        slice1winner2_pair_index_0_0;
-      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 15)) or
-        (to_unsigned(slice1winner2_of_four_0_3, 15)))) or (to_unsigned(slice1winner2_of_four_0_1, 15)))) or
-        (to_unsigned(slice1winner2_of_four_0_0, 15))));
-      slice1winner2_best_cost_0_1 <= slice1winner2_of_four_0_4;
-      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_index_0_4;
+      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_index_0_6;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_cost_0_2;
+      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_4;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_index_0_0;
-      -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0 else
+      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_index_0_2;
+      -- slice1winner4
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_cost_0_0;
+      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_2;
+      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
         slice1winner3_best_index_0_0;
+      -- slice1winner5
+      slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
+      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_cost_0_0;
+      slice1winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_index_0_0;
+      -- slice1
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0 else
+        slice1winner5_best_index_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -2292,26 +2190,10 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
-        slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
-        slice0winner1_pair_tag_start_of_frame <= false;
-        slice0winner1_pair_tag_end_of_line <= false;
-        slice0winner1_four_tag_valid <= false;
-        slice0winner1_four_tag_output_column <= false;
-        slice0winner1_four_tag_start_of_frame <= false;
-        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_pair_tag_valid <= false;
-        slice0winner2_pair_tag_output_column <= false;
-        slice0winner2_pair_tag_start_of_frame <= false;
-        slice0winner2_pair_tag_end_of_line <= false;
-        slice0winner2_four_tag_valid <= false;
-        slice0winner2_four_tag_output_column <= false;
-        slice0winner2_four_tag_start_of_frame <= false;
-        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
@@ -2320,6 +2202,14 @@ begin
         slice0winner3_tag_output_column <= false;
         slice0winner3_tag_start_of_frame <= false;
         slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
+        slice0winner5_tag_valid <= false;
+        slice0winner5_tag_output_column <= false;
+        slice0winner5_tag_start_of_frame <= false;
+        slice0winner5_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -62,10 +62,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 236,
-      latency_clocks => 22,
+      latency_clocks => 20,
       flush_groups => 1083,
       gap_groups => 1080,
-      core_id => x"47378c54",
+      core_id => x"0206f3cf",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -119,7 +119,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 236,
-      latency_clocks => 22,
+      latency_clocks => 20,
       flush_groups => 1083,
       gap_groups => 1080)
     port map (

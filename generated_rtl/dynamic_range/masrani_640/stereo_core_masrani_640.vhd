@@ -18,7 +18,7 @@ entity stereo_core_masrani_640 is
     disparity_bits : positive := 16;
     output_width_px : positive := 624;
     latency_clocks : positive := 59;
-    flush_groups : positive := 30614;
+    flush_groups : positive := 30612;
     gap_groups : positive := 15360
   );
   port (
@@ -42,7 +42,7 @@ begin
   assert disparity_bits = 16 report "stereo_core_masrani_640: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
   assert output_width_px = 624 report "stereo_core_masrani_640: output_width_px is " & integer'image(output_width_px) & " but this core has 624" severity failure;
   assert latency_clocks = 59 report "stereo_core_masrani_640: latency_clocks is " & integer'image(latency_clocks) & " but this core has 59" severity failure;
-  assert flush_groups = 30614 report "stereo_core_masrani_640: flush_groups is " & integer'image(flush_groups) & " but this core has 30614" severity failure;
+  assert flush_groups = 30612 report "stereo_core_masrani_640: flush_groups is " & integer'image(flush_groups) & " but this core has 30612" severity failure;
   assert gap_groups = 15360 report "stereo_core_masrani_640: gap_groups is " & integer'image(gap_groups) & " but this core has 15360" severity failure;
 end entity;
 
@@ -672,94 +672,69 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice0other_winner_0_22, coarseslice0other_winner_0_23 : natural range 0 to 31;
   signal coarseslice0other_winner_0_24, coarseslice0other_winner_out_0 : natural range 0 to 31;
   -- coarseslice0winner1
-  signal coarseslice0winner1_of_pair_0_0, coarseslice0winner1_of_pair_0_1 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_2, coarseslice0winner1_of_pair_0_3 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_4, coarseslice0winner1_of_pair_0_5 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_6, coarseslice0winner1_of_pair_0_7 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_8, coarseslice0winner1_of_pair_0_9 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_10, coarseslice0winner1_of_pair_0_11 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_12, coarseslice0winner1_of_pair_0_13 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_14, coarseslice0winner1_of_pair_0_15 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_16, coarseslice0winner1_of_pair_0_17 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_18, coarseslice0winner1_of_pair_0_19 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_20, coarseslice0winner1_of_pair_0_21 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_22, coarseslice0winner1_of_pair_0_23 : natural range 0 to 294;
-  signal coarseslice0winner1_of_pair_0_24, coarseslice0winner1_of_four_0_0 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_1, coarseslice0winner1_of_four_0_2 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_3, coarseslice0winner1_of_four_0_4 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_5, coarseslice0winner1_of_four_0_6 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_7, coarseslice0winner1_of_four_0_8 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_9, coarseslice0winner1_of_four_0_10 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_11, coarseslice0winner1_of_four_0_12 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_13, coarseslice0winner1_of_four_0_14 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_15, coarseslice0winner1_of_four_0_16 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_17, coarseslice0winner1_of_four_0_18 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_19, coarseslice0winner1_of_four_0_20 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_21, coarseslice0winner1_of_four_0_22 : natural range 0 to 294;
-  signal coarseslice0winner1_of_four_0_23, coarseslice0winner1_of_four_0_24 : natural range 0 to 294;
-  signal coarseslice0winner1_best_cost_0_6 : natural range 0 to 294;
-  signal coarseslice0winner1_pair_index_0_0, coarseslice0winner1_pair_tag_valid : boolean;
-  signal coarseslice0winner1_pair_tag_map_column, coarseslice0winner1_pair_tag_output_column : boolean;
-  signal coarseslice0winner1_pair_tag_first_column, coarseslice0winner1_pair_tag_start_of_frame : boolean;
-  signal coarseslice0winner1_pair_tag_end_of_line, coarseslice0winner1_four_tag_valid : boolean;
-  signal coarseslice0winner1_four_tag_map_column, coarseslice0winner1_four_tag_output_column : boolean;
-  signal coarseslice0winner1_four_tag_start_of_frame, coarseslice0winner1_four_tag_end_of_line : boolean;
-  signal coarseslice0winner1_tag_valid, coarseslice0winner1_tag_map_column : boolean;
-  signal coarseslice0winner1_tag_output_column, coarseslice0winner1_tag_start_of_frame : boolean;
+  signal coarseslice0winner1_best_cost_0_0, coarseslice0winner1_best_cost_0_1 : natural range 0 to 294;
+  signal coarseslice0winner1_best_cost_0_2, coarseslice0winner1_best_cost_0_3 : natural range 0 to 294;
+  signal coarseslice0winner1_best_cost_0_4, coarseslice0winner1_best_cost_0_5 : natural range 0 to 294;
+  signal coarseslice0winner1_best_cost_0_6, coarseslice0winner1_best_cost_0_7 : natural range 0 to 294;
+  signal coarseslice0winner1_best_cost_0_8, coarseslice0winner1_best_cost_0_9 : natural range 0 to 294;
+  signal coarseslice0winner1_best_cost_0_10, coarseslice0winner1_best_cost_0_11 : natural range 0 to 294;
+  signal coarseslice0winner1_best_cost_0_12 : natural range 0 to 294;
+  signal coarseslice0winner1_best_index_0_0, coarseslice0winner1_tag_valid : boolean;
+  signal coarseslice0winner1_tag_map_column, coarseslice0winner1_tag_output_column : boolean;
+  signal coarseslice0winner1_tag_first_column, coarseslice0winner1_tag_start_of_frame : boolean;
   signal coarseslice0winner1_tag_end_of_line : boolean;
-  signal coarseslice0winner1_pair_index_0_1, coarseslice0winner1_four_index_0_0 : natural range 0 to 3;
-  signal coarseslice0winner1_best_index_0_0 : natural range 0 to 3;
-  signal coarseslice0winner1_pair_index_0_2 : natural range 0 to 5;
-  signal coarseslice0winner1_pair_index_0_3, coarseslice0winner1_four_index_0_1 : natural range 0 to 7;
-  signal coarseslice0winner1_best_index_0_1 : natural range 0 to 7;
-  signal coarseslice0winner1_pair_index_0_4 : natural range 0 to 9;
-  signal coarseslice0winner1_pair_index_0_5, coarseslice0winner1_four_index_0_2 : natural range 0 to 11;
-  signal coarseslice0winner1_best_index_0_2 : natural range 0 to 11;
-  signal coarseslice0winner1_pair_index_0_6 : natural range 0 to 13;
-  signal coarseslice0winner1_pair_index_0_7, coarseslice0winner1_four_index_0_3 : natural range 0 to 15;
-  signal coarseslice0winner1_best_index_0_3 : natural range 0 to 15;
-  signal coarseslice0winner1_pair_index_0_8 : natural range 0 to 17;
-  signal coarseslice0winner1_pair_index_0_9, coarseslice0winner1_four_index_0_4 : natural range 0 to 19;
-  signal coarseslice0winner1_best_index_0_4 : natural range 0 to 19;
-  signal coarseslice0winner1_pair_index_0_10 : natural range 0 to 21;
-  signal coarseslice0winner1_pair_index_0_11, coarseslice0winner1_four_index_0_5 : natural range 0 to 23;
-  signal coarseslice0winner1_best_index_0_5 : natural range 0 to 23;
-  signal coarseslice0winner1_pair_index_0_12, coarseslice0winner1_four_index_0_6 : natural range 0 to 24;
-  signal coarseslice0winner1_best_index_0_6 : natural range 0 to 24;
-  signal coarseslice0winner1_best_cost_0_0, coarseslice0winner1_best_cost_0_1 : natural range 0 to 511;
-  signal coarseslice0winner1_best_cost_0_2, coarseslice0winner1_best_cost_0_3 : natural range 0 to 511;
-  signal coarseslice0winner1_best_cost_0_4, coarseslice0winner1_best_cost_0_5 : natural range 0 to 511;
+  signal coarseslice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal coarseslice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal coarseslice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal coarseslice0winner1_best_index_0_4 : natural range 0 to 9;
+  signal coarseslice0winner1_best_index_0_5 : natural range 0 to 11;
+  signal coarseslice0winner1_best_index_0_6 : natural range 0 to 13;
+  signal coarseslice0winner1_best_index_0_7 : natural range 0 to 15;
+  signal coarseslice0winner1_best_index_0_8 : natural range 0 to 17;
+  signal coarseslice0winner1_best_index_0_9 : natural range 0 to 19;
+  signal coarseslice0winner1_best_index_0_10 : natural range 0 to 21;
+  signal coarseslice0winner1_best_index_0_11 : natural range 0 to 23;
+  signal coarseslice0winner1_best_index_0_12 : natural range 0 to 24;
   -- coarseslice0winner2
-  signal coarseslice0winner2_of_pair_0_0, coarseslice0winner2_of_pair_0_1 : natural range 0 to 511;
-  signal coarseslice0winner2_of_pair_0_2, coarseslice0winner2_of_pair_0_3 : natural range 0 to 511;
-  signal coarseslice0winner2_of_pair_0_4, coarseslice0winner2_of_pair_0_5 : natural range 0 to 511;
-  signal coarseslice0winner2_of_four_0_0, coarseslice0winner2_of_four_0_1 : natural range 0 to 511;
-  signal coarseslice0winner2_of_four_0_2, coarseslice0winner2_of_four_0_3 : natural range 0 to 511;
-  signal coarseslice0winner2_of_four_0_4, coarseslice0winner2_of_four_0_5 : natural range 0 to 511;
-  signal coarseslice0winner2_best_cost_0_0, coarseslice0winner2_best_cost_0_1 : natural range 0 to 511;
-  signal coarseslice0winner2_of_pair_0_6, coarseslice0winner2_of_four_0_6 : natural range 0 to 294;
-  signal coarseslice0winner2_pair_index_0_0 : natural range 0 to 7;
-  signal coarseslice0winner2_pair_index_0_1, coarseslice0winner2_four_index_0_0 : natural range 0 to 15;
-  signal coarseslice0winner2_best_index_0_0 : natural range 0 to 15;
-  signal coarseslice0winner2_pair_index_0_2 : natural range 0 to 23;
-  signal coarseslice0winner2_pair_index_0_3, coarseslice0winner2_four_index_0_1 : natural range 0 to 24;
-  signal coarseslice0winner2_best_index_0_1 : natural range 0 to 24;
-  signal coarseslice0winner2_pair_tag_valid, coarseslice0winner2_pair_tag_map_column : boolean;
-  signal coarseslice0winner2_pair_tag_output_column, coarseslice0winner2_pair_tag_start_of_frame : boolean;
-  signal coarseslice0winner2_pair_tag_end_of_line, coarseslice0winner2_four_tag_valid : boolean;
-  signal coarseslice0winner2_four_tag_map_column, coarseslice0winner2_four_tag_output_column : boolean;
-  signal coarseslice0winner2_four_tag_start_of_frame, coarseslice0winner2_four_tag_end_of_line : boolean;
+  signal coarseslice0winner2_best_cost_0_0, coarseslice0winner2_best_cost_0_1 : natural range 0 to 294;
+  signal coarseslice0winner2_best_cost_0_2, coarseslice0winner2_best_cost_0_3 : natural range 0 to 294;
+  signal coarseslice0winner2_best_cost_0_4, coarseslice0winner2_best_cost_0_5 : natural range 0 to 294;
+  signal coarseslice0winner2_best_cost_0_6 : natural range 0 to 294;
+  signal coarseslice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal coarseslice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal coarseslice0winner2_best_index_0_2 : natural range 0 to 11;
+  signal coarseslice0winner2_best_index_0_3 : natural range 0 to 15;
+  signal coarseslice0winner2_best_index_0_4 : natural range 0 to 19;
+  signal coarseslice0winner2_best_index_0_5 : natural range 0 to 23;
+  signal coarseslice0winner2_best_index_0_6 : natural range 0 to 24;
   signal coarseslice0winner2_tag_valid, coarseslice0winner2_tag_map_column : boolean;
   signal coarseslice0winner2_tag_output_column, coarseslice0winner2_tag_start_of_frame : boolean;
   signal coarseslice0winner2_tag_end_of_line : boolean;
   -- coarseslice0winner3
-  signal coarseslice0winner3_best_cost_0_0 : natural range 0 to 511;
-  signal coarseslice0winner3_best_index_0_0 : natural range 0 to 24;
+  signal coarseslice0winner3_best_cost_0_0, coarseslice0winner3_best_cost_0_1 : natural range 0 to 294;
+  signal coarseslice0winner3_best_cost_0_2, coarseslice0winner3_best_cost_0_3 : natural range 0 to 294;
+  signal coarseslice0winner3_best_index_0_0 : natural range 0 to 7;
+  signal coarseslice0winner3_best_index_0_1 : natural range 0 to 15;
+  signal coarseslice0winner3_best_index_0_2 : natural range 0 to 23;
+  signal coarseslice0winner3_best_index_0_3 : natural range 0 to 24;
   signal coarseslice0winner3_tag_valid, coarseslice0winner3_tag_map_column : boolean;
   signal coarseslice0winner3_tag_output_column, coarseslice0winner3_tag_start_of_frame : boolean;
   signal coarseslice0winner3_tag_end_of_line : boolean;
+  -- coarseslice0winner4
+  signal coarseslice0winner4_best_cost_0_0, coarseslice0winner4_best_cost_0_1 : natural range 0 to 294;
+  signal coarseslice0winner4_best_index_0_0 : natural range 0 to 15;
+  signal coarseslice0winner4_best_index_0_1 : natural range 0 to 24;
+  signal coarseslice0winner4_tag_valid, coarseslice0winner4_tag_map_column : boolean;
+  signal coarseslice0winner4_tag_output_column, coarseslice0winner4_tag_start_of_frame : boolean;
+  signal coarseslice0winner4_tag_end_of_line : boolean;
+  -- coarseslice0winner5
+  signal coarseslice0winner5_best_cost_0_0 : natural range 0 to 294;
+  signal coarseslice0winner5_best_index_0_0 : natural range 0 to 24;
+  signal coarseslice0winner5_tag_valid, coarseslice0winner5_tag_map_column : boolean;
+  signal coarseslice0winner5_tag_output_column, coarseslice0winner5_tag_start_of_frame : boolean;
+  signal coarseslice0winner5_tag_end_of_line : boolean;
   -- coarseslice0
-  signal coarseslice0_best_cost_0_0 : natural range 0 to 511;
+  signal coarseslice0_best_cost_0_0 : natural range 0 to 294;
   signal coarseslice0_best_index_0_0 : natural range 0 to 31;
   signal coarseslice0_best_tag_valid, coarseslice0_best_tag_map_column, coarseslice0_best_tag_output_column : boolean;
   signal coarseslice0_best_tag_start_of_frame, coarseslice0_best_tag_end_of_line : boolean;
@@ -898,31 +873,24 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice1other_winner_0_4, coarseslice1other_winner_0_5 : natural range 0 to 31;
   signal coarseslice1other_winner_0_6, coarseslice1other_winner_out_0 : natural range 0 to 31;
   -- coarseslice1winner1
-  signal coarseslice1winner1_of_pair_0_0, coarseslice1winner1_of_pair_0_1 : natural range 0 to 294;
-  signal coarseslice1winner1_of_pair_0_2, coarseslice1winner1_of_pair_0_3 : natural range 0 to 294;
-  signal coarseslice1winner1_of_pair_0_4, coarseslice1winner1_of_pair_0_5 : natural range 0 to 294;
-  signal coarseslice1winner1_of_pair_0_6, coarseslice1winner1_of_four_0_0 : natural range 0 to 294;
-  signal coarseslice1winner1_of_four_0_1, coarseslice1winner1_of_four_0_2 : natural range 0 to 294;
-  signal coarseslice1winner1_of_four_0_3, coarseslice1winner1_of_four_0_4 : natural range 0 to 294;
-  signal coarseslice1winner1_of_four_0_5, coarseslice1winner1_of_four_0_6 : natural range 0 to 294;
-  signal coarseslice1winner1_pair_index_0_0 : boolean;
-  signal coarseslice1winner1_pair_index_0_1, coarseslice1winner1_four_index_0_0 : natural range 0 to 3;
-  signal coarseslice1winner1_best_index_0_0 : natural range 0 to 3;
-  signal coarseslice1winner1_pair_index_0_2 : natural range 0 to 5;
-  signal coarseslice1winner1_pair_index_0_3, coarseslice1winner1_four_index_0_1 : natural range 0 to 6;
-  signal coarseslice1winner1_best_index_0_1 : natural range 0 to 6;
-  signal coarseslice1winner1_best_cost_0_0, coarseslice1winner1_best_cost_0_1 : natural range 0 to 511;
+  signal coarseslice1winner1_best_cost_0_0, coarseslice1winner1_best_cost_0_1 : natural range 0 to 294;
+  signal coarseslice1winner1_best_cost_0_2, coarseslice1winner1_best_cost_0_3 : natural range 0 to 294;
+  signal coarseslice1winner1_best_index_0_0 : boolean;
+  signal coarseslice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal coarseslice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal coarseslice1winner1_best_index_0_3 : natural range 0 to 6;
   -- coarseslice1winner2
-  signal coarseslice1winner2_best_cost_0_0 : natural range 0 to 511;
-  signal coarseslice1winner2_best_index_0_0 : natural range 0 to 6;
+  signal coarseslice1winner2_best_cost_0_0, coarseslice1winner2_best_cost_0_1 : natural range 0 to 294;
+  signal coarseslice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal coarseslice1winner2_best_index_0_1 : natural range 0 to 6;
   -- coarseslice1winner3
-  signal coarseslice1winner3_best_cost_0_0 : natural range 0 to 511;
+  signal coarseslice1winner3_best_cost_0_0 : natural range 0 to 294;
   signal coarseslice1winner3_best_index_0_0 : natural range 0 to 6;
   -- coarseslice1winner4
-  signal coarseslice1winner4_best_cost_0_0 : natural range 0 to 511;
+  signal coarseslice1winner4_best_cost_0_0 : natural range 0 to 294;
   signal coarseslice1winner4_best_index_0_0 : natural range 0 to 6;
   -- coarseslice1winner5
-  signal coarseslice1winner5_best_cost_0_0 : natural range 0 to 511;
+  signal coarseslice1winner5_best_cost_0_0 : natural range 0 to 294;
   signal coarseslice1winner5_best_index_0_0 : natural range 0 to 6;
   -- coarseslice1
   signal coarseslice1_best_index_0_0 : natural range 0 to 31;
@@ -930,9 +898,8 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice1_best_tag_start_of_frame, coarseslice1_best_tag_end_of_line : boolean;
   -- coarseleftright
   signal coarseleftright_other_1_0, coarseleftright_other_2_0, coarseleftright_other_3_0 : natural range 0 to 31;
-  signal coarseleftright_other_4_0, coarseleftright_other_5_0, coarseleftright_other_6_0 : natural range 0 to 31;
-  signal coarseleftright_ring_read_address, coarseleftright_ring_write_address : natural range 0 to 31;
-  signal coarseleftright_checked_disparity_0 : natural range 0 to 31;
+  signal coarseleftright_other_4_0, coarseleftright_ring_read_address : natural range 0 to 31;
+  signal coarseleftright_ring_write_address, coarseleftright_checked_disparity_0 : natural range 0 to 31;
   signal coarseleftright_holds_winners, coarseleftright_held_valid, coarseleftright_asking_passed_0 : boolean;
   signal coarseleftright_asking_tag_valid, coarseleftright_asking_tag_output_column : boolean;
   signal coarseleftright_asking_tag_start_of_frame, coarseleftright_answered_passed_0 : boolean;
@@ -1599,8 +1566,8 @@ architecture rtl of stereo_core_masrani_640 is
   signal map_passed_0, map_valid, map_start_of_frame, map_end_of_line : boolean;
   -- other
   signal other_0, other_4 : natural range 0 to 65534;
-  signal other_1, other_2, other_5, other_6, other_17, other_18, other_21, other_22 : natural range 0 to 8192;
-  signal other_3, other_7, other_20, other_23 : natural range 0 to 2042;
+  signal other_1, other_2, other_5, other_6, other_17, other_18, other_20, other_21 : natural range 0 to 8192;
+  signal other_3, other_7, other_19, other_22 : natural range 0 to 2042;
   signal other_8, other_9, other_24, other_26 : natural range 0 to 257;
   signal other_10, other_25 : natural range 0 to 254;
   signal other_11 : natural range 0 to 252;
@@ -1609,7 +1576,7 @@ architecture rtl of stereo_core_masrani_640 is
   signal other_14 : natural range 0 to 224;
   signal other_15 : natural range 0 to 192;
   signal other_16 : natural range 0 to 128;
-  signal other_19, other_27, other_28, other_29, other_30, other_31 : boolean;
+  signal other_23, other_27, other_28, other_29, other_30, other_31 : boolean;
   signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
   signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
   signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
@@ -1891,7 +1858,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => bases_asked_column, read_data => compared_rows_read_words_4,
-      write_address => bases_wanted_column, write_data => compared_rows_read_words_4_memory_write_data);
+      write_address => compared_write_column, write_data => compared_rows_read_words_4_memory_write_data);
 
   compared_rows_read_words_3_memory_write_data <= to_unsigned(compared_rows_write_words_3, 24);
   compared_rows_read_words_3_memory : entity work.line_memory
@@ -1899,7 +1866,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => bases_asked_column, read_data => compared_rows_read_words_3,
-      write_address => bases_wanted_column, write_data => compared_rows_read_words_3_memory_write_data);
+      write_address => compared_write_column, write_data => compared_rows_read_words_3_memory_write_data);
 
   compared_rows_read_words_2_memory_write_data <= to_unsigned(compared_rows_write_words_2, 24);
   compared_rows_read_words_2_memory : entity work.line_memory
@@ -1907,7 +1874,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => bases_asked_column, read_data => compared_rows_read_words_2,
-      write_address => bases_wanted_column, write_data => compared_rows_read_words_2_memory_write_data);
+      write_address => compared_write_column, write_data => compared_rows_read_words_2_memory_write_data);
 
   compared_rows_read_words_1_memory_write_data <= to_unsigned(compared_rows_write_words_1, 24);
   compared_rows_read_words_1_memory : entity work.line_memory
@@ -1915,7 +1882,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => bases_asked_column, read_data => compared_rows_read_words_1,
-      write_address => bases_wanted_column, write_data => compared_rows_read_words_1_memory_write_data);
+      write_address => compared_write_column, write_data => compared_rows_read_words_1_memory_write_data);
 
   compared_rows_read_words_0_memory_write_data <= to_unsigned(compared_rows_write_words_0, 24);
   compared_rows_read_words_0_memory : entity work.line_memory
@@ -1923,7 +1890,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => bases_asked_column, read_data => compared_rows_read_words_0,
-      write_address => bases_wanted_column, write_data => compared_rows_read_words_0_memory_write_data);
+      write_address => compared_write_column, write_data => compared_rows_read_words_0_memory_write_data);
 
   pairs_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 12);
   pairs_delayed_0_memory : entity work.line_memory
@@ -2141,17 +2108,17 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  hold_back_next_next_next_next_next_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_next_next_next_holds_groups), 1)) and (hold_back_next_next_next_next_next_next_next_held_0));
+  hold_back_next_next_next_next_next_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_next_next_holds_groups), 1)) and (hold_back_next_next_next_next_next_next_next_held_0));
   hold_back_next_next_next_next_next_next_next_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2820, width => 17)
+    generic map (depth => 2819, width => 17)
     port map (
       clock => clock, read_enable => true,
       read_address => hold_back_next_next_next_next_next_next_next_next_ring_read_address, read_data => hold_back_next_next_next_next_next_next_next_next_held_0,
       write_address => hold_back_next_next_next_next_next_next_next_next_ring_write_address, write_data => hold_back_next_next_next_next_next_next_next_next_held_0_memory_write_data);
 
-  hold_back_next_next_next_next_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_next_next_holds_groups), 1)) and (hold_back_next_next_next_next_next_next_held_0));
+  hold_back_next_next_next_next_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_next_next_next_holds_groups), 1)) and (hold_back_next_next_next_next_next_next_held_0));
   hold_back_next_next_next_next_next_next_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2820, width => 17)
+    generic map (depth => 2819, width => 17)
     port map (
       clock => clock, read_enable => true,
       read_address => hold_back_next_next_next_next_next_next_next_ring_read_address, read_data => hold_back_next_next_next_next_next_next_next_held_0,
@@ -2245,7 +2212,7 @@ begin
       read_address => ranges_in_column, read_data => ranges_pixels_read_words_0,
       write_address => ranges_pixels_written, write_data => ranges_pixels_read_words_0_memory_write_data);
 
-  coarseleftright_found_0_memory_write_data <= to_unsigned(coarseleftright_other_6_0, 5);
+  coarseleftright_found_0_memory_write_data <= to_unsigned(coarseleftright_other_4_0, 5);
   coarseleftright_found_0_memory : entity work.line_memory
     generic map (depth => 64, width => 5)
     port map (
@@ -2304,19 +2271,19 @@ begin
     variable coarseslice0other_cost_0_16_is_not_less, coarseslice0other_cost_0_17_is_not_less : boolean;
     variable coarseslice0other_cost_0_18_is_not_less, coarseslice0other_cost_0_19_is_not_less : boolean;
     variable coarseslice0other_cost_0_20_is_not_less, coarseslice0other_cost_0_21_is_not_less : boolean;
-    variable coarseslice0other_cost_0_22_is_not_less, coarseslice0winner1_of_pair_0_0_is_less : boolean;
-    variable coarseslice0winner1_of_pair_0_2_is_less, coarseslice0winner1_of_pair_0_4_is_less : boolean;
-    variable coarseslice0winner1_of_pair_0_6_is_less, coarseslice0winner1_of_pair_0_8_is_less : boolean;
-    variable coarseslice0winner1_of_pair_0_10_is_less, coarseslice0winner1_of_pair_0_12_is_less : boolean;
-    variable coarseslice0winner1_of_pair_0_14_is_less, coarseslice0winner1_of_pair_0_16_is_less : boolean;
-    variable coarseslice0winner1_of_pair_0_18_is_less, coarseslice0winner1_of_pair_0_20_is_less : boolean;
-    variable coarseslice0winner1_of_pair_0_22_is_less, coarseslice0winner1_of_four_0_0_is_less : boolean;
-    variable coarseslice0winner1_of_four_0_4_is_less, coarseslice0winner1_of_four_0_8_is_less : boolean;
-    variable coarseslice0winner1_of_four_0_12_is_less, coarseslice0winner1_of_four_0_16_is_less : boolean;
-    variable coarseslice0winner1_of_four_0_20_is_less, coarseslice0winner2_of_pair_0_0_is_less : boolean;
-    variable coarseslice0winner2_of_pair_0_2_is_less, coarseslice0winner2_of_pair_0_4_is_less : boolean;
-    variable coarseslice0winner2_of_four_0_0_is_less, coarseslice0winner2_of_four_0_4_is_less : boolean;
-    variable coarseslice0winner3_best_cost_0_0_is_less, coarseslice1cost_pixels_first_0_0_value : boolean;
+    variable coarseslice0other_cost_0_22_is_not_less, coarseslice0winner1_best_cost_0_0_is_less : boolean;
+    variable coarseslice0winner1_best_cost_0_1_is_less, coarseslice0winner1_best_cost_0_2_is_less : boolean;
+    variable coarseslice0winner1_best_cost_0_3_is_less, coarseslice0winner1_best_cost_0_4_is_less : boolean;
+    variable coarseslice0winner1_best_cost_0_5_is_less, coarseslice0winner1_best_cost_0_6_is_less : boolean;
+    variable coarseslice0winner1_best_cost_0_7_is_less, coarseslice0winner1_best_cost_0_8_is_less : boolean;
+    variable coarseslice0winner1_best_cost_0_9_is_less, coarseslice0winner1_best_cost_0_10_is_less : boolean;
+    variable coarseslice0winner1_best_cost_0_11_is_less, coarseslice0winner2_best_cost_0_0_is_less : boolean;
+    variable coarseslice0winner2_best_cost_0_1_is_less, coarseslice0winner2_best_cost_0_2_is_less : boolean;
+    variable coarseslice0winner2_best_cost_0_3_is_less, coarseslice0winner2_best_cost_0_4_is_less : boolean;
+    variable coarseslice0winner2_best_cost_0_5_is_less, coarseslice0winner3_best_cost_0_0_is_less : boolean;
+    variable coarseslice0winner3_best_cost_0_1_is_less, coarseslice0winner3_best_cost_0_2_is_less : boolean;
+    variable coarseslice0winner4_best_cost_0_0_is_less, coarseslice0winner4_best_cost_0_1_is_less : boolean;
+    variable coarseslice0winner5_best_cost_0_0_is_less, coarseslice1cost_pixels_first_0_0_value : boolean;
     variable coarseslice1cost_pixels_first_0_0_value_2, coarseslice1cost_pixels_first_0_0_value_3 : boolean;
     variable coarseslice1cost_pixels_first_0_0_value_4, coarseslice1cost_pixels_first_1_0_value : boolean;
     variable coarseslice1cost_pixels_first_1_0_value_2, coarseslice1cost_pixels_first_1_0_value_3 : boolean;
@@ -2334,9 +2301,9 @@ begin
     variable coarseslice1other_cost_0_1_is_not_less, coarseslice1other_cost_0_2_is_not_less : boolean;
     variable coarseslice1other_cost_0_3_is_not_less, coarseslice1other_cost_0_4_is_not_less : boolean;
     variable coarseslice1other_cost_0_5_is_not_less, coarseslice1other_cost_0_6_is_not_less : boolean;
-    variable coarseslice1winner1_of_pair_0_0_is_less, coarseslice1winner1_of_pair_0_2_is_less : boolean;
-    variable coarseslice1winner1_of_pair_0_4_is_less, coarseslice1winner1_of_four_0_0_is_less : boolean;
-    variable coarseslice1winner1_of_four_0_4_is_less, coarseslice1winner2_best_cost_0_0_is_less : boolean;
+    variable coarseslice1winner1_best_cost_0_0_is_less, coarseslice1winner1_best_cost_0_1_is_less : boolean;
+    variable coarseslice1winner1_best_cost_0_2_is_less, coarseslice1winner2_best_cost_0_0_is_less : boolean;
+    variable coarseslice1winner2_best_cost_0_1_is_less, coarseslice1winner3_best_cost_0_0_is_less : boolean;
     variable coarseleftright_holds_winners_choice, ranges_column_differs, ranges_column_any : boolean;
     variable ranges_column_choice, ranges_column_all, ranges_column_all_2, ranges_column_choice_2 : boolean;
     variable ranges_column_is_equal, ranges_column_choice_3, ranges_column_any_2, ranges_column_any_3 : boolean;
@@ -2408,8 +2375,8 @@ begin
     variable hold_back_next_next_holds_groups_is_equal, hold_back_next_next_next_holds_groups_any : boolean;
     variable hold_back_next_next_next_next_holds_groups_is_equal : boolean;
     variable hold_back_next_next_next_next_next_holds_groups_any : boolean;
-    variable hold_back_next_next_next_next_next_next_holds_groups_is_equal : boolean;
-    variable hold_back_next_next_next_next_next_next_next_holds_groups_any : boolean;
+    variable hold_back_next_next_next_next_next_next_holds_groups_any : boolean;
+    variable hold_back_next_next_next_next_next_next_next_holds_groups_is_equal : boolean;
     variable hold_back_next_next_next_next_next_next_next_next_holds_groups_any : boolean;
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_differs, transform_centre_column_is_less : boolean;
@@ -3354,7 +3321,7 @@ begin
         coarsetransform_left_code_row_after_1) mod 16384;
       coarsetransform_left_code_row_odd_2 <= (coarsetransform_left_code_row_before_2 -
         coarsetransform_left_code_row_after_2) mod 16384;
-      coarsetransform_left_code_row_signs <= ((other_21 / 8192) * 2) + (other_22 / 8192) +
+      coarsetransform_left_code_row_signs <= ((other_20 / 8192) * 2) + (other_21 / 8192) +
         ((((coarsetransform_left_code_row_even_2 + coarsetransform_left_code_row_odd_1) mod 16384) / 8192) * 8) +
         ((((coarsetransform_left_code_row_odd_1 - coarsetransform_left_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((coarsetransform_left_code_row_even_1 - coarsetransform_left_code_row_odd_2) mod 16384) / 8192) * 4) +
@@ -6465,289 +6432,170 @@ begin
           coarseslice0other_winner_0_24_choice_2;
       end if;
       -- coarseslice0winner1
-      coarseslice0winner1_of_pair_0_0_is_less := (coarseslice0window_sum_0_1 - coarseslice0window_sum_0_0) < 0;
-      coarseslice0winner1_of_pair_0_2_is_less := (coarseslice0window_sum_0_3 - coarseslice0window_sum_0_2) < 0;
-      coarseslice0winner1_of_pair_0_4_is_less := (coarseslice0window_sum_0_5 - coarseslice0window_sum_0_4) < 0;
-      coarseslice0winner1_of_pair_0_6_is_less := (coarseslice0window_sum_0_7 - coarseslice0window_sum_0_6) < 0;
-      coarseslice0winner1_of_pair_0_8_is_less := (coarseslice0window_sum_0_9 - coarseslice0window_sum_0_8) < 0;
-      coarseslice0winner1_of_pair_0_10_is_less := (coarseslice0window_sum_0_11 - coarseslice0window_sum_0_10) < 0;
-      coarseslice0winner1_of_pair_0_12_is_less := (coarseslice0window_sum_0_13 - coarseslice0window_sum_0_12) < 0;
-      coarseslice0winner1_of_pair_0_14_is_less := (coarseslice0window_sum_0_15 - coarseslice0window_sum_0_14) < 0;
-      coarseslice0winner1_of_pair_0_16_is_less := (coarseslice0window_sum_0_17 - coarseslice0window_sum_0_16) < 0;
-      coarseslice0winner1_of_pair_0_18_is_less := (coarseslice0window_sum_0_19 - coarseslice0window_sum_0_18) < 0;
-      coarseslice0winner1_of_pair_0_20_is_less := (coarseslice0window_sum_0_21 - coarseslice0window_sum_0_20) < 0;
-      coarseslice0winner1_of_pair_0_22_is_less := (coarseslice0window_sum_0_23 - coarseslice0window_sum_0_22) < 0;
-      coarseslice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_2, 9)) or
-        (to_unsigned(coarseslice0winner1_of_pair_0_3, 9)))) - to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_0,
-        9)) or (to_unsigned(coarseslice0winner1_of_pair_0_1, 9))))) < 0;
-      coarseslice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_6, 9)) or
-        (to_unsigned(coarseslice0winner1_of_pair_0_7, 9)))) - to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_4,
-        9)) or (to_unsigned(coarseslice0winner1_of_pair_0_5, 9))))) < 0;
-      coarseslice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_10, 9)) or
-        (to_unsigned(coarseslice0winner1_of_pair_0_11, 9)))) -
-        to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_8, 9)) or (to_unsigned(coarseslice0winner1_of_pair_0_9,
-        9))))) < 0;
-      coarseslice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_14, 9)) or
-        (to_unsigned(coarseslice0winner1_of_pair_0_15, 9)))) -
-        to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_12, 9)) or
-        (to_unsigned(coarseslice0winner1_of_pair_0_13, 9))))) < 0;
-      coarseslice0winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_18, 9)) or
-        (to_unsigned(coarseslice0winner1_of_pair_0_19, 9)))) -
-        to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_16, 9)) or
-        (to_unsigned(coarseslice0winner1_of_pair_0_17, 9))))) < 0;
-      coarseslice0winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_22, 9)) or
-        (to_unsigned(coarseslice0winner1_of_pair_0_23, 9)))) -
-        to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_20, 9)) or
-        (to_unsigned(coarseslice0winner1_of_pair_0_21, 9))))) < 0;
-      coarseslice0winner1_of_pair_0_0 <= 0 when coarseslice0winner1_of_pair_0_0_is_less else coarseslice0window_sum_0_0;
-      coarseslice0winner1_of_pair_0_1 <= coarseslice0window_sum_0_1 when coarseslice0winner1_of_pair_0_0_is_less else 0;
-      coarseslice0winner1_of_pair_0_2 <= 0 when coarseslice0winner1_of_pair_0_2_is_less else coarseslice0window_sum_0_2;
-      coarseslice0winner1_of_pair_0_3 <= coarseslice0window_sum_0_3 when coarseslice0winner1_of_pair_0_2_is_less else 0;
-      coarseslice0winner1_of_pair_0_4 <= 0 when coarseslice0winner1_of_pair_0_4_is_less else coarseslice0window_sum_0_4;
-      coarseslice0winner1_of_pair_0_5 <= coarseslice0window_sum_0_5 when coarseslice0winner1_of_pair_0_4_is_less else 0;
-      coarseslice0winner1_of_pair_0_6 <= 0 when coarseslice0winner1_of_pair_0_6_is_less else coarseslice0window_sum_0_6;
-      coarseslice0winner1_of_pair_0_7 <= coarseslice0window_sum_0_7 when coarseslice0winner1_of_pair_0_6_is_less else 0;
-      coarseslice0winner1_of_pair_0_8 <= 0 when coarseslice0winner1_of_pair_0_8_is_less else coarseslice0window_sum_0_8;
-      coarseslice0winner1_of_pair_0_9 <= coarseslice0window_sum_0_9 when coarseslice0winner1_of_pair_0_8_is_less else 0;
-      coarseslice0winner1_of_pair_0_10 <= 0 when coarseslice0winner1_of_pair_0_10_is_less else
-        coarseslice0window_sum_0_10;
-      coarseslice0winner1_of_pair_0_11 <= coarseslice0window_sum_0_11 when coarseslice0winner1_of_pair_0_10_is_less
-        else 0;
-      coarseslice0winner1_of_pair_0_12 <= 0 when coarseslice0winner1_of_pair_0_12_is_less else
-        coarseslice0window_sum_0_12;
-      coarseslice0winner1_of_pair_0_13 <= coarseslice0window_sum_0_13 when coarseslice0winner1_of_pair_0_12_is_less
-        else 0;
-      coarseslice0winner1_of_pair_0_14 <= 0 when coarseslice0winner1_of_pair_0_14_is_less else
-        coarseslice0window_sum_0_14;
-      coarseslice0winner1_of_pair_0_15 <= coarseslice0window_sum_0_15 when coarseslice0winner1_of_pair_0_14_is_less
-        else 0;
-      coarseslice0winner1_of_pair_0_16 <= 0 when coarseslice0winner1_of_pair_0_16_is_less else
-        coarseslice0window_sum_0_16;
-      coarseslice0winner1_of_pair_0_17 <= coarseslice0window_sum_0_17 when coarseslice0winner1_of_pair_0_16_is_less
-        else 0;
-      coarseslice0winner1_of_pair_0_18 <= 0 when coarseslice0winner1_of_pair_0_18_is_less else
-        coarseslice0window_sum_0_18;
-      coarseslice0winner1_of_pair_0_19 <= coarseslice0window_sum_0_19 when coarseslice0winner1_of_pair_0_18_is_less
-        else 0;
-      coarseslice0winner1_of_pair_0_20 <= 0 when coarseslice0winner1_of_pair_0_20_is_less else
-        coarseslice0window_sum_0_20;
-      coarseslice0winner1_of_pair_0_21 <= coarseslice0window_sum_0_21 when coarseslice0winner1_of_pair_0_20_is_less
-        else 0;
-      coarseslice0winner1_of_pair_0_22 <= 0 when coarseslice0winner1_of_pair_0_22_is_less else
-        coarseslice0window_sum_0_22;
-      coarseslice0winner1_of_pair_0_23 <= coarseslice0window_sum_0_23 when coarseslice0winner1_of_pair_0_22_is_less
-        else 0;
-      coarseslice0winner1_of_pair_0_24 <= coarseslice0window_sum_0_24;
-      coarseslice0winner1_pair_index_0_0 <= coarseslice0winner1_of_pair_0_0_is_less;
-      coarseslice0winner1_pair_index_0_1 <= 3 when coarseslice0winner1_of_pair_0_2_is_less else 2;
-      coarseslice0winner1_pair_index_0_2 <= 5 when coarseslice0winner1_of_pair_0_4_is_less else 4;
-      coarseslice0winner1_pair_index_0_3 <= 7 when coarseslice0winner1_of_pair_0_6_is_less else 6;
-      coarseslice0winner1_pair_index_0_4 <= 9 when coarseslice0winner1_of_pair_0_8_is_less else 8;
-      coarseslice0winner1_pair_index_0_5 <= 11 when coarseslice0winner1_of_pair_0_10_is_less else 10;
-      coarseslice0winner1_pair_index_0_6 <= 13 when coarseslice0winner1_of_pair_0_12_is_less else 12;
-      coarseslice0winner1_pair_index_0_7 <= 15 when coarseslice0winner1_of_pair_0_14_is_less else 14;
-      coarseslice0winner1_pair_index_0_8 <= 17 when coarseslice0winner1_of_pair_0_16_is_less else 16;
-      coarseslice0winner1_pair_index_0_9 <= 19 when coarseslice0winner1_of_pair_0_18_is_less else 18;
-      coarseslice0winner1_pair_index_0_10 <= 21 when coarseslice0winner1_of_pair_0_20_is_less else 20;
-      coarseslice0winner1_pair_index_0_11 <= 23 when coarseslice0winner1_of_pair_0_22_is_less else 22;
-      coarseslice0winner1_pair_index_0_12 <= 24;
-      coarseslice0winner1_pair_tag_valid <= coarseslice0window_tag_valid;
-      coarseslice0winner1_pair_tag_map_column <= coarseslice0window_tag_map_column;
-      coarseslice0winner1_pair_tag_output_column <= coarseslice0window_tag_output_column;
-      coarseslice0winner1_pair_tag_first_column <= coarseslice0window_tag_first_column;
-      coarseslice0winner1_pair_tag_start_of_frame <= coarseslice0window_tag_start_of_frame;
-      coarseslice0winner1_pair_tag_end_of_line <= coarseslice0window_tag_end_of_line;
-      coarseslice0winner1_of_four_0_0 <= 0 when coarseslice0winner1_of_four_0_0_is_less else
-        coarseslice0winner1_of_pair_0_0;
-      coarseslice0winner1_of_four_0_1 <= 0 when coarseslice0winner1_of_four_0_0_is_less else
-        coarseslice0winner1_of_pair_0_1;
-      coarseslice0winner1_of_four_0_2 <= coarseslice0winner1_of_pair_0_2 when coarseslice0winner1_of_four_0_0_is_less
-        else 0;
-      coarseslice0winner1_of_four_0_3 <= coarseslice0winner1_of_pair_0_3 when coarseslice0winner1_of_four_0_0_is_less
-        else 0;
-      coarseslice0winner1_of_four_0_4 <= 0 when coarseslice0winner1_of_four_0_4_is_less else
-        coarseslice0winner1_of_pair_0_4;
-      coarseslice0winner1_of_four_0_5 <= 0 when coarseslice0winner1_of_four_0_4_is_less else
-        coarseslice0winner1_of_pair_0_5;
-      coarseslice0winner1_of_four_0_6 <= coarseslice0winner1_of_pair_0_6 when coarseslice0winner1_of_four_0_4_is_less
-        else 0;
-      coarseslice0winner1_of_four_0_7 <= coarseslice0winner1_of_pair_0_7 when coarseslice0winner1_of_four_0_4_is_less
-        else 0;
-      coarseslice0winner1_of_four_0_8 <= 0 when coarseslice0winner1_of_four_0_8_is_less else
-        coarseslice0winner1_of_pair_0_8;
-      coarseslice0winner1_of_four_0_9 <= 0 when coarseslice0winner1_of_four_0_8_is_less else
-        coarseslice0winner1_of_pair_0_9;
-      coarseslice0winner1_of_four_0_10 <= coarseslice0winner1_of_pair_0_10 when coarseslice0winner1_of_four_0_8_is_less
-        else 0;
-      coarseslice0winner1_of_four_0_11 <= coarseslice0winner1_of_pair_0_11 when coarseslice0winner1_of_four_0_8_is_less
-        else 0;
-      coarseslice0winner1_of_four_0_12 <= 0 when coarseslice0winner1_of_four_0_12_is_less else
-        coarseslice0winner1_of_pair_0_12;
-      coarseslice0winner1_of_four_0_13 <= 0 when coarseslice0winner1_of_four_0_12_is_less else
-        coarseslice0winner1_of_pair_0_13;
-      coarseslice0winner1_of_four_0_14 <= coarseslice0winner1_of_pair_0_14 when
-        coarseslice0winner1_of_four_0_12_is_less else 0;
-      coarseslice0winner1_of_four_0_15 <= coarseslice0winner1_of_pair_0_15 when
-        coarseslice0winner1_of_four_0_12_is_less else 0;
-      coarseslice0winner1_of_four_0_16 <= 0 when coarseslice0winner1_of_four_0_16_is_less else
-        coarseslice0winner1_of_pair_0_16;
-      coarseslice0winner1_of_four_0_17 <= 0 when coarseslice0winner1_of_four_0_16_is_less else
-        coarseslice0winner1_of_pair_0_17;
-      coarseslice0winner1_of_four_0_18 <= coarseslice0winner1_of_pair_0_18 when
-        coarseslice0winner1_of_four_0_16_is_less else 0;
-      coarseslice0winner1_of_four_0_19 <= coarseslice0winner1_of_pair_0_19 when
-        coarseslice0winner1_of_four_0_16_is_less else 0;
-      coarseslice0winner1_of_four_0_20 <= 0 when coarseslice0winner1_of_four_0_20_is_less else
-        coarseslice0winner1_of_pair_0_20;
-      coarseslice0winner1_of_four_0_21 <= 0 when coarseslice0winner1_of_four_0_20_is_less else
-        coarseslice0winner1_of_pair_0_21;
-      coarseslice0winner1_of_four_0_22 <= coarseslice0winner1_of_pair_0_22 when
-        coarseslice0winner1_of_four_0_20_is_less else 0;
-      coarseslice0winner1_of_four_0_23 <= coarseslice0winner1_of_pair_0_23 when
-        coarseslice0winner1_of_four_0_20_is_less else 0;
-      coarseslice0winner1_of_four_0_24 <= coarseslice0winner1_of_pair_0_24;
-      coarseslice0winner1_four_index_0_0 <= coarseslice0winner1_pair_index_0_1 when
-        coarseslice0winner1_of_four_0_0_is_less else as_number(coarseslice0winner1_pair_index_0_0);
-      coarseslice0winner1_four_index_0_1 <= coarseslice0winner1_pair_index_0_3 when
-        coarseslice0winner1_of_four_0_4_is_less else coarseslice0winner1_pair_index_0_2;
-      coarseslice0winner1_four_index_0_2 <= coarseslice0winner1_pair_index_0_5 when
-        coarseslice0winner1_of_four_0_8_is_less else coarseslice0winner1_pair_index_0_4;
-      coarseslice0winner1_four_index_0_3 <= coarseslice0winner1_pair_index_0_7 when
-        coarseslice0winner1_of_four_0_12_is_less else coarseslice0winner1_pair_index_0_6;
-      coarseslice0winner1_four_index_0_4 <= coarseslice0winner1_pair_index_0_9 when
-        coarseslice0winner1_of_four_0_16_is_less else coarseslice0winner1_pair_index_0_8;
-      coarseslice0winner1_four_index_0_5 <= coarseslice0winner1_pair_index_0_11 when
-        coarseslice0winner1_of_four_0_20_is_less else coarseslice0winner1_pair_index_0_10;
-      coarseslice0winner1_four_index_0_6 <= coarseslice0winner1_pair_index_0_12;
-      coarseslice0winner1_four_tag_valid <= coarseslice0winner1_pair_tag_valid;
-      coarseslice0winner1_four_tag_map_column <= coarseslice0winner1_pair_tag_map_column;
-      coarseslice0winner1_four_tag_output_column <= coarseslice0winner1_pair_tag_output_column;
-      coarseslice0winner1_four_tag_start_of_frame <= coarseslice0winner1_pair_tag_start_of_frame;
-      coarseslice0winner1_four_tag_end_of_line <= coarseslice0winner1_pair_tag_end_of_line;
-      coarseslice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(coarseslice0winner1_of_four_0_2, 9)) or
-        (to_unsigned(coarseslice0winner1_of_four_0_3, 9)))) or (to_unsigned(coarseslice0winner1_of_four_0_1, 9)))) or
-        (to_unsigned(coarseslice0winner1_of_four_0_0, 9))));
-      coarseslice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(coarseslice0winner1_of_four_0_6, 9)) or
-        (to_unsigned(coarseslice0winner1_of_four_0_7, 9)))) or (to_unsigned(coarseslice0winner1_of_four_0_5, 9)))) or
-        (to_unsigned(coarseslice0winner1_of_four_0_4, 9))));
-      coarseslice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(coarseslice0winner1_of_four_0_10, 9)) or
-        (to_unsigned(coarseslice0winner1_of_four_0_11, 9)))) or (to_unsigned(coarseslice0winner1_of_four_0_9, 9)))) or
-        (to_unsigned(coarseslice0winner1_of_four_0_8, 9))));
-      coarseslice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(coarseslice0winner1_of_four_0_14, 9)) or
-        (to_unsigned(coarseslice0winner1_of_four_0_15, 9)))) or (to_unsigned(coarseslice0winner1_of_four_0_13, 9)))) or
-        (to_unsigned(coarseslice0winner1_of_four_0_12, 9))));
-      coarseslice0winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(coarseslice0winner1_of_four_0_18, 9)) or
-        (to_unsigned(coarseslice0winner1_of_four_0_19, 9)))) or (to_unsigned(coarseslice0winner1_of_four_0_17, 9)))) or
-        (to_unsigned(coarseslice0winner1_of_four_0_16, 9))));
-      coarseslice0winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(coarseslice0winner1_of_four_0_22, 9)) or
-        (to_unsigned(coarseslice0winner1_of_four_0_23, 9)))) or (to_unsigned(coarseslice0winner1_of_four_0_21, 9)))) or
-        (to_unsigned(coarseslice0winner1_of_four_0_20, 9))));
-      coarseslice0winner1_best_cost_0_6 <= coarseslice0winner1_of_four_0_24;
-      coarseslice0winner1_best_index_0_0 <= coarseslice0winner1_four_index_0_0;
-      coarseslice0winner1_best_index_0_1 <= coarseslice0winner1_four_index_0_1;
-      coarseslice0winner1_best_index_0_2 <= coarseslice0winner1_four_index_0_2;
-      coarseslice0winner1_best_index_0_3 <= coarseslice0winner1_four_index_0_3;
-      coarseslice0winner1_best_index_0_4 <= coarseslice0winner1_four_index_0_4;
-      coarseslice0winner1_best_index_0_5 <= coarseslice0winner1_four_index_0_5;
-      coarseslice0winner1_best_index_0_6 <= coarseslice0winner1_four_index_0_6;
-      coarseslice0winner1_tag_valid <= coarseslice0winner1_four_tag_valid;
-      coarseslice0winner1_tag_map_column <= coarseslice0winner1_four_tag_map_column;
-      coarseslice0winner1_tag_output_column <= coarseslice0winner1_four_tag_output_column;
-      coarseslice0winner1_tag_start_of_frame <= coarseslice0winner1_four_tag_start_of_frame;
-      coarseslice0winner1_tag_end_of_line <= coarseslice0winner1_four_tag_end_of_line;
+      coarseslice0winner1_best_cost_0_0_is_less := (coarseslice0window_sum_0_1 - coarseslice0window_sum_0_0) < 0;
+      coarseslice0winner1_best_cost_0_1_is_less := (coarseslice0window_sum_0_3 - coarseslice0window_sum_0_2) < 0;
+      coarseslice0winner1_best_cost_0_2_is_less := (coarseslice0window_sum_0_5 - coarseslice0window_sum_0_4) < 0;
+      coarseslice0winner1_best_cost_0_3_is_less := (coarseslice0window_sum_0_7 - coarseslice0window_sum_0_6) < 0;
+      coarseslice0winner1_best_cost_0_4_is_less := (coarseslice0window_sum_0_9 - coarseslice0window_sum_0_8) < 0;
+      coarseslice0winner1_best_cost_0_5_is_less := (coarseslice0window_sum_0_11 - coarseslice0window_sum_0_10) < 0;
+      coarseslice0winner1_best_cost_0_6_is_less := (coarseslice0window_sum_0_13 - coarseslice0window_sum_0_12) < 0;
+      coarseslice0winner1_best_cost_0_7_is_less := (coarseslice0window_sum_0_15 - coarseslice0window_sum_0_14) < 0;
+      coarseslice0winner1_best_cost_0_8_is_less := (coarseslice0window_sum_0_17 - coarseslice0window_sum_0_16) < 0;
+      coarseslice0winner1_best_cost_0_9_is_less := (coarseslice0window_sum_0_19 - coarseslice0window_sum_0_18) < 0;
+      coarseslice0winner1_best_cost_0_10_is_less := (coarseslice0window_sum_0_21 - coarseslice0window_sum_0_20) < 0;
+      coarseslice0winner1_best_cost_0_11_is_less := (coarseslice0window_sum_0_23 - coarseslice0window_sum_0_22) < 0;
+      coarseslice0winner1_best_cost_0_0 <= coarseslice0window_sum_0_1 when coarseslice0winner1_best_cost_0_0_is_less
+        else coarseslice0window_sum_0_0;
+      coarseslice0winner1_best_cost_0_1 <= coarseslice0window_sum_0_3 when coarseslice0winner1_best_cost_0_1_is_less
+        else coarseslice0window_sum_0_2;
+      coarseslice0winner1_best_cost_0_2 <= coarseslice0window_sum_0_5 when coarseslice0winner1_best_cost_0_2_is_less
+        else coarseslice0window_sum_0_4;
+      coarseslice0winner1_best_cost_0_3 <= coarseslice0window_sum_0_7 when coarseslice0winner1_best_cost_0_3_is_less
+        else coarseslice0window_sum_0_6;
+      coarseslice0winner1_best_cost_0_4 <= coarseslice0window_sum_0_9 when coarseslice0winner1_best_cost_0_4_is_less
+        else coarseslice0window_sum_0_8;
+      coarseslice0winner1_best_cost_0_5 <= coarseslice0window_sum_0_11 when coarseslice0winner1_best_cost_0_5_is_less
+        else coarseslice0window_sum_0_10;
+      coarseslice0winner1_best_cost_0_6 <= coarseslice0window_sum_0_13 when coarseslice0winner1_best_cost_0_6_is_less
+        else coarseslice0window_sum_0_12;
+      coarseslice0winner1_best_cost_0_7 <= coarseslice0window_sum_0_15 when coarseslice0winner1_best_cost_0_7_is_less
+        else coarseslice0window_sum_0_14;
+      coarseslice0winner1_best_cost_0_8 <= coarseslice0window_sum_0_17 when coarseslice0winner1_best_cost_0_8_is_less
+        else coarseslice0window_sum_0_16;
+      coarseslice0winner1_best_cost_0_9 <= coarseslice0window_sum_0_19 when coarseslice0winner1_best_cost_0_9_is_less
+        else coarseslice0window_sum_0_18;
+      coarseslice0winner1_best_cost_0_10 <= coarseslice0window_sum_0_21 when coarseslice0winner1_best_cost_0_10_is_less
+        else coarseslice0window_sum_0_20;
+      coarseslice0winner1_best_cost_0_11 <= coarseslice0window_sum_0_23 when coarseslice0winner1_best_cost_0_11_is_less
+        else coarseslice0window_sum_0_22;
+      coarseslice0winner1_best_cost_0_12 <= coarseslice0window_sum_0_24;
+      coarseslice0winner1_best_index_0_0 <= coarseslice0winner1_best_cost_0_0_is_less;
+      coarseslice0winner1_best_index_0_1 <= 3 when coarseslice0winner1_best_cost_0_1_is_less else 2;
+      coarseslice0winner1_best_index_0_2 <= 5 when coarseslice0winner1_best_cost_0_2_is_less else 4;
+      coarseslice0winner1_best_index_0_3 <= 7 when coarseslice0winner1_best_cost_0_3_is_less else 6;
+      coarseslice0winner1_best_index_0_4 <= 9 when coarseslice0winner1_best_cost_0_4_is_less else 8;
+      coarseslice0winner1_best_index_0_5 <= 11 when coarseslice0winner1_best_cost_0_5_is_less else 10;
+      coarseslice0winner1_best_index_0_6 <= 13 when coarseslice0winner1_best_cost_0_6_is_less else 12;
+      coarseslice0winner1_best_index_0_7 <= 15 when coarseslice0winner1_best_cost_0_7_is_less else 14;
+      coarseslice0winner1_best_index_0_8 <= 17 when coarseslice0winner1_best_cost_0_8_is_less else 16;
+      coarseslice0winner1_best_index_0_9 <= 19 when coarseslice0winner1_best_cost_0_9_is_less else 18;
+      coarseslice0winner1_best_index_0_10 <= 21 when coarseslice0winner1_best_cost_0_10_is_less else 20;
+      coarseslice0winner1_best_index_0_11 <= 23 when coarseslice0winner1_best_cost_0_11_is_less else 22;
+      coarseslice0winner1_best_index_0_12 <= 24;
+      coarseslice0winner1_tag_valid <= coarseslice0window_tag_valid;
+      coarseslice0winner1_tag_map_column <= coarseslice0window_tag_map_column;
+      coarseslice0winner1_tag_output_column <= coarseslice0window_tag_output_column;
+      coarseslice0winner1_tag_first_column <= coarseslice0window_tag_first_column;
+      coarseslice0winner1_tag_start_of_frame <= coarseslice0window_tag_start_of_frame;
+      coarseslice0winner1_tag_end_of_line <= coarseslice0window_tag_end_of_line;
       -- coarseslice0winner2
-      coarseslice0winner2_of_pair_0_0_is_less := (coarseslice0winner1_best_cost_0_1 -
+      coarseslice0winner2_best_cost_0_0_is_less := (coarseslice0winner1_best_cost_0_1 -
         coarseslice0winner1_best_cost_0_0) < 0;
-      coarseslice0winner2_of_pair_0_2_is_less := (coarseslice0winner1_best_cost_0_3 -
+      coarseslice0winner2_best_cost_0_1_is_less := (coarseslice0winner1_best_cost_0_3 -
         coarseslice0winner1_best_cost_0_2) < 0;
-      coarseslice0winner2_of_pair_0_4_is_less := (coarseslice0winner1_best_cost_0_5 -
+      coarseslice0winner2_best_cost_0_2_is_less := (coarseslice0winner1_best_cost_0_5 -
         coarseslice0winner1_best_cost_0_4) < 0;
-      coarseslice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(coarseslice0winner2_of_pair_0_2, 9)) or
-        (to_unsigned(coarseslice0winner2_of_pair_0_3, 9)))) - to_integer(((to_unsigned(coarseslice0winner2_of_pair_0_0,
-        9)) or (to_unsigned(coarseslice0winner2_of_pair_0_1, 9))))) < 0;
-      coarseslice0winner2_of_four_0_4_is_less := (coarseslice0winner2_of_pair_0_6 -
-        to_integer(((to_unsigned(coarseslice0winner2_of_pair_0_4, 9)) or (to_unsigned(coarseslice0winner2_of_pair_0_5,
-        9))))) < 0;
-      coarseslice0winner2_of_pair_0_0 <= 0 when coarseslice0winner2_of_pair_0_0_is_less else
-        coarseslice0winner1_best_cost_0_0;
-      coarseslice0winner2_of_pair_0_1 <= coarseslice0winner1_best_cost_0_1 when coarseslice0winner2_of_pair_0_0_is_less
-        else 0;
-      coarseslice0winner2_of_pair_0_2 <= 0 when coarseslice0winner2_of_pair_0_2_is_less else
-        coarseslice0winner1_best_cost_0_2;
-      coarseslice0winner2_of_pair_0_3 <= coarseslice0winner1_best_cost_0_3 when coarseslice0winner2_of_pair_0_2_is_less
-        else 0;
-      coarseslice0winner2_of_pair_0_4 <= 0 when coarseslice0winner2_of_pair_0_4_is_less else
-        coarseslice0winner1_best_cost_0_4;
-      coarseslice0winner2_of_pair_0_5 <= coarseslice0winner1_best_cost_0_5 when coarseslice0winner2_of_pair_0_4_is_less
-        else 0;
-      coarseslice0winner2_of_pair_0_6 <= coarseslice0winner1_best_cost_0_6;
-      coarseslice0winner2_pair_index_0_0 <= coarseslice0winner1_best_index_0_1 when
-        coarseslice0winner2_of_pair_0_0_is_less else coarseslice0winner1_best_index_0_0;
-      coarseslice0winner2_pair_index_0_1 <= coarseslice0winner1_best_index_0_3 when
-        coarseslice0winner2_of_pair_0_2_is_less else coarseslice0winner1_best_index_0_2;
-      coarseslice0winner2_pair_index_0_2 <= coarseslice0winner1_best_index_0_5 when
-        coarseslice0winner2_of_pair_0_4_is_less else coarseslice0winner1_best_index_0_4;
-      coarseslice0winner2_pair_index_0_3 <= coarseslice0winner1_best_index_0_6;
-      coarseslice0winner2_pair_tag_valid <= coarseslice0winner1_tag_valid;
-      coarseslice0winner2_pair_tag_map_column <= coarseslice0winner1_tag_map_column;
-      coarseslice0winner2_pair_tag_output_column <= coarseslice0winner1_tag_output_column;
-      coarseslice0winner2_pair_tag_start_of_frame <= coarseslice0winner1_tag_start_of_frame;
-      coarseslice0winner2_pair_tag_end_of_line <= coarseslice0winner1_tag_end_of_line;
-      coarseslice0winner2_of_four_0_0 <= 0 when coarseslice0winner2_of_four_0_0_is_less else
-        coarseslice0winner2_of_pair_0_0;
-      coarseslice0winner2_of_four_0_1 <= 0 when coarseslice0winner2_of_four_0_0_is_less else
-        coarseslice0winner2_of_pair_0_1;
-      coarseslice0winner2_of_four_0_2 <= coarseslice0winner2_of_pair_0_2 when coarseslice0winner2_of_four_0_0_is_less
-        else 0;
-      coarseslice0winner2_of_four_0_3 <= coarseslice0winner2_of_pair_0_3 when coarseslice0winner2_of_four_0_0_is_less
-        else 0;
-      coarseslice0winner2_of_four_0_4 <= 0 when coarseslice0winner2_of_four_0_4_is_less else
-        coarseslice0winner2_of_pair_0_4;
-      coarseslice0winner2_of_four_0_5 <= 0 when coarseslice0winner2_of_four_0_4_is_less else
-        coarseslice0winner2_of_pair_0_5;
-      coarseslice0winner2_of_four_0_6 <= coarseslice0winner2_of_pair_0_6 when coarseslice0winner2_of_four_0_4_is_less
-        else 0;
-      coarseslice0winner2_four_index_0_0 <= coarseslice0winner2_pair_index_0_1 when
-        coarseslice0winner2_of_four_0_0_is_less else coarseslice0winner2_pair_index_0_0;
-      coarseslice0winner2_four_index_0_1 <= coarseslice0winner2_pair_index_0_3 when
-        coarseslice0winner2_of_four_0_4_is_less else coarseslice0winner2_pair_index_0_2;
-      coarseslice0winner2_four_tag_valid <= coarseslice0winner2_pair_tag_valid;
-      coarseslice0winner2_four_tag_map_column <= coarseslice0winner2_pair_tag_map_column;
-      coarseslice0winner2_four_tag_output_column <= coarseslice0winner2_pair_tag_output_column;
-      coarseslice0winner2_four_tag_start_of_frame <= coarseslice0winner2_pair_tag_start_of_frame;
-      coarseslice0winner2_four_tag_end_of_line <= coarseslice0winner2_pair_tag_end_of_line;
-      coarseslice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(coarseslice0winner2_of_four_0_2, 9)) or
-        (to_unsigned(coarseslice0winner2_of_four_0_3, 9)))) or (to_unsigned(coarseslice0winner2_of_four_0_1, 9)))) or
-        (to_unsigned(coarseslice0winner2_of_four_0_0, 9))));
-      coarseslice0winner2_best_cost_0_1 <= to_integer(((((to_unsigned(coarseslice0winner2_of_four_0_5, 9)) or
-        (to_unsigned(coarseslice0winner2_of_four_0_6, 9)))) or (to_unsigned(coarseslice0winner2_of_four_0_4, 9))));
-      coarseslice0winner2_best_index_0_0 <= coarseslice0winner2_four_index_0_0;
-      coarseslice0winner2_best_index_0_1 <= coarseslice0winner2_four_index_0_1;
-      coarseslice0winner2_tag_valid <= coarseslice0winner2_four_tag_valid;
-      coarseslice0winner2_tag_map_column <= coarseslice0winner2_four_tag_map_column;
-      coarseslice0winner2_tag_output_column <= coarseslice0winner2_four_tag_output_column;
-      coarseslice0winner2_tag_start_of_frame <= coarseslice0winner2_four_tag_start_of_frame;
-      coarseslice0winner2_tag_end_of_line <= coarseslice0winner2_four_tag_end_of_line;
+      coarseslice0winner2_best_cost_0_3_is_less := (coarseslice0winner1_best_cost_0_7 -
+        coarseslice0winner1_best_cost_0_6) < 0;
+      coarseslice0winner2_best_cost_0_4_is_less := (coarseslice0winner1_best_cost_0_9 -
+        coarseslice0winner1_best_cost_0_8) < 0;
+      coarseslice0winner2_best_cost_0_5_is_less := (coarseslice0winner1_best_cost_0_11 -
+        coarseslice0winner1_best_cost_0_10) < 0;
+      coarseslice0winner2_best_cost_0_0 <= coarseslice0winner1_best_cost_0_1 when
+        coarseslice0winner2_best_cost_0_0_is_less else coarseslice0winner1_best_cost_0_0;
+      coarseslice0winner2_best_cost_0_1 <= coarseslice0winner1_best_cost_0_3 when
+        coarseslice0winner2_best_cost_0_1_is_less else coarseslice0winner1_best_cost_0_2;
+      coarseslice0winner2_best_cost_0_2 <= coarseslice0winner1_best_cost_0_5 when
+        coarseslice0winner2_best_cost_0_2_is_less else coarseslice0winner1_best_cost_0_4;
+      coarseslice0winner2_best_cost_0_3 <= coarseslice0winner1_best_cost_0_7 when
+        coarseslice0winner2_best_cost_0_3_is_less else coarseslice0winner1_best_cost_0_6;
+      coarseslice0winner2_best_cost_0_4 <= coarseslice0winner1_best_cost_0_9 when
+        coarseslice0winner2_best_cost_0_4_is_less else coarseslice0winner1_best_cost_0_8;
+      coarseslice0winner2_best_cost_0_5 <= coarseslice0winner1_best_cost_0_11 when
+        coarseslice0winner2_best_cost_0_5_is_less else coarseslice0winner1_best_cost_0_10;
+      coarseslice0winner2_best_cost_0_6 <= coarseslice0winner1_best_cost_0_12;
+      coarseslice0winner2_best_index_0_0 <= coarseslice0winner1_best_index_0_1 when
+        coarseslice0winner2_best_cost_0_0_is_less else as_number(coarseslice0winner1_best_index_0_0);
+      coarseslice0winner2_best_index_0_1 <= coarseslice0winner1_best_index_0_3 when
+        coarseslice0winner2_best_cost_0_1_is_less else coarseslice0winner1_best_index_0_2;
+      coarseslice0winner2_best_index_0_2 <= coarseslice0winner1_best_index_0_5 when
+        coarseslice0winner2_best_cost_0_2_is_less else coarseslice0winner1_best_index_0_4;
+      coarseslice0winner2_best_index_0_3 <= coarseslice0winner1_best_index_0_7 when
+        coarseslice0winner2_best_cost_0_3_is_less else coarseslice0winner1_best_index_0_6;
+      coarseslice0winner2_best_index_0_4 <= coarseslice0winner1_best_index_0_9 when
+        coarseslice0winner2_best_cost_0_4_is_less else coarseslice0winner1_best_index_0_8;
+      coarseslice0winner2_best_index_0_5 <= coarseslice0winner1_best_index_0_11 when
+        coarseslice0winner2_best_cost_0_5_is_less else coarseslice0winner1_best_index_0_10;
+      coarseslice0winner2_best_index_0_6 <= coarseslice0winner1_best_index_0_12;
+      coarseslice0winner2_tag_valid <= coarseslice0winner1_tag_valid;
+      coarseslice0winner2_tag_map_column <= coarseslice0winner1_tag_map_column;
+      coarseslice0winner2_tag_output_column <= coarseslice0winner1_tag_output_column;
+      coarseslice0winner2_tag_start_of_frame <= coarseslice0winner1_tag_start_of_frame;
+      coarseslice0winner2_tag_end_of_line <= coarseslice0winner1_tag_end_of_line;
       -- coarseslice0winner3
       coarseslice0winner3_best_cost_0_0_is_less := (coarseslice0winner2_best_cost_0_1 -
         coarseslice0winner2_best_cost_0_0) < 0;
+      coarseslice0winner3_best_cost_0_1_is_less := (coarseslice0winner2_best_cost_0_3 -
+        coarseslice0winner2_best_cost_0_2) < 0;
+      coarseslice0winner3_best_cost_0_2_is_less := (coarseslice0winner2_best_cost_0_5 -
+        coarseslice0winner2_best_cost_0_4) < 0;
       coarseslice0winner3_best_cost_0_0 <= coarseslice0winner2_best_cost_0_1 when
         coarseslice0winner3_best_cost_0_0_is_less else coarseslice0winner2_best_cost_0_0;
+      coarseslice0winner3_best_cost_0_1 <= coarseslice0winner2_best_cost_0_3 when
+        coarseslice0winner3_best_cost_0_1_is_less else coarseslice0winner2_best_cost_0_2;
+      coarseslice0winner3_best_cost_0_2 <= coarseslice0winner2_best_cost_0_5 when
+        coarseslice0winner3_best_cost_0_2_is_less else coarseslice0winner2_best_cost_0_4;
+      coarseslice0winner3_best_cost_0_3 <= coarseslice0winner2_best_cost_0_6;
       coarseslice0winner3_best_index_0_0 <= coarseslice0winner2_best_index_0_1 when
         coarseslice0winner3_best_cost_0_0_is_less else coarseslice0winner2_best_index_0_0;
+      coarseslice0winner3_best_index_0_1 <= coarseslice0winner2_best_index_0_3 when
+        coarseslice0winner3_best_cost_0_1_is_less else coarseslice0winner2_best_index_0_2;
+      coarseslice0winner3_best_index_0_2 <= coarseslice0winner2_best_index_0_5 when
+        coarseslice0winner3_best_cost_0_2_is_less else coarseslice0winner2_best_index_0_4;
+      coarseslice0winner3_best_index_0_3 <= coarseslice0winner2_best_index_0_6;
       coarseslice0winner3_tag_valid <= coarseslice0winner2_tag_valid;
       coarseslice0winner3_tag_map_column <= coarseslice0winner2_tag_map_column;
       coarseslice0winner3_tag_output_column <= coarseslice0winner2_tag_output_column;
       coarseslice0winner3_tag_start_of_frame <= coarseslice0winner2_tag_start_of_frame;
       coarseslice0winner3_tag_end_of_line <= coarseslice0winner2_tag_end_of_line;
+      -- coarseslice0winner4
+      coarseslice0winner4_best_cost_0_0_is_less := (coarseslice0winner3_best_cost_0_1 -
+        coarseslice0winner3_best_cost_0_0) < 0;
+      coarseslice0winner4_best_cost_0_1_is_less := (coarseslice0winner3_best_cost_0_3 -
+        coarseslice0winner3_best_cost_0_2) < 0;
+      coarseslice0winner4_best_cost_0_0 <= coarseslice0winner3_best_cost_0_1 when
+        coarseslice0winner4_best_cost_0_0_is_less else coarseslice0winner3_best_cost_0_0;
+      coarseslice0winner4_best_cost_0_1 <= coarseslice0winner3_best_cost_0_3 when
+        coarseslice0winner4_best_cost_0_1_is_less else coarseslice0winner3_best_cost_0_2;
+      coarseslice0winner4_best_index_0_0 <= coarseslice0winner3_best_index_0_1 when
+        coarseslice0winner4_best_cost_0_0_is_less else coarseslice0winner3_best_index_0_0;
+      coarseslice0winner4_best_index_0_1 <= coarseslice0winner3_best_index_0_3 when
+        coarseslice0winner4_best_cost_0_1_is_less else coarseslice0winner3_best_index_0_2;
+      coarseslice0winner4_tag_valid <= coarseslice0winner3_tag_valid;
+      coarseslice0winner4_tag_map_column <= coarseslice0winner3_tag_map_column;
+      coarseslice0winner4_tag_output_column <= coarseslice0winner3_tag_output_column;
+      coarseslice0winner4_tag_start_of_frame <= coarseslice0winner3_tag_start_of_frame;
+      coarseslice0winner4_tag_end_of_line <= coarseslice0winner3_tag_end_of_line;
+      -- coarseslice0winner5
+      coarseslice0winner5_best_cost_0_0_is_less := (coarseslice0winner4_best_cost_0_1 -
+        coarseslice0winner4_best_cost_0_0) < 0;
+      coarseslice0winner5_best_cost_0_0 <= coarseslice0winner4_best_cost_0_1 when
+        coarseslice0winner5_best_cost_0_0_is_less else coarseslice0winner4_best_cost_0_0;
+      coarseslice0winner5_best_index_0_0 <= coarseslice0winner4_best_index_0_1 when
+        coarseslice0winner5_best_cost_0_0_is_less else coarseslice0winner4_best_index_0_0;
+      coarseslice0winner5_tag_valid <= coarseslice0winner4_tag_valid;
+      coarseslice0winner5_tag_map_column <= coarseslice0winner4_tag_map_column;
+      coarseslice0winner5_tag_output_column <= coarseslice0winner4_tag_output_column;
+      coarseslice0winner5_tag_start_of_frame <= coarseslice0winner4_tag_start_of_frame;
+      coarseslice0winner5_tag_end_of_line <= coarseslice0winner4_tag_end_of_line;
       -- coarseslice0
-      coarseslice0_best_cost_0_0 <= coarseslice0winner3_best_cost_0_0;
-      coarseslice0_best_index_0_0 <= coarseslice0winner3_best_index_0_0 + 7;
-      coarseslice0_best_tag_valid <= coarseslice0winner3_tag_valid;
-      coarseslice0_best_tag_map_column <= coarseslice0winner3_tag_map_column;
-      coarseslice0_best_tag_output_column <= coarseslice0winner3_tag_output_column;
-      coarseslice0_best_tag_start_of_frame <= coarseslice0winner3_tag_start_of_frame;
-      coarseslice0_best_tag_end_of_line <= coarseslice0winner3_tag_end_of_line;
+      coarseslice0_best_cost_0_0 <= coarseslice0winner5_best_cost_0_0;
+      coarseslice0_best_index_0_0 <= coarseslice0winner5_best_index_0_0 + 7;
+      coarseslice0_best_tag_valid <= coarseslice0winner5_tag_valid;
+      coarseslice0_best_tag_map_column <= coarseslice0winner5_tag_map_column;
+      coarseslice0_best_tag_output_column <= coarseslice0winner5_tag_output_column;
+      coarseslice0_best_tag_start_of_frame <= coarseslice0winner5_tag_start_of_frame;
+      coarseslice0_best_tag_end_of_line <= coarseslice0winner5_tag_end_of_line;
       -- coarseslice1shift
       if coarseslice0shift_tag_valid then
         coarseslice1shift_search_0_0 <= coarseslice1shift_search_0_1;
@@ -7388,123 +7236,117 @@ begin
       coarseslice1window_sum_0_5 <= coarseslice1window_partial_0_5_5 + coarseslice1cost_column_0_5;
       coarseslice1window_sum_0_6 <= coarseslice1window_partial_0_5_6 + coarseslice1cost_column_0_6;
       -- coarseslice1other
-      coarseslice1other_cost_0_1_any := (not coarseslice0winner1_pair_tag_first_column) or (not
-        coarseslice0winner1_pair_tag_output_column);
+      coarseslice1other_cost_0_1_any := (not coarseslice0winner1_tag_first_column) or (not
+        coarseslice0winner1_tag_output_column);
       coarseslice1other_cost_0_1_is_not_less := (coarseslice1other_cost_0_2 - coarseslice1window_sum_0_1) >= 0;
       coarseslice1other_cost_0_1_choice := coarseslice1window_sum_0_1 when coarseslice1other_cost_0_1_is_not_less else
         coarseslice1other_cost_0_2;
-      coarseslice1other_cost_0_1_choice_2 := coarseslice1other_cost_0_1_choice when coarseslice0winner1_pair_tag_valid
-        else coarseslice1other_cost_0_1;
-      coarseslice1other_cost_0_1_choice_3 := coarseslice1other_cost_0_2 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_cost_0_1_choice_2 := coarseslice1other_cost_0_1_choice when coarseslice0winner1_tag_valid else
+        coarseslice1other_cost_0_1;
+      coarseslice1other_cost_0_1_choice_3 := coarseslice1other_cost_0_2 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_1;
       coarseslice1other_cost_0_1_choice_4 := coarseslice1other_cost_0_1_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_cost_0_1_choice_3;
-      coarseslice1other_cost_0_1_choice_5 := coarseslice1window_sum_0_1 when coarseslice0winner1_pair_tag_valid else
+        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_1_choice_3;
+      coarseslice1other_cost_0_1_choice_5 := coarseslice1window_sum_0_1 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_1;
       coarseslice1other_cost_0_2_is_not_less := (coarseslice1other_cost_0_3 - coarseslice1window_sum_0_2) >= 0;
       coarseslice1other_cost_0_2_choice := coarseslice1window_sum_0_2 when coarseslice1other_cost_0_2_is_not_less else
         coarseslice1other_cost_0_3;
-      coarseslice1other_cost_0_2_choice_2 := coarseslice1other_cost_0_2_choice when coarseslice0winner1_pair_tag_valid
-        else coarseslice1other_cost_0_2;
-      coarseslice1other_cost_0_2_choice_3 := coarseslice1other_cost_0_3 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_cost_0_2_choice_2 := coarseslice1other_cost_0_2_choice when coarseslice0winner1_tag_valid else
+        coarseslice1other_cost_0_2;
+      coarseslice1other_cost_0_2_choice_3 := coarseslice1other_cost_0_3 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_2;
       coarseslice1other_cost_0_2_choice_4 := coarseslice1other_cost_0_2_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_cost_0_2_choice_3;
-      coarseslice1other_cost_0_2_choice_5 := coarseslice1window_sum_0_2 when coarseslice0winner1_pair_tag_valid else
+        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_2_choice_3;
+      coarseslice1other_cost_0_2_choice_5 := coarseslice1window_sum_0_2 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_2;
       coarseslice1other_cost_0_3_is_not_less := (coarseslice1other_cost_0_4 - coarseslice1window_sum_0_3) >= 0;
       coarseslice1other_cost_0_3_choice := coarseslice1window_sum_0_3 when coarseslice1other_cost_0_3_is_not_less else
         coarseslice1other_cost_0_4;
-      coarseslice1other_cost_0_3_choice_2 := coarseslice1other_cost_0_3_choice when coarseslice0winner1_pair_tag_valid
-        else coarseslice1other_cost_0_3;
-      coarseslice1other_cost_0_3_choice_3 := coarseslice1other_cost_0_4 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_cost_0_3_choice_2 := coarseslice1other_cost_0_3_choice when coarseslice0winner1_tag_valid else
+        coarseslice1other_cost_0_3;
+      coarseslice1other_cost_0_3_choice_3 := coarseslice1other_cost_0_4 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_3;
       coarseslice1other_cost_0_3_choice_4 := coarseslice1other_cost_0_3_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_cost_0_3_choice_3;
-      coarseslice1other_cost_0_3_choice_5 := coarseslice1window_sum_0_3 when coarseslice0winner1_pair_tag_valid else
+        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_3_choice_3;
+      coarseslice1other_cost_0_3_choice_5 := coarseslice1window_sum_0_3 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_3;
       coarseslice1other_cost_0_4_is_not_less := (coarseslice1other_cost_0_5 - coarseslice1window_sum_0_4) >= 0;
       coarseslice1other_cost_0_4_choice := coarseslice1window_sum_0_4 when coarseslice1other_cost_0_4_is_not_less else
         coarseslice1other_cost_0_5;
-      coarseslice1other_cost_0_4_choice_2 := coarseslice1other_cost_0_4_choice when coarseslice0winner1_pair_tag_valid
-        else coarseslice1other_cost_0_4;
-      coarseslice1other_cost_0_4_choice_3 := coarseslice1other_cost_0_5 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_cost_0_4_choice_2 := coarseslice1other_cost_0_4_choice when coarseslice0winner1_tag_valid else
+        coarseslice1other_cost_0_4;
+      coarseslice1other_cost_0_4_choice_3 := coarseslice1other_cost_0_5 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_4;
       coarseslice1other_cost_0_4_choice_4 := coarseslice1other_cost_0_4_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_cost_0_4_choice_3;
-      coarseslice1other_cost_0_4_choice_5 := coarseslice1window_sum_0_4 when coarseslice0winner1_pair_tag_valid else
+        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_4_choice_3;
+      coarseslice1other_cost_0_4_choice_5 := coarseslice1window_sum_0_4 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_4;
       coarseslice1other_cost_0_5_is_not_less := (coarseslice1other_cost_0_6 - coarseslice1window_sum_0_5) >= 0;
       coarseslice1other_cost_0_5_choice := coarseslice1window_sum_0_5 when coarseslice1other_cost_0_5_is_not_less else
         coarseslice1other_cost_0_6;
-      coarseslice1other_cost_0_5_choice_2 := coarseslice1other_cost_0_5_choice when coarseslice0winner1_pair_tag_valid
-        else coarseslice1other_cost_0_5;
-      coarseslice1other_cost_0_5_choice_3 := coarseslice1other_cost_0_6 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_cost_0_5_choice_2 := coarseslice1other_cost_0_5_choice when coarseslice0winner1_tag_valid else
+        coarseslice1other_cost_0_5;
+      coarseslice1other_cost_0_5_choice_3 := coarseslice1other_cost_0_6 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_5;
       coarseslice1other_cost_0_5_choice_4 := coarseslice1other_cost_0_5_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_cost_0_5_choice_3;
-      coarseslice1other_cost_0_5_choice_5 := coarseslice1window_sum_0_5 when coarseslice0winner1_pair_tag_valid else
+        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_5_choice_3;
+      coarseslice1other_cost_0_5_choice_5 := coarseslice1window_sum_0_5 when coarseslice0winner1_tag_valid else
         coarseslice1other_cost_0_5;
       coarseslice1other_winner_0_0_choice := 0 when (coarseslice1other_cost_0_1 - coarseslice1window_sum_0_0) >= 0 else
         coarseslice1other_winner_0_1;
-      coarseslice1other_winner_0_0_choice_2 := coarseslice1other_winner_0_0_choice when
-        coarseslice0winner1_pair_tag_valid else coarseslice1other_winner_0_0;
-      coarseslice1other_winner_0_0_choice_3 := coarseslice1other_winner_0_1 when coarseslice0winner1_pair_tag_valid
+      coarseslice1other_winner_0_0_choice_2 := coarseslice1other_winner_0_0_choice when coarseslice0winner1_tag_valid
         else coarseslice1other_winner_0_0;
-      coarseslice1other_winner_0_0_choice_4 := coarseslice1other_winner_0_0_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_winner_0_0_choice_3;
-      coarseslice1other_winner_0_0_choice_5 := 0 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_winner_0_0_choice_3 := coarseslice1other_winner_0_1 when coarseslice0winner1_tag_valid else
         coarseslice1other_winner_0_0;
+      coarseslice1other_winner_0_0_choice_4 := coarseslice1other_winner_0_0_choice_2 when
+        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_0_choice_3;
+      coarseslice1other_winner_0_0_choice_5 := 0 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_0;
       coarseslice1other_winner_0_1_choice := 1 when coarseslice1other_cost_0_1_is_not_less else
         coarseslice1other_winner_0_2;
-      coarseslice1other_winner_0_1_choice_2 := coarseslice1other_winner_0_1_choice when
-        coarseslice0winner1_pair_tag_valid else coarseslice1other_winner_0_1;
-      coarseslice1other_winner_0_1_choice_3 := coarseslice1other_winner_0_2 when coarseslice0winner1_pair_tag_valid
+      coarseslice1other_winner_0_1_choice_2 := coarseslice1other_winner_0_1_choice when coarseslice0winner1_tag_valid
         else coarseslice1other_winner_0_1;
-      coarseslice1other_winner_0_1_choice_4 := coarseslice1other_winner_0_1_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_winner_0_1_choice_3;
-      coarseslice1other_winner_0_1_choice_5 := 1 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_winner_0_1_choice_3 := coarseslice1other_winner_0_2 when coarseslice0winner1_tag_valid else
         coarseslice1other_winner_0_1;
+      coarseslice1other_winner_0_1_choice_4 := coarseslice1other_winner_0_1_choice_2 when
+        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_1_choice_3;
+      coarseslice1other_winner_0_1_choice_5 := 1 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_1;
       coarseslice1other_winner_0_2_choice := 2 when coarseslice1other_cost_0_2_is_not_less else
         coarseslice1other_winner_0_3;
-      coarseslice1other_winner_0_2_choice_2 := coarseslice1other_winner_0_2_choice when
-        coarseslice0winner1_pair_tag_valid else coarseslice1other_winner_0_2;
-      coarseslice1other_winner_0_2_choice_3 := coarseslice1other_winner_0_3 when coarseslice0winner1_pair_tag_valid
+      coarseslice1other_winner_0_2_choice_2 := coarseslice1other_winner_0_2_choice when coarseslice0winner1_tag_valid
         else coarseslice1other_winner_0_2;
-      coarseslice1other_winner_0_2_choice_4 := coarseslice1other_winner_0_2_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_winner_0_2_choice_3;
-      coarseslice1other_winner_0_2_choice_5 := 2 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_winner_0_2_choice_3 := coarseslice1other_winner_0_3 when coarseslice0winner1_tag_valid else
         coarseslice1other_winner_0_2;
+      coarseslice1other_winner_0_2_choice_4 := coarseslice1other_winner_0_2_choice_2 when
+        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_2_choice_3;
+      coarseslice1other_winner_0_2_choice_5 := 2 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_2;
       coarseslice1other_winner_0_3_choice := 3 when coarseslice1other_cost_0_3_is_not_less else
         coarseslice1other_winner_0_4;
-      coarseslice1other_winner_0_3_choice_2 := coarseslice1other_winner_0_3_choice when
-        coarseslice0winner1_pair_tag_valid else coarseslice1other_winner_0_3;
-      coarseslice1other_winner_0_3_choice_3 := coarseslice1other_winner_0_4 when coarseslice0winner1_pair_tag_valid
+      coarseslice1other_winner_0_3_choice_2 := coarseslice1other_winner_0_3_choice when coarseslice0winner1_tag_valid
         else coarseslice1other_winner_0_3;
-      coarseslice1other_winner_0_3_choice_4 := coarseslice1other_winner_0_3_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_winner_0_3_choice_3;
-      coarseslice1other_winner_0_3_choice_5 := 3 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_winner_0_3_choice_3 := coarseslice1other_winner_0_4 when coarseslice0winner1_tag_valid else
         coarseslice1other_winner_0_3;
+      coarseslice1other_winner_0_3_choice_4 := coarseslice1other_winner_0_3_choice_2 when
+        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_3_choice_3;
+      coarseslice1other_winner_0_3_choice_5 := 3 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_3;
       coarseslice1other_winner_0_4_choice := 4 when coarseslice1other_cost_0_4_is_not_less else
         coarseslice1other_winner_0_5;
-      coarseslice1other_winner_0_4_choice_2 := coarseslice1other_winner_0_4_choice when
-        coarseslice0winner1_pair_tag_valid else coarseslice1other_winner_0_4;
-      coarseslice1other_winner_0_4_choice_3 := coarseslice1other_winner_0_5 when coarseslice0winner1_pair_tag_valid
+      coarseslice1other_winner_0_4_choice_2 := coarseslice1other_winner_0_4_choice when coarseslice0winner1_tag_valid
         else coarseslice1other_winner_0_4;
-      coarseslice1other_winner_0_4_choice_4 := coarseslice1other_winner_0_4_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_winner_0_4_choice_3;
-      coarseslice1other_winner_0_4_choice_5 := 4 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_winner_0_4_choice_3 := coarseslice1other_winner_0_5 when coarseslice0winner1_tag_valid else
         coarseslice1other_winner_0_4;
+      coarseslice1other_winner_0_4_choice_4 := coarseslice1other_winner_0_4_choice_2 when
+        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_4_choice_3;
+      coarseslice1other_winner_0_4_choice_5 := 4 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_4;
       coarseslice1other_winner_0_5_choice := 5 when coarseslice1other_cost_0_5_is_not_less else
         coarseslice1other_winner_0_6;
-      coarseslice1other_winner_0_5_choice_2 := coarseslice1other_winner_0_5_choice when
-        coarseslice0winner1_pair_tag_valid else coarseslice1other_winner_0_5;
-      coarseslice1other_winner_0_5_choice_3 := coarseslice1other_winner_0_6 when coarseslice0winner1_pair_tag_valid
+      coarseslice1other_winner_0_5_choice_2 := coarseslice1other_winner_0_5_choice when coarseslice0winner1_tag_valid
         else coarseslice1other_winner_0_5;
-      coarseslice1other_winner_0_5_choice_4 := coarseslice1other_winner_0_5_choice_2 when
-        coarseslice0winner1_pair_tag_output_column else coarseslice1other_winner_0_5_choice_3;
-      coarseslice1other_winner_0_5_choice_5 := 5 when coarseslice0winner1_pair_tag_valid else
+      coarseslice1other_winner_0_5_choice_3 := coarseslice1other_winner_0_6 when coarseslice0winner1_tag_valid else
         coarseslice1other_winner_0_5;
+      coarseslice1other_winner_0_5_choice_4 := coarseslice1other_winner_0_5_choice_2 when
+        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_5_choice_3;
+      coarseslice1other_winner_0_5_choice_5 := 5 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_5;
       coarseslice1other_cost_0_1 <= coarseslice1other_cost_0_1_choice_4 when coarseslice1other_cost_0_1_any else
         coarseslice1other_cost_0_1_choice_5;
       coarseslice1other_cost_0_2 <= coarseslice1other_cost_0_2_choice_4 when coarseslice1other_cost_0_1_any else
@@ -7532,73 +7374,52 @@ begin
       coarseslice1other_cost_0_6_choice := coarseslice1window_sum_0_6 when coarseslice1other_cost_0_6_is_not_less else
         coarseslice0other_cost_out_0;
       coarseslice1other_cost_0_6_choice_2 := coarseslice1other_cost_0_6_choice when
-        coarseslice0winner1_pair_tag_output_column else coarseslice0other_cost_out_0;
+        coarseslice0winner1_tag_output_column else coarseslice0other_cost_out_0;
       coarseslice1other_winner_0_6_choice := 6 when coarseslice1other_cost_0_6_is_not_less else
         coarseslice0other_winner_out_0;
       coarseslice1other_winner_0_6_choice_2 := coarseslice1other_winner_0_6_choice when
-        coarseslice0winner1_pair_tag_output_column else coarseslice0other_winner_out_0;
-      if coarseslice0winner1_pair_tag_valid then
+        coarseslice0winner1_tag_output_column else coarseslice0other_winner_out_0;
+      if coarseslice0winner1_tag_valid then
         coarseslice1other_cost_0_6 <= coarseslice1other_cost_0_6_choice_2 when coarseslice1other_cost_0_1_any else
           coarseslice1window_sum_0_6;
         coarseslice1other_winner_0_6 <= coarseslice1other_winner_0_6_choice_2 when coarseslice1other_cost_0_1_any else
           6;
       end if;
       -- coarseslice1winner1
-      coarseslice1winner1_of_pair_0_0_is_less := (coarseslice1window_sum_0_1 - coarseslice1window_sum_0_0) < 0;
-      coarseslice1winner1_of_pair_0_2_is_less := (coarseslice1window_sum_0_3 - coarseslice1window_sum_0_2) < 0;
-      coarseslice1winner1_of_pair_0_4_is_less := (coarseslice1window_sum_0_5 - coarseslice1window_sum_0_4) < 0;
-      coarseslice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(coarseslice1winner1_of_pair_0_2, 9)) or
-        (to_unsigned(coarseslice1winner1_of_pair_0_3, 9)))) - to_integer(((to_unsigned(coarseslice1winner1_of_pair_0_0,
-        9)) or (to_unsigned(coarseslice1winner1_of_pair_0_1, 9))))) < 0;
-      coarseslice1winner1_of_four_0_4_is_less := (coarseslice1winner1_of_pair_0_6 -
-        to_integer(((to_unsigned(coarseslice1winner1_of_pair_0_4, 9)) or (to_unsigned(coarseslice1winner1_of_pair_0_5,
-        9))))) < 0;
-      coarseslice1winner1_of_pair_0_0 <= 0 when coarseslice1winner1_of_pair_0_0_is_less else coarseslice1window_sum_0_0;
-      coarseslice1winner1_of_pair_0_1 <= coarseslice1window_sum_0_1 when coarseslice1winner1_of_pair_0_0_is_less else 0;
-      coarseslice1winner1_of_pair_0_2 <= 0 when coarseslice1winner1_of_pair_0_2_is_less else coarseslice1window_sum_0_2;
-      coarseslice1winner1_of_pair_0_3 <= coarseslice1window_sum_0_3 when coarseslice1winner1_of_pair_0_2_is_less else 0;
-      coarseslice1winner1_of_pair_0_4 <= 0 when coarseslice1winner1_of_pair_0_4_is_less else coarseslice1window_sum_0_4;
-      coarseslice1winner1_of_pair_0_5 <= coarseslice1window_sum_0_5 when coarseslice1winner1_of_pair_0_4_is_less else 0;
-      coarseslice1winner1_of_pair_0_6 <= coarseslice1window_sum_0_6;
-      coarseslice1winner1_pair_index_0_0 <= coarseslice1winner1_of_pair_0_0_is_less;
-      coarseslice1winner1_pair_index_0_1 <= 3 when coarseslice1winner1_of_pair_0_2_is_less else 2;
-      coarseslice1winner1_pair_index_0_2 <= 5 when coarseslice1winner1_of_pair_0_4_is_less else 4;
-      coarseslice1winner1_pair_index_0_3 <= 6;
-      coarseslice1winner1_of_four_0_0 <= 0 when coarseslice1winner1_of_four_0_0_is_less else
-        coarseslice1winner1_of_pair_0_0;
-      coarseslice1winner1_of_four_0_1 <= 0 when coarseslice1winner1_of_four_0_0_is_less else
-        coarseslice1winner1_of_pair_0_1;
-      coarseslice1winner1_of_four_0_2 <= coarseslice1winner1_of_pair_0_2 when coarseslice1winner1_of_four_0_0_is_less
-        else 0;
-      coarseslice1winner1_of_four_0_3 <= coarseslice1winner1_of_pair_0_3 when coarseslice1winner1_of_four_0_0_is_less
-        else 0;
-      coarseslice1winner1_of_four_0_4 <= 0 when coarseslice1winner1_of_four_0_4_is_less else
-        coarseslice1winner1_of_pair_0_4;
-      coarseslice1winner1_of_four_0_5 <= 0 when coarseslice1winner1_of_four_0_4_is_less else
-        coarseslice1winner1_of_pair_0_5;
-      coarseslice1winner1_of_four_0_6 <= coarseslice1winner1_of_pair_0_6 when coarseslice1winner1_of_four_0_4_is_less
-        else 0;
-      coarseslice1winner1_four_index_0_0 <= coarseslice1winner1_pair_index_0_1 when
-        coarseslice1winner1_of_four_0_0_is_less else as_number(coarseslice1winner1_pair_index_0_0);
-      coarseslice1winner1_four_index_0_1 <= coarseslice1winner1_pair_index_0_3 when
-        coarseslice1winner1_of_four_0_4_is_less else coarseslice1winner1_pair_index_0_2;
-      coarseslice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(coarseslice1winner1_of_four_0_2, 9)) or
-        (to_unsigned(coarseslice1winner1_of_four_0_3, 9)))) or (to_unsigned(coarseslice1winner1_of_four_0_1, 9)))) or
-        (to_unsigned(coarseslice1winner1_of_four_0_0, 9))));
-      coarseslice1winner1_best_cost_0_1 <= to_integer(((((to_unsigned(coarseslice1winner1_of_four_0_5, 9)) or
-        (to_unsigned(coarseslice1winner1_of_four_0_6, 9)))) or (to_unsigned(coarseslice1winner1_of_four_0_4, 9))));
-      coarseslice1winner1_best_index_0_0 <= coarseslice1winner1_four_index_0_0;
-      coarseslice1winner1_best_index_0_1 <= coarseslice1winner1_four_index_0_1;
+      coarseslice1winner1_best_cost_0_0_is_less := (coarseslice1window_sum_0_1 - coarseslice1window_sum_0_0) < 0;
+      coarseslice1winner1_best_cost_0_1_is_less := (coarseslice1window_sum_0_3 - coarseslice1window_sum_0_2) < 0;
+      coarseslice1winner1_best_cost_0_2_is_less := (coarseslice1window_sum_0_5 - coarseslice1window_sum_0_4) < 0;
+      coarseslice1winner1_best_cost_0_0 <= coarseslice1window_sum_0_1 when coarseslice1winner1_best_cost_0_0_is_less
+        else coarseslice1window_sum_0_0;
+      coarseslice1winner1_best_cost_0_1 <= coarseslice1window_sum_0_3 when coarseslice1winner1_best_cost_0_1_is_less
+        else coarseslice1window_sum_0_2;
+      coarseslice1winner1_best_cost_0_2 <= coarseslice1window_sum_0_5 when coarseslice1winner1_best_cost_0_2_is_less
+        else coarseslice1window_sum_0_4;
+      coarseslice1winner1_best_cost_0_3 <= coarseslice1window_sum_0_6;
+      coarseslice1winner1_best_index_0_0 <= coarseslice1winner1_best_cost_0_0_is_less;
+      coarseslice1winner1_best_index_0_1 <= 3 when coarseslice1winner1_best_cost_0_1_is_less else 2;
+      coarseslice1winner1_best_index_0_2 <= 5 when coarseslice1winner1_best_cost_0_2_is_less else 4;
+      coarseslice1winner1_best_index_0_3 <= 6;
       -- coarseslice1winner2
       coarseslice1winner2_best_cost_0_0_is_less := (coarseslice1winner1_best_cost_0_1 -
         coarseslice1winner1_best_cost_0_0) < 0;
+      coarseslice1winner2_best_cost_0_1_is_less := (coarseslice1winner1_best_cost_0_3 -
+        coarseslice1winner1_best_cost_0_2) < 0;
       coarseslice1winner2_best_cost_0_0 <= coarseslice1winner1_best_cost_0_1 when
         coarseslice1winner2_best_cost_0_0_is_less else coarseslice1winner1_best_cost_0_0;
+      coarseslice1winner2_best_cost_0_1 <= coarseslice1winner1_best_cost_0_3 when
+        coarseslice1winner2_best_cost_0_1_is_less else coarseslice1winner1_best_cost_0_2;
       coarseslice1winner2_best_index_0_0 <= coarseslice1winner1_best_index_0_1 when
-        coarseslice1winner2_best_cost_0_0_is_less else coarseslice1winner1_best_index_0_0;
+        coarseslice1winner2_best_cost_0_0_is_less else as_number(coarseslice1winner1_best_index_0_0);
+      coarseslice1winner2_best_index_0_1 <= coarseslice1winner1_best_index_0_3 when
+        coarseslice1winner2_best_cost_0_1_is_less else coarseslice1winner1_best_index_0_2;
       -- coarseslice1winner3
-      coarseslice1winner3_best_cost_0_0 <= coarseslice1winner2_best_cost_0_0;
-      coarseslice1winner3_best_index_0_0 <= coarseslice1winner2_best_index_0_0;
+      coarseslice1winner3_best_cost_0_0_is_less := (coarseslice1winner2_best_cost_0_1 -
+        coarseslice1winner2_best_cost_0_0) < 0;
+      coarseslice1winner3_best_cost_0_0 <= coarseslice1winner2_best_cost_0_1 when
+        coarseslice1winner3_best_cost_0_0_is_less else coarseslice1winner2_best_cost_0_0;
+      coarseslice1winner3_best_index_0_0 <= coarseslice1winner2_best_index_0_1 when
+        coarseslice1winner3_best_cost_0_0_is_less else coarseslice1winner2_best_index_0_0;
       -- coarseslice1winner4
       coarseslice1winner4_best_cost_0_0 <= coarseslice1winner3_best_cost_0_0;
       coarseslice1winner4_best_index_0_0 <= coarseslice1winner3_best_index_0_0;
@@ -7623,8 +7444,6 @@ begin
       coarseleftright_other_2_0 <= coarseleftright_other_1_0;
       coarseleftright_other_3_0 <= coarseleftright_other_2_0;
       coarseleftright_other_4_0 <= coarseleftright_other_3_0;
-      coarseleftright_other_5_0 <= coarseleftright_other_4_0;
-      coarseleftright_other_6_0 <= coarseleftright_other_5_0;
       coarseleftright_holds_winners <= (not coarseslice1_best_tag_valid) and coarseleftright_holds_winners when
         coarseleftright_holds_winners_choice else coarseslice1_best_tag_valid or coarseleftright_holds_winners;
       coarseleftright_position <= (coarseleftright_position + as_number(coarseslice1_best_tag_valid)) mod 64;
@@ -8353,11 +8172,10 @@ begin
       hold_back_next_next_next_next_holds_groups_is_equal := hold_back_next_next_next_next_ring_read_address = 0;
       hold_back_next_next_next_next_next_holds_groups_any := hold_back_next_next_next_next_next_held_is_new or
         (hold_back_next_next_next_next_next_ring_read_address = 0);
-      hold_back_next_next_next_next_next_next_holds_groups_is_equal :=
+      hold_back_next_next_next_next_next_next_holds_groups_any := hold_back_next_next_next_next_next_next_held_is_new
+        or (hold_back_next_next_next_next_next_next_next_ring_read_address = 0);
+      hold_back_next_next_next_next_next_next_next_holds_groups_is_equal :=
         hold_back_next_next_next_next_next_next_ring_read_address = 0;
-      hold_back_next_next_next_next_next_next_next_holds_groups_any :=
-        hold_back_next_next_next_next_next_next_next_held_is_new or
-        (hold_back_next_next_next_next_next_next_next_ring_read_address = 0);
       hold_back_next_next_next_next_next_next_next_next_holds_groups_any :=
         hold_back_next_next_next_next_next_next_next_next_held_is_new or
         (hold_back_next_next_next_next_next_next_next_next_ring_read_address = 0);
@@ -8378,14 +8196,15 @@ begin
       hold_back_next_next_next_next_held_valid <= hold_back_next_next_next_held_valid;
       hold_back_next_next_next_next_next_holds_groups <= hold_back_next_next_next_next_next_holds_groups_any;
       hold_back_next_next_next_next_next_held_valid <= hold_back_next_next_next_next_held_valid;
-      hold_back_next_next_next_next_next_next_holds_groups <= hold_back_next_next_next_next_next_next_held_is_new or
-        hold_back_next_next_next_next_next_next_holds_groups_is_equal;
-      hold_back_next_next_next_next_next_next_held_is_new <= hold_back_next_next_next_next_next_next_held_is_new or
-        (hold_back_next_next_next_next_next_next_holds_groups_is_equal and
-        hold_back_next_next_next_next_next_held_valid);
+      hold_back_next_next_next_next_next_next_holds_groups <= hold_back_next_next_next_next_next_next_holds_groups_any;
       hold_back_next_next_next_next_next_next_held_valid <= hold_back_next_next_next_next_next_held_valid;
       hold_back_next_next_next_next_next_next_next_holds_groups <=
-        hold_back_next_next_next_next_next_next_next_holds_groups_any;
+        hold_back_next_next_next_next_next_next_next_held_is_new or
+        hold_back_next_next_next_next_next_next_next_holds_groups_is_equal;
+      hold_back_next_next_next_next_next_next_next_held_is_new <=
+        hold_back_next_next_next_next_next_next_next_held_is_new or
+        (hold_back_next_next_next_next_next_next_next_holds_groups_is_equal and
+        hold_back_next_next_next_next_next_held_valid);
       hold_back_next_next_next_next_next_next_next_held_valid <= hold_back_next_next_next_next_next_next_held_valid;
       hold_back_next_next_next_next_next_next_next_next_holds_groups <=
         hold_back_next_next_next_next_next_next_next_next_holds_groups_any;
@@ -8428,17 +8247,16 @@ begin
           hold_back_next_next_next_next_next_next_ring_read_address;
       end if;
       if hold_back_next_next_next_next_next_next_held_valid then
+        hold_back_next_next_next_next_next_next_held_is_new <= hold_back_next_next_next_next_next_next_holds_groups_any;
         hold_back_next_next_next_next_next_next_next_ring_read_address <= 0 when
-          hold_back_next_next_next_next_next_next_next_ring_read_address = 2819 else
+          hold_back_next_next_next_next_next_next_next_ring_read_address = 2818 else
           (hold_back_next_next_next_next_next_next_next_ring_read_address + 1) mod 4096;
         hold_back_next_next_next_next_next_next_next_ring_write_address <=
           hold_back_next_next_next_next_next_next_next_ring_read_address;
-        hold_back_next_next_next_next_next_next_next_held_is_new <=
-          hold_back_next_next_next_next_next_next_next_holds_groups_any;
       end if;
       if hold_back_next_next_next_next_next_next_next_held_valid then
         hold_back_next_next_next_next_next_next_next_next_ring_read_address <= 0 when
-          hold_back_next_next_next_next_next_next_next_next_ring_read_address = 2819 else
+          hold_back_next_next_next_next_next_next_next_next_ring_read_address = 2818 else
           (hold_back_next_next_next_next_next_next_next_next_ring_read_address + 1) mod 4096;
         hold_back_next_next_next_next_next_next_next_next_ring_write_address <=
           hold_back_next_next_next_next_next_next_next_next_ring_read_address;
@@ -8968,6 +8786,7 @@ begin
         bases_ready_limit mod 256;
       bases_goal_1_2 <= bases_ready_targets_2 / 256 when ((bases_ready_targets_2 / 256) - bases_ready_limit) < 0 else
         bases_ready_limit mod 256;
+      bases_wanted_column <= bases_ready_column;
       bases_wanted_head <= bases_ready_head;
       bases_wanted_frame_starts <= bases_ready_frame_starts;
       bases_wanted_valid <= bases_ready_valid;
@@ -8983,12 +8802,9 @@ begin
       bases_falls_0_1 <= bases_falls_0_1_all;
       bases_falls_1_0 <= bases_falls_1_0_all;
       bases_falls_1_1 <= bases_falls_1_1_all;
-      bases_stands_column <= compared_write_column;
+      bases_stands_column <= bases_wanted_column;
       bases_stands_frame_starts <= bases_wanted_frame_starts;
       bases_stands_valid <= bases_wanted_valid;
-      if bases_ready_valid then
-        bases_wanted_column <= bases_ready_column;
-      end if;
       bases_base_0_0_choice := 65535 when ((((as_number(bases_falls_0_0_all) * 32768) + 32768) mod 65536) - 32768) < 0
         else 0;
       if bases_rises_0_0_all then
@@ -9294,7 +9110,6 @@ begin
       compared_ready_tag_output_column <= compared_read_tag_output_column;
       compared_ready_tag_start_of_frame <= compared_read_tag_start_of_frame;
       compared_ready_tag_end_of_line <= compared_read_tag_end_of_line;
-      compared_write_column <= bases_ready_column;
       compared_held_0_reference_0 <= compared_rows_ready_words_0 mod 4096 when compared_ready_inside_0 else 0;
       compared_held_0_reference_1 <= compared_rows_ready_newest_0 when compared_ready_inside_1 else 0;
       compared_held_0_inside_0 <= compared_ready_inside_0;
@@ -9406,6 +9221,7 @@ begin
           4096);
         compared_rows_write_words_3 <= (compared_rows_ready_words_3 / 4096) + (compared_rows_ready_words_4 * 4096);
         compared_rows_write_words_4 <= compared_rows_ready_newest_0;
+        compared_write_column <= bases_ready_column;
       end if;
       -- lowchain
       lowchain_lane_0_0_all := compared_tags_6_valid and (rows_step_one_0_0 or rows_step_four_0_0);
@@ -11003,7 +10819,7 @@ begin
         lowwinner1_best_below_0_7;
       lowwinner2_best_above_0_0_choice := lowwinner1_best_first_0_1 when lowwinner1_best_index_0_0 else
         lowwinner1_best_above_0_0;
-      lowwinner2_best_above_0_1_choice := lowwinner1_best_first_0_3 when other_19 else lowwinner1_best_above_0_2;
+      lowwinner2_best_above_0_1_choice := lowwinner1_best_first_0_3 when other_23 else lowwinner1_best_above_0_2;
       lowwinner2_best_above_0_2_choice := lowwinner1_best_first_0_5 when other_27 else lowwinner1_best_above_0_4;
       lowwinner2_best_above_0_3_choice := lowwinner1_best_first_0_7 when other_28 else lowwinner1_best_above_0_6;
       lowwinner2_best_cost_0_0 <= lowwinner1_best_cost_0_1 when lowwinner2_best_cost_0_0_is_less else
@@ -12878,13 +12694,13 @@ begin
       other_16 <= (refinement_remainder_1_0_difference / 4096) * 128;
       other_17 <= as_number(((coarsetransform_right_code_row_before_0 - coarsetransform_right_code_row_after_0) < 0)) *
         8192;
-      other_18 <= as_number((((other_20 / 2) - coarsetransform_right_code_row_centre_0) < 0)) * 8192;
-      other_19 <= lowwinner1_best_cost_0_2_is_less;
-      other_20 <= ((coarsetransform_right_code_column_response_0 + coarsetransform_right_code_row_column_0_3) / 2) * 2;
-      other_21 <= as_number(((coarsetransform_left_code_row_before_0 - coarsetransform_left_code_row_after_0) < 0)) *
+      other_18 <= as_number((((other_19 / 2) - coarsetransform_right_code_row_centre_0) < 0)) * 8192;
+      other_19 <= ((coarsetransform_right_code_column_response_0 + coarsetransform_right_code_row_column_0_3) / 2) * 2;
+      other_20 <= as_number(((coarsetransform_left_code_row_before_0 - coarsetransform_left_code_row_after_0) < 0)) *
         8192;
-      other_22 <= as_number((((other_23 / 2) - coarsetransform_left_code_row_centre_0) < 0)) * 8192;
-      other_23 <= ((coarsetransform_left_code_column_response_0 + coarsetransform_left_code_row_column_0_3) / 2) * 2;
+      other_21 <= as_number((((other_22 / 2) - coarsetransform_left_code_row_centre_0) < 0)) * 8192;
+      other_22 <= ((coarsetransform_left_code_column_response_0 + coarsetransform_left_code_row_column_0_3) / 2) * 2;
+      other_23 <= lowwinner1_best_cost_0_2_is_less;
       other_24 <= other_26;
       other_25 <= ((other_25_choice + (coarsetransform_counter_column / 2)) mod 128) * 2;
       other_26 <= (as_number(coarsetransform_valid) * 256) + as_number(((coarsetransform_counter_group = 2) and
@@ -14057,83 +13873,6 @@ begin
         coarseslice0other_winner_0_24 <= 0;
         coarseslice0other_cost_out_0 <= 0;
         coarseslice0other_winner_out_0 <= 0;
-        coarseslice0winner1_of_pair_0_0 <= 0;
-        coarseslice0winner1_of_pair_0_1 <= 0;
-        coarseslice0winner1_of_pair_0_2 <= 0;
-        coarseslice0winner1_of_pair_0_3 <= 0;
-        coarseslice0winner1_of_pair_0_4 <= 0;
-        coarseslice0winner1_of_pair_0_5 <= 0;
-        coarseslice0winner1_of_pair_0_6 <= 0;
-        coarseslice0winner1_of_pair_0_7 <= 0;
-        coarseslice0winner1_of_pair_0_8 <= 0;
-        coarseslice0winner1_of_pair_0_9 <= 0;
-        coarseslice0winner1_of_pair_0_10 <= 0;
-        coarseslice0winner1_of_pair_0_11 <= 0;
-        coarseslice0winner1_of_pair_0_12 <= 0;
-        coarseslice0winner1_of_pair_0_13 <= 0;
-        coarseslice0winner1_of_pair_0_14 <= 0;
-        coarseslice0winner1_of_pair_0_15 <= 0;
-        coarseslice0winner1_of_pair_0_16 <= 0;
-        coarseslice0winner1_of_pair_0_17 <= 0;
-        coarseslice0winner1_of_pair_0_18 <= 0;
-        coarseslice0winner1_of_pair_0_19 <= 0;
-        coarseslice0winner1_of_pair_0_20 <= 0;
-        coarseslice0winner1_of_pair_0_21 <= 0;
-        coarseslice0winner1_of_pair_0_22 <= 0;
-        coarseslice0winner1_of_pair_0_23 <= 0;
-        coarseslice0winner1_of_pair_0_24 <= 0;
-        coarseslice0winner1_pair_index_0_0 <= false;
-        coarseslice0winner1_pair_index_0_1 <= 0;
-        coarseslice0winner1_pair_index_0_2 <= 0;
-        coarseslice0winner1_pair_index_0_3 <= 0;
-        coarseslice0winner1_pair_index_0_4 <= 0;
-        coarseslice0winner1_pair_index_0_5 <= 0;
-        coarseslice0winner1_pair_index_0_6 <= 0;
-        coarseslice0winner1_pair_index_0_7 <= 0;
-        coarseslice0winner1_pair_index_0_8 <= 0;
-        coarseslice0winner1_pair_index_0_9 <= 0;
-        coarseslice0winner1_pair_index_0_10 <= 0;
-        coarseslice0winner1_pair_index_0_11 <= 0;
-        coarseslice0winner1_pair_index_0_12 <= 0;
-        coarseslice0winner1_pair_tag_valid <= false;
-        coarseslice0winner1_pair_tag_output_column <= false;
-        coarseslice0winner1_pair_tag_first_column <= false;
-        coarseslice0winner1_pair_tag_start_of_frame <= false;
-        coarseslice0winner1_of_four_0_0 <= 0;
-        coarseslice0winner1_of_four_0_1 <= 0;
-        coarseslice0winner1_of_four_0_2 <= 0;
-        coarseslice0winner1_of_four_0_3 <= 0;
-        coarseslice0winner1_of_four_0_4 <= 0;
-        coarseslice0winner1_of_four_0_5 <= 0;
-        coarseslice0winner1_of_four_0_6 <= 0;
-        coarseslice0winner1_of_four_0_7 <= 0;
-        coarseslice0winner1_of_four_0_8 <= 0;
-        coarseslice0winner1_of_four_0_9 <= 0;
-        coarseslice0winner1_of_four_0_10 <= 0;
-        coarseslice0winner1_of_four_0_11 <= 0;
-        coarseslice0winner1_of_four_0_12 <= 0;
-        coarseslice0winner1_of_four_0_13 <= 0;
-        coarseslice0winner1_of_four_0_14 <= 0;
-        coarseslice0winner1_of_four_0_15 <= 0;
-        coarseslice0winner1_of_four_0_16 <= 0;
-        coarseslice0winner1_of_four_0_17 <= 0;
-        coarseslice0winner1_of_four_0_18 <= 0;
-        coarseslice0winner1_of_four_0_19 <= 0;
-        coarseslice0winner1_of_four_0_20 <= 0;
-        coarseslice0winner1_of_four_0_21 <= 0;
-        coarseslice0winner1_of_four_0_22 <= 0;
-        coarseslice0winner1_of_four_0_23 <= 0;
-        coarseslice0winner1_of_four_0_24 <= 0;
-        coarseslice0winner1_four_index_0_0 <= 0;
-        coarseslice0winner1_four_index_0_1 <= 0;
-        coarseslice0winner1_four_index_0_2 <= 0;
-        coarseslice0winner1_four_index_0_3 <= 0;
-        coarseslice0winner1_four_index_0_4 <= 0;
-        coarseslice0winner1_four_index_0_5 <= 0;
-        coarseslice0winner1_four_index_0_6 <= 0;
-        coarseslice0winner1_four_tag_valid <= false;
-        coarseslice0winner1_four_tag_output_column <= false;
-        coarseslice0winner1_four_tag_start_of_frame <= false;
         coarseslice0winner1_best_cost_0_0 <= 0;
         coarseslice0winner1_best_cost_0_1 <= 0;
         coarseslice0winner1_best_cost_0_2 <= 0;
@@ -14141,54 +13880,69 @@ begin
         coarseslice0winner1_best_cost_0_4 <= 0;
         coarseslice0winner1_best_cost_0_5 <= 0;
         coarseslice0winner1_best_cost_0_6 <= 0;
-        coarseslice0winner1_best_index_0_0 <= 0;
+        coarseslice0winner1_best_cost_0_7 <= 0;
+        coarseslice0winner1_best_cost_0_8 <= 0;
+        coarseslice0winner1_best_cost_0_9 <= 0;
+        coarseslice0winner1_best_cost_0_10 <= 0;
+        coarseslice0winner1_best_cost_0_11 <= 0;
+        coarseslice0winner1_best_cost_0_12 <= 0;
+        coarseslice0winner1_best_index_0_0 <= false;
         coarseslice0winner1_best_index_0_1 <= 0;
         coarseslice0winner1_best_index_0_2 <= 0;
         coarseslice0winner1_best_index_0_3 <= 0;
         coarseslice0winner1_best_index_0_4 <= 0;
         coarseslice0winner1_best_index_0_5 <= 0;
         coarseslice0winner1_best_index_0_6 <= 0;
+        coarseslice0winner1_best_index_0_7 <= 0;
+        coarseslice0winner1_best_index_0_8 <= 0;
+        coarseslice0winner1_best_index_0_9 <= 0;
+        coarseslice0winner1_best_index_0_10 <= 0;
+        coarseslice0winner1_best_index_0_11 <= 0;
+        coarseslice0winner1_best_index_0_12 <= 0;
         coarseslice0winner1_tag_valid <= false;
         coarseslice0winner1_tag_output_column <= false;
+        coarseslice0winner1_tag_first_column <= false;
         coarseslice0winner1_tag_start_of_frame <= false;
-        coarseslice0winner2_of_pair_0_0 <= 0;
-        coarseslice0winner2_of_pair_0_1 <= 0;
-        coarseslice0winner2_of_pair_0_2 <= 0;
-        coarseslice0winner2_of_pair_0_3 <= 0;
-        coarseslice0winner2_of_pair_0_4 <= 0;
-        coarseslice0winner2_of_pair_0_5 <= 0;
-        coarseslice0winner2_of_pair_0_6 <= 0;
-        coarseslice0winner2_pair_index_0_0 <= 0;
-        coarseslice0winner2_pair_index_0_1 <= 0;
-        coarseslice0winner2_pair_index_0_2 <= 0;
-        coarseslice0winner2_pair_index_0_3 <= 0;
-        coarseslice0winner2_pair_tag_valid <= false;
-        coarseslice0winner2_pair_tag_output_column <= false;
-        coarseslice0winner2_pair_tag_start_of_frame <= false;
-        coarseslice0winner2_of_four_0_0 <= 0;
-        coarseslice0winner2_of_four_0_1 <= 0;
-        coarseslice0winner2_of_four_0_2 <= 0;
-        coarseslice0winner2_of_four_0_3 <= 0;
-        coarseslice0winner2_of_four_0_4 <= 0;
-        coarseslice0winner2_of_four_0_5 <= 0;
-        coarseslice0winner2_of_four_0_6 <= 0;
-        coarseslice0winner2_four_index_0_0 <= 0;
-        coarseslice0winner2_four_index_0_1 <= 0;
-        coarseslice0winner2_four_tag_valid <= false;
-        coarseslice0winner2_four_tag_output_column <= false;
-        coarseslice0winner2_four_tag_start_of_frame <= false;
         coarseslice0winner2_best_cost_0_0 <= 0;
         coarseslice0winner2_best_cost_0_1 <= 0;
+        coarseslice0winner2_best_cost_0_2 <= 0;
+        coarseslice0winner2_best_cost_0_3 <= 0;
+        coarseslice0winner2_best_cost_0_4 <= 0;
+        coarseslice0winner2_best_cost_0_5 <= 0;
+        coarseslice0winner2_best_cost_0_6 <= 0;
         coarseslice0winner2_best_index_0_0 <= 0;
         coarseslice0winner2_best_index_0_1 <= 0;
+        coarseslice0winner2_best_index_0_2 <= 0;
+        coarseslice0winner2_best_index_0_3 <= 0;
+        coarseslice0winner2_best_index_0_4 <= 0;
+        coarseslice0winner2_best_index_0_5 <= 0;
+        coarseslice0winner2_best_index_0_6 <= 0;
         coarseslice0winner2_tag_valid <= false;
         coarseslice0winner2_tag_output_column <= false;
         coarseslice0winner2_tag_start_of_frame <= false;
         coarseslice0winner3_best_cost_0_0 <= 0;
+        coarseslice0winner3_best_cost_0_1 <= 0;
+        coarseslice0winner3_best_cost_0_2 <= 0;
+        coarseslice0winner3_best_cost_0_3 <= 0;
         coarseslice0winner3_best_index_0_0 <= 0;
+        coarseslice0winner3_best_index_0_1 <= 0;
+        coarseslice0winner3_best_index_0_2 <= 0;
+        coarseslice0winner3_best_index_0_3 <= 0;
         coarseslice0winner3_tag_valid <= false;
         coarseslice0winner3_tag_output_column <= false;
         coarseslice0winner3_tag_start_of_frame <= false;
+        coarseslice0winner4_best_cost_0_0 <= 0;
+        coarseslice0winner4_best_cost_0_1 <= 0;
+        coarseslice0winner4_best_index_0_0 <= 0;
+        coarseslice0winner4_best_index_0_1 <= 0;
+        coarseslice0winner4_tag_valid <= false;
+        coarseslice0winner4_tag_output_column <= false;
+        coarseslice0winner4_tag_start_of_frame <= false;
+        coarseslice0winner5_best_cost_0_0 <= 0;
+        coarseslice0winner5_best_index_0_0 <= 0;
+        coarseslice0winner5_tag_valid <= false;
+        coarseslice0winner5_tag_output_column <= false;
+        coarseslice0winner5_tag_start_of_frame <= false;
         coarseslice0_best_cost_0_0 <= 0;
         coarseslice0_best_index_0_0 <= 0;
         coarseslice0_best_tag_valid <= false;
@@ -14456,32 +14210,18 @@ begin
         coarseslice1other_winner_0_5 <= 0;
         coarseslice1other_winner_0_6 <= 0;
         coarseslice1other_winner_out_0 <= 0;
-        coarseslice1winner1_of_pair_0_0 <= 0;
-        coarseslice1winner1_of_pair_0_1 <= 0;
-        coarseslice1winner1_of_pair_0_2 <= 0;
-        coarseslice1winner1_of_pair_0_3 <= 0;
-        coarseslice1winner1_of_pair_0_4 <= 0;
-        coarseslice1winner1_of_pair_0_5 <= 0;
-        coarseslice1winner1_of_pair_0_6 <= 0;
-        coarseslice1winner1_pair_index_0_0 <= false;
-        coarseslice1winner1_pair_index_0_1 <= 0;
-        coarseslice1winner1_pair_index_0_2 <= 0;
-        coarseslice1winner1_pair_index_0_3 <= 0;
-        coarseslice1winner1_of_four_0_0 <= 0;
-        coarseslice1winner1_of_four_0_1 <= 0;
-        coarseslice1winner1_of_four_0_2 <= 0;
-        coarseslice1winner1_of_four_0_3 <= 0;
-        coarseslice1winner1_of_four_0_4 <= 0;
-        coarseslice1winner1_of_four_0_5 <= 0;
-        coarseslice1winner1_of_four_0_6 <= 0;
-        coarseslice1winner1_four_index_0_0 <= 0;
-        coarseslice1winner1_four_index_0_1 <= 0;
         coarseslice1winner1_best_cost_0_0 <= 0;
         coarseslice1winner1_best_cost_0_1 <= 0;
-        coarseslice1winner1_best_index_0_0 <= 0;
+        coarseslice1winner1_best_cost_0_2 <= 0;
+        coarseslice1winner1_best_cost_0_3 <= 0;
+        coarseslice1winner1_best_index_0_0 <= false;
         coarseslice1winner1_best_index_0_1 <= 0;
+        coarseslice1winner1_best_index_0_2 <= 0;
+        coarseslice1winner1_best_index_0_3 <= 0;
         coarseslice1winner2_best_cost_0_0 <= 0;
+        coarseslice1winner2_best_cost_0_1 <= 0;
         coarseslice1winner2_best_index_0_0 <= 0;
+        coarseslice1winner2_best_index_0_1 <= 0;
         coarseslice1winner3_best_cost_0_0 <= 0;
         coarseslice1winner3_best_index_0_0 <= 0;
         coarseslice1winner4_best_cost_0_0 <= 0;
@@ -14496,8 +14236,6 @@ begin
         coarseleftright_other_2_0 <= 0;
         coarseleftright_other_3_0 <= 0;
         coarseleftright_other_4_0 <= 0;
-        coarseleftright_other_5_0 <= 0;
-        coarseleftright_other_6_0 <= 0;
         coarseleftright_ring_read_address <= 1;
         coarseleftright_ring_write_address <= 0;
         coarseleftright_holds_winners <= false;
@@ -14927,10 +14665,10 @@ begin
         other_9 <= 0;
         other_17 <= 0;
         other_18 <= 0;
+        other_19 <= 0;
         other_20 <= 0;
         other_21 <= 0;
         other_22 <= 0;
-        other_23 <= 0;
         other_24 <= 0;
         other_25 <= 0;
         other_26 <= 0;

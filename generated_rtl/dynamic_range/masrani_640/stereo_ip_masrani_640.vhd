@@ -63,9 +63,9 @@ begin
       disparity_bits => 16,
       output_width_px => 624,
       latency_clocks => 59,
-      flush_groups => 30614,
+      flush_groups => 30612,
       gap_groups => 15360,
-      core_id => x"f57260fe",
+      core_id => x"0e41e462",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -120,7 +120,7 @@ begin
       disparity_bits => 16,
       output_width_px => 624,
       latency_clocks => 59,
-      flush_groups => 30614,
+      flush_groups => 30612,
       gap_groups => 15360)
     port map (
       clock => aclk,

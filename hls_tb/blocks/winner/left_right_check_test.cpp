@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "block_matching/config.hpp"
+#include "block_matching/disparity_slice.hpp"
 #include "engines/clocked/heap_memories.hpp"
 #include "frontend/pixel_tag.hpp"
 #include "scene/random.hpp"
@@ -15,7 +16,6 @@
 #include "testing/seed.hpp"
 #include "testing/tags.hpp"
 #include "testing/test_configs.hpp"
-#include "winner/gated_tree.hpp"
 #include "winner/refinement.hpp"
 #include "winner/winners.hpp"
 
@@ -46,8 +46,7 @@ struct Record {
 
 /// Clocks by which the other image's winners are ahead in a core.
 template <const block_matching::Config& C>
-constexpr int kAhead =
-    winner_clocks<WindowCandidate<C>>(C.largest_slice(), C.winner_group, C.pixels_per_clock) + Refinement<C>::kClocks;
+constexpr int kAhead = block_matching::DisparitySlice<C>::kLevels + Refinement<C>::kClocks;
 
 template <const block_matching::Config& C>
 struct CheckBench {

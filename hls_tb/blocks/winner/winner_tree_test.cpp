@@ -18,8 +18,10 @@ namespace {
 
 enum class Extras { none, second, neighbours, both };
 
-/// `Spare`: levels beyond those that N candidates need.
-template <int Pixels, int N, int Group, int Spare = 0, Ties Rule = Ties::smallest, Extras Needs = Extras::none>
+/// `Spare`: levels beyond those that the tree of `Largest` candidates needs, with which this one keeps step. MayGate:
+/// losers are cleared where that is possible.
+template <int Pixels, int N, int Group, int Spare = 0, Ties Rule = Ties::smallest, Extras Needs = Extras::none,
+          bool MayGate = true, int Largest = N>
 struct TreeType {
    static constexpr block_matching::Config kConfig{
        {.width_px = 64, .height_px = 32, .pixels_per_clock = Pixels},
@@ -30,8 +32,9 @@ struct TreeType {
         .subpixel = Needs == Extras::neighbours || Needs == Extras::both},
        {.winner_group = Group}};
    static constexpr int kCandidates = N;
-   static constexpr int kLevels = winner_clocks<WindowCandidate<kConfig>>(N, Group, Pixels) + Spare;
-   using Tree = WinnerBlock<WindowCandidate<kConfig>, PixelTag, Pixels, Group, N, kLevels>;
+   static constexpr bool kGated = MayGate && can_be_gated<WindowCandidate<kConfig>>(Largest, Group);
+   static constexpr int kLevels = winner_clocks(kGated, Largest, Group) + Spare;
+   using Tree = WinnerBlock<kGated, WindowCandidate<kConfig>, PixelTag, Pixels, Group, N, kLevels>;
 };
 
 template <class Tree>
@@ -44,7 +47,15 @@ using Trees = ::testing::Types<
     TreeType<1, 255, 16, 0, Ties::largest>, TreeType<1, 256, 2>, TreeType<1, 2, 2, 1, Ties::smallest, Extras::both>,
     TreeType<2, 3, 2, 0, Ties::largest, Extras::both>, TreeType<1, 4, 2, 0, Ties::smallest, Extras::second>,
     TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>, TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>,
-    TreeType<1, 26, 3, 0, Ties::largest, Extras::both>, TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>>;
+    TreeType<1, 26, 3, 0, Ties::largest, Extras::both>, TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>,
+    // losers are not cleared, although they could be
+    TreeType<1, 3, 2, 1, Ties::smallest, Extras::none, false>, TreeType<2, 5, 2, 0, Ties::largest, Extras::none, false>,
+    TreeType<4, 25, 2, 0, Ties::smallest, Extras::none, false>,
+    TreeType<1, 256, 2, 0, Ties::largest, Extras::none, false>,
+    // in step with a larger tree
+    TreeType<1, 2, 2, 0, Ties::smallest, Extras::none, true, 12>,
+    TreeType<1, 7, 2, 0, Ties::largest, Extras::none, true, 16>,
+    TreeType<1, 16, 2, 0, Ties::largest, Extras::none, false, 17>>;
 TYPED_TEST_SUITE(WinnerTreeTest, Trees);
 
 /// Feeds a tree and compares its root.
