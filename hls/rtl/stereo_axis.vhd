@@ -28,8 +28,7 @@
 --   width_wanted     with run_time_size, and height_wanted: of the images from the next start of frame on, within the limits of
 --                    the core. Once the last disparity of the frame before has left it, the core is reset, and then has
 --                    the new size: core_width, core_height. Until then no frame begins
--- Sizes: input buffer 2 * (2 * lane_bits * P + 2) bits; output queue (latency_clocks + 6) words of (disparity_bits + 1) * P + 3
--- bits.
+-- Sizes: input buffer 4 * 2 * lane_bits * P bits; output queue (latency_clocks + 9) words of (disparity_bits + 1) * P + 3 bits.
 -- Generics: those of the core.
 library ieee;
 use ieee.std_logic_1164.all;
@@ -89,7 +88,7 @@ architecture rtl of stereo_axis is
   constant pixel_bits : positive := lane_bits * pixels_per_clock;
   constant map_bits : positive := disparity_bits * pixels_per_clock;
   constant word_bits : positive := map_bits + pixels_per_clock + 3;
-  constant credits : positive := latency_clocks + 6;
+  constant credits : positive := latency_clocks + 9;
 
   signal reset, clear, restart : std_logic;
   signal halts : std_logic := '0';  -- soft_reset a clock later: its register is far from the framing

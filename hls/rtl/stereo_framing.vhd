@@ -3,11 +3,12 @@
 -- groups after them, and never two starts too close together.
 --   in_*         valid/take stream of groups: start of frame, end of line, pixels. in_take depends on in_valid.
 --   out_*        to the core, from registers
---   may_send     a group may be sent in this clock; sends: one is (it stands at out_* in the next clock)
---   may_start    a frame may begin, as far as the frames before it are concerned
+--   may_send     a group may be sent in the next clock; sends: one is in this clock (it stands at out_* in the next one)
+--   may_start    a frame may begin from the next clock on, as far as the frames before it are concerned. It falls only
+--                in the clock after `starts`
 --   enable       '0': no frame begins from the next clock on; one that has begun goes on
---   halt         ends the frame in progress as a broken one, and none begins from the next clock on; at_rest: there is none,
---                and the last one has all its flush groups
+--   halt         from the next clock on: ends the frame in progress as a broken one, and none begins
+--   at_rest      no frame is in progress, and the last one has all its flush groups
 --   starts       a frame begins in this clock
 --   breaks       the frame in progress (or the one that begins) turns out not to be whole
 --   error        pulses: bit 0 early end of line, 1 late end of line, 2 start of frame within a frame,
@@ -73,26 +74,30 @@ architecture rtl of stereo_framing is
   signal line_ends : std_logic := '0';  -- column = columns_now - 1
   signal last_line : std_logic := '0';  -- row_group = row_groups_now - 1
   signal between : std_logic := '1';  -- idle, or flushing with just gap_groups flush groups sent
-  signal ready : std_logic := '0';  -- that, and enabled
+  signal takes_start : std_logic := '0';  -- that, enabled, and the frames before leave room: a frame may begin
+  signal takes_group : std_logic := '0';  -- inside, and not halting: a group without a start may be sent
+  signal takes_other : std_logic := '1';  -- that, or outside, where such a group is dropped
+  signal may_fill : std_logic := '0';  -- filling or flushing, and a group may be sent
+  signal guards : std_logic := '0';  -- inside, and not halting
+  signal halting : std_logic := '0';
   signal flushed : natural range 0 to all_flush_groups := 0;  -- flush groups sent since the frame
   signal lost : std_logic := '0';  -- since the last break no start of frame has come
 
-  signal begins, continues, fills, brings, drops : std_logic;
+  signal begins, fills, brings, drops : std_logic;
   signal frame_ends, early_end, late_end, early_start, broken : std_logic;
 begin
-  begins <= in_valid and in_start and ready and may_start and may_send;
-  continues <= in_valid and not in_start and not halt and may_send when phase = inside else '0';
-  fills <= may_send and not begins when phase = filling or phase = flushing else '0';
-  brings <= begins or continues;
+  begins <= in_valid and in_start and takes_start;
+  brings <= in_valid and takes_start when in_start = '1' else in_valid and takes_group;
+  fills <= may_fill and not begins;
   drops <= in_valid and not in_start when phase /= inside else '0';
 
   frame_ends <= line_ends and last_line;
   early_end <= brings and in_last and not line_ends;
   late_end <= brings and line_ends and not in_last;
-  early_start <= in_valid and in_start and not halt when phase = inside else '0';
-  broken <= early_end or late_end or early_start or halt when phase = inside else early_end or late_end;
+  early_start <= in_valid and in_start and guards;
+  broken <= early_end or late_end or early_start or halting when phase = inside else early_end or late_end;
 
-  in_take <= brings or drops;
+  in_take <= in_valid and takes_start when in_start = '1' else in_valid and takes_other;
   sends <= brings or fills;
   starts <= begins;
   breaks <= broken;
@@ -101,7 +106,8 @@ begin
 
   process (clock)
     variable in_frame : std_logic;  -- the group that is sent belongs to a frame
-    variable next_between : std_logic;
+    variable next_phase : phases;
+    variable next_between, next_guards : std_logic;
   begin
     if rising_edge(clock) then
       out_valid <= brings or fills;
@@ -121,29 +127,37 @@ begin
         end if;
       end if;
 
+      next_phase := phase;
       next_between := between;
       if in_frame = '1' and frame_ends = '1' then
-        phase <= flushing when all_flush_groups > 0 else idle;
+        next_phase := flushing when all_flush_groups > 0 else idle;
         next_between := '1' when gap_groups = 0 else '0';
       elsif broken = '1' then
-        phase <= filling;
+        next_phase := filling;
         next_between := '0';
       elsif begins = '1' then
-        phase <= inside;
+        next_phase := inside;
         next_between := '0';
       elsif phase = flushing and fills = '1' then
         next_between := '1' when flushed = gap_groups_now - 1 else '0';
         if flushed = all_flush_groups - 1 then
-          phase <= idle;
+          next_phase := idle;
           next_between := '1';
         end if;
       end if;
+      phase <= next_phase;
       between <= next_between;
-      ready <= next_between and enable and not halt;
+      next_guards := not halt when next_phase = inside else '0';
+      takes_start <= next_between and enable and may_start and may_send and not begins and not halt;
+      takes_group <= next_guards and may_send;
+      takes_other <= next_guards and may_send when next_phase = inside else '1';
+      may_fill <= may_send when next_phase = filling or next_phase = flushing else '0';
+      guards <= next_guards;
+      halting <= halt;
 
       if phase /= flushing then
         flushed <= 0;
-      elsif may_send = '1' and flushed /= all_flush_groups then
+      elsif may_fill = '1' and flushed /= all_flush_groups then
         flushed <= flushed + 1;
       end if;
 
@@ -156,7 +170,12 @@ begin
         line_ends <= '0';
         last_line <= '1' when row_groups = 1 else '0';
         between <= '1';
-        ready <= '0';
+        takes_start <= '0';
+        takes_group <= '0';
+        takes_other <= '1';
+        may_fill <= '0';
+        guards <= '0';
+        halting <= '0';
         flushed <= 0;
         lost <= '0';
         out_valid <= '0';

@@ -69,7 +69,9 @@ architecture rtl of stereo_registers is
   subtype word is std_logic_vector(31 downto 0);
 
   signal have_address, have_data, bvalid, rvalid : std_logic := '0';
-  -- '0' in reset and in the clock after it, else the opposite of have_address, have_data and rvalid.
+  signal reads : std_logic := '0';  -- an address has come, and its value goes to rdata: pins may be far from each other
+  signal read_address : natural range 0 to 2 ** (address_bits - 2) - 1;  -- in words
+  -- '0' in reset and in the clock after it, else the opposite of have_address, have_data, and of reads or rvalid.
   signal takes_address, takes_data, takes_read : std_logic := '0';
   signal write_address : natural range 0 to 2 ** (address_bits - 2) - 1;  -- in words
   signal write_data : word := (others => '0');
@@ -149,17 +151,21 @@ begin
   reading : process (aclk)
   begin
     if rising_edge(aclk) then
-      if rvalid = '1' then
-        rvalid <= not s_axil_rready;
-        takes_read <= s_axil_rready;
+      reads <= s_axil_arvalid and takes_read;
+      rvalid <= reads or (rvalid and not s_axil_rready);
+      if reads = '1' or rvalid = '1' then
+        takes_read <= rvalid and s_axil_rready;
       else
-        rvalid <= s_axil_arvalid and takes_read;
         takes_read <= not (s_axil_arvalid and takes_read);
       end if;
-      if takes_read = '1' and s_axil_arvalid = '1' then
-        s_axil_rdata <= values(to_integer(unsigned(s_axil_araddr(address_bits - 1 downto 2))));
+      if s_axil_arvalid = '1' then
+        read_address <= to_integer(unsigned(s_axil_araddr(address_bits - 1 downto 2)));
+      end if;
+      if reads = '1' then
+        s_axil_rdata <= values(read_address);
       end if;
       if aresetn = '0' then
+        reads <= '0';
         rvalid <= '0';
         takes_read <= '0';
       end if;
@@ -169,10 +175,11 @@ begin
   writing : process (aclk)
   begin
     if rising_edge(aclk) then
-      if takes_address = '1' and s_axil_awvalid = '1' then
+      -- Not by takes_*, which go to pins: of a word that waits to be taken, the last clock counts.
+      if have_address = '0' and s_axil_awvalid = '1' then
         write_address <= to_integer(unsigned(s_axil_awaddr(address_bits - 1 downto 2)));
       end if;
-      if takes_data = '1' and s_axil_wvalid = '1' then
+      if have_data = '0' and s_axil_wvalid = '1' then
         write_data <= s_axil_wdata;
         write_bytes <= s_axil_wstrb;
       end if;

@@ -2,23 +2,24 @@
 -- Lets a group into a core without back-pressure only when the queue behind the core has room for what may come of it.
 -- A group borrows one of `words` credits. The credit comes back `latency` clocks later when no disparity came of the
 -- group, else when that disparity has left the queue.
---   sends      a group is decided on; allowed while may_send is '1'. It enters the core one clock later.
+--   sends      a group is decided on; allowed in the clock after one with may_send. It enters the core one clock later.
 --   result     the core shows a disparity: `latency` clocks after its group entered
 --   taken      a disparity leaves the queue
---   may_send, in_flight  from registers
---   in_flight  groups are in the core that may still give a disparity
+--   may_send   of the next clock, and known without `sends` of this one and the one before, which comes late: so the last
+--              two credits are lent only when they are there for a while
+--   in_flight  from a register: groups are in the core that may still give a disparity
 --   all_back   no credit is out: nothing in the core that may give a disparity, nothing in the queue
 --   due        a group may give its disparity in this clock; from a register. A disparity in another clock is nobody's:
 --              `latency` is not that of the core, and neither a credit nor a place in the queue waits for it
--- In stereo_axis a credit is away latency + 6 clocks when nothing waits (one to enter the core, `latency` in it, one in a
--- register, two in the queue, one to count), so as many credits give a group a clock.
--- Size: latency + 3 register bits and a counter of 0 ... words.
+-- In stereo_axis a credit is away latency + 7 clocks when nothing waits (one to enter the core, `latency` in it, one in a
+-- register, two in the queue, two to count), and with two that are not lent, latency + 9 credits give a group a clock.
+-- Size: latency + 5 register bits and a counter of 0 ... words.
 library ieee;
 use ieee.std_logic_1164.all;
 
 entity stream_credit is
   generic (
-    words : positive;
+    words : positive;  -- 3 or more
     latency : positive
   );
   port (
@@ -37,35 +38,35 @@ end entity;
 architecture rtl of stream_credit is
   signal flight : std_logic_vector(0 to latency) := (others => '0');  -- flight(k): entered the core k clocks ago
   signal lent : natural range 0 to words := 0;
+  signal returned : natural range 0 to 2 := 0;  -- credits that came back in the last clock
   signal unused : std_logic;
 begin
   all_back <= '1' when lent = 0 else '0';
   due <= flight(latency);
   unused <= flight(latency) and not result;
 
-  -- `sends` comes late in a clock: what follows from it is one addition, and one choice between three answers.
+  -- `sends` comes late in a clock, and only an addition follows from it.
   process (clock)
     variable change : integer range -2 to 1;
   begin
     if rising_edge(clock) then
-      if unused = '1' and taken = '1' then
+      returned <= 2 when unused = '1' and taken = '1' else 1 when unused = '1' or taken = '1' else 0;
+      if returned = 2 then
         change := -1 when sends = '1' else -2;
-      elsif unused = '1' or taken = '1' then
+      elsif returned = 1 then
         change := 0 when sends = '1' else -1;
       else
         change := 1 when sends = '1' else 0;
       end if;
       lent <= lent + change;
-      may_send <= '1';
-      if (change = 0 and lent = words) or (change = 1 and lent = words - 1) then
-        may_send <= '0';
-      end if;
+      may_send <= '1' when lent < words - 2 else '0';
       flight <= sends & flight(0 to latency - 1);
       in_flight <= sends or (or flight(0 to latency - 1));
       if reset = '1' then
         flight <= (others => '0');
         in_flight <= '0';
         lent <= 0;
+        returned <= 0;
       end if;
     end if;
   end process;

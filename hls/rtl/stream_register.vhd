@@ -1,13 +1,16 @@
 -- SPDX-License-Identifier: Apache-2.0
--- A register in a valid/ready stream that breaks every combinational path from one side to the other. A word a clock in
+-- Registers in a valid/ready stream that break every combinational path from one side to the other. A word a clock in
 -- each direction, no bubble; a word leaves one clock after it came at the earliest. Its flags are for who decides whether
--- to take it; its data may be wide: out_ready, which comes late in a clock, reaches none of their registers.
---   in_ready, out_valid, out_flags  come straight from registers; out_data over a multiplexer of two words
+-- to take it; its data may be wide: out_ready, which comes late in a clock, reaches none of them, and in_ready does not
+-- depend on out_ready of the clock before. So the two sides may be far from each other. Three words find room: what comes
+-- in is counted before it is known what leaves.
+--   in_ready, out_valid, out_flags  come straight from registers; out_data is read from a memory
 --   a word moves on a side in each rising edge with valid and ready
 --   reset                           synchronous, active high; in_ready is '0' in it and in the clock after it
--- Size: 2 * (flag_bits + data_bits) + 5 register bits.
+-- Size: 4 * data_bits bits of memory (LUT RAM: read without a clock), 3 * flag_bits + 8 register bits.
 library ieee;
 use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
 
 entity stream_register is
   generic (
@@ -29,49 +32,53 @@ entity stream_register is
 end entity;
 
 architecture rtl of stream_register is
-  signal main_flags, spare_flags : std_logic_vector(flag_bits - 1 downto 0);
-  signal main_valid, spare_valid, accepts : std_logic := '0';
-  signal even_data, odd_data : std_logic_vector(data_bits - 1 downto 0);
-  signal writes_odd, reads_odd : std_logic := '0';  -- where the next word goes, where the oldest one stands
+  type words is array (0 to 3) of std_logic_vector(data_bits - 1 downto 0);
+  -- The word at the output, the one behind it, and the last one.
+  signal main_flags, next_flags, last_flags : std_logic_vector(flag_bits - 1 downto 0);
+  signal main_valid, next_valid, last_valid, accepts : std_logic := '0';
+  signal data : words;
+  signal write_address, read_address : unsigned(1 downto 0) := "00";
 begin
   in_ready <= accepts;
   out_valid <= main_valid;
   out_flags <= main_flags;
-  out_data <= odd_data when reads_odd = '1' else even_data;
+  out_data <= data(to_integer(read_address));
 
   process (clock)
-    variable arrives, spare_in_use : std_logic;
+    variable arrives, moves : std_logic;
   begin
     if rising_edge(clock) then
       arrives := in_valid and accepts;
-      spare_in_use := spare_valid;
-      if out_ready = '1' or main_valid = '0' then
-        -- The spare word is the older one; nothing arrives while there is one.
-        main_flags <= spare_flags when spare_valid = '1' else in_flags;
-        main_valid <= spare_valid or arrives;
-        spare_in_use := '0';
-      elsif arrives = '1' then
-        spare_in_use := '1';
+      moves := out_ready or not main_valid;
+      if moves = '1' then
+        main_flags <= next_flags when next_valid = '1' else in_flags;
+        main_valid <= next_valid or arrives;
       end if;
+      if moves = '1' or next_valid = '0' then
+        next_flags <= last_flags when last_valid = '1' else in_flags;
+        next_valid <= last_valid or (arrives and (next_valid or not moves));
+      end if;
+      -- Nothing arrives while there is a last word.
+      last_valid <= not moves and (last_valid or (arrives and next_valid));
       -- What no *_valid speaks of may change in any clock.
       if accepts = '1' then
-        spare_flags <= in_flags;
-        if writes_odd = '1' then
-          odd_data <= in_data;
-        else
-          even_data <= in_data;
-        end if;
+        last_flags <= in_flags;
+        data(to_integer(write_address)) <= in_data;
       end if;
-      spare_valid <= spare_in_use;
-      accepts <= not spare_in_use;
-      writes_odd <= writes_odd xor arrives;
-      reads_odd <= reads_odd xor (main_valid and out_ready);
+      accepts <= not (last_valid or (arrives and next_valid));
+      if arrives = '1' then
+        write_address <= write_address + 1;
+      end if;
+      if main_valid = '1' and out_ready = '1' then
+        read_address <= read_address + 1;
+      end if;
       if reset = '1' then
         main_valid <= '0';
-        spare_valid <= '0';
+        next_valid <= '0';
+        last_valid <= '0';
         accepts <= '0';
-        writes_odd <= '0';
-        reads_odd <= '0';
+        write_address <= "00";
+        read_address <= "00";
       end if;
     end if;
   end process;

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- To be proved: `bad` is '0' for ever. In front of a core that answers each group after `latency` clocks or not at all,
 -- whichever it likes, and a queue whose reader takes words when it likes, stream_credit never lets the queue get more words
--- than it has room for, never calls a result not due, and lets a group in whenever words are free.
+-- than it has room for, never calls a result not due, and lets a group in whenever three words were
+-- free three clocks ago, and knows a clock later that all credits are back.
 library ieee;
 use ieee.std_logic_1164.all;
 
@@ -21,9 +22,11 @@ entity prove_stream_credit is
 end entity;
 
 architecture proof of prove_stream_credit is
-  signal may_send, sends, result, taken, in_flight, all_back, due, begun, was_reset : std_logic := '0';
+  signal may_send, may_now, sends, result, taken, in_flight, all_back, due : std_logic := '0';
   signal flight : std_logic_vector(0 to latency) := (others => '0');
   signal queued : natural range 0 to words := 0;
+  signal had_room : std_logic_vector(1 to 3) := "000";  -- so many clocks ago there were three free words or more
+  signal was_empty : std_logic := '0';
   signal out_valid : std_logic;
 
   function ones(bits : std_logic_vector) return natural is
@@ -37,7 +40,7 @@ architecture proof of prove_stream_credit is
     return count;
   end function;
 begin
-  sends <= wants_in and may_send;
+  sends <= wants_in and may_now;
   result <= flight(latency) and answers;
   out_valid <= '1' when queued > 0 else '0';
   taken <= out_valid and out_ready;
@@ -54,10 +57,16 @@ begin
     if result = '1' and queued = words then
       bad <= '1';
     end if;
-    if may_send = '0' and queued + ones(flight) < words and was_reset = '0' and begun = '1' then
+    if may_now = '0' and had_room(3) = '1' then
       bad <= '1';
     end if;
-    if (all_back = '1') /= (queued + ones(flight) = 0) or (in_flight = '1') /= (ones(flight) > 0) then
+    if all_back = '1' and queued + ones(flight) > 0 then
+      bad <= '1';
+    end if;
+    if all_back = '0' and queued + ones(flight) = 0 and was_empty = '1' then
+      bad <= '1';
+    end if;
+    if (in_flight = '1') /= (ones(flight) > 0) then
       bad <= '1';
     end if;
   end process;
@@ -65,8 +74,13 @@ begin
   process (clock)
   begin
     if rising_edge(clock) then
-      begun <= '1';
-      was_reset <= reset;
+      had_room(1) <= '0';
+      if queued + ones(flight) < words - 3 or (queued + ones(flight) = words - 3 and sends = '0') then
+        had_room(1) <= '1';
+      end if;
+      had_room(2 to 3) <= had_room(1 to 2);
+      may_now <= may_send;
+      was_empty <= '1' when queued + ones(flight) = 0 else '0';
       flight <= sends & flight(0 to latency - 1);
       if result = '1' and taken = '0' and queued < words then
         queued <= queued + 1;
@@ -76,6 +90,8 @@ begin
       if reset = '1' then
         flight <= (others => '0');
         queued <= 0;
+        had_room <= "000";
+        was_empty <= '1';
       end if;
     end if;
   end process;

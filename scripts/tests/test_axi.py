@@ -48,11 +48,11 @@ FAULTS = {
     ),
     "the shell takes no more beats": (
         "stream_credit",
-        r"(?s)if unused = '1' and taken = '1' then.*?end if;",
-        "change := 1 when sends = '1' else 0;",
+        "returned <= 2 when[^;]*;",
+        "returned <= 0;",
         "not taken for ever",
     ),
-    "two credits less": ("stereo_axis", r"latency_clocks \+ 6;", "latency_clocks + 4;", "clocks a frame instead of"),
+    "two credits less": ("stereo_axis", r"latency_clocks \+ 9;", "latency_clocks + 7;", "clocks a frame instead of"),
     "a partial frame is not marked": (
         "stereo_frames",
         r"broken\(0\) <= breaks;",

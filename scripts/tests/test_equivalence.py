@@ -33,20 +33,20 @@ INVISIBLE = {
     "data without a valid bit": (
         SHELL,
         "stereo_registers",
-        "if takes_read = '1' and s_axil_arvalid = '1' then",
-        "if takes_read = '1' then",
+        "if reads = '1' then",
+        "if rvalid = '0' then",
     ),
     "a condition that changes nothing": (
         SHELL,
         "stream_register",
-        "elsif arrives = '1' then",
-        "elsif arrives = '1' or spare_valid = '1' then",
+        "if moves = '1' or next_valid = '0' then",
+        "if moves = '1' or next_valid = '0' or main_valid = '0' then",
     ),
 }
 VISIBLE = {
     "one column less": (CORE, "stereo_core_tiny", ">= 7) and (raster", ">= 8) and (raster"),
     "a word is written over": (SHELL, "stream_fifo", "return address + 1;", "return address;"),
-    "one credit too many": (SHELL, "stream_credit", "lent = words - 1", "lent = words"),
+    "one credit too many": (SHELL, "stream_credit", "lent < words - 2", "lent < words - 1"),
     "the second error is lost": (SHELL, "stereo_framing", "lost <= broken or (lost", "lost <= lost or (lost"),
 }
 

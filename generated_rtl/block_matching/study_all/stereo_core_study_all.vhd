@@ -517,8 +517,8 @@ architecture rtl of stereo_core_study_all is
   signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
   signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
-  signal other_0, other_2 : unsigned(48 downto 0);
-  signal other_1 : natural range 0 to 8190;
+  signal other_0 : natural range 0 to 8190;
+  signal other_1, other_2 : unsigned(48 downto 0);
   signal other_3 : natural range 0 to 254;
   signal other_4 : natural range 0 to 252;
   signal other_5 : natural range 0 to 248;
@@ -526,14 +526,14 @@ architecture rtl of stereo_core_study_all is
   signal other_7 : natural range 0 to 224;
   signal other_8 : natural range 0 to 192;
   signal other_9 : natural range 0 to 128;
+  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -545,6 +545,30 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  map_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 304, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => map_rows_read_words_0,
+      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_14_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
   rows_search_rows_read_words_0_memory : entity work.line_memory
@@ -586,30 +610,6 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 304, width => 26)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_14_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
-
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3, transform_counter_group_choice : boolean;
@@ -619,19 +619,17 @@ begin
     variable raster_place_group_is_equal_2, raster_place_group_all, raster_place_group_is_equal_3 : boolean;
     variable raster_place_next_frame_choice, delay_row_inside_2_is_less, delay_tag_first_cost_is_equal : boolean;
     variable delay_tag_map_column_is_not_less, delay_tag_map_column_is_less, slice0other_cost_0_0_all : boolean;
-    variable slice0other_cost_0_0_is_not_less, slice0other_cost_0_0_all_2, slice0other_cost_0_1_is_not_less : boolean;
-    variable slice0other_cost_0_2_is_not_less, slice0other_cost_0_3_is_not_less : boolean;
-    variable slice0other_cost_0_4_is_not_less, slice0other_cost_0_5_is_not_less : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
-    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
-    variable slice0winner2_best_below_0_0_is_equal, slice0winner2_best_below_0_1_is_equal : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_below_0_0_is_equal : boolean;
-    variable slice0winner3_best_above_0_0_is_equal, slice1other_cost_0_1_any : boolean;
-    variable slice1other_cost_0_1_is_not_less, slice1other_cost_0_2_is_not_less : boolean;
-    variable slice1other_cost_0_3_is_not_less, slice1other_cost_0_4_is_not_less : boolean;
-    variable slice1other_cost_0_5_is_not_less, slice1other_cost_0_6_is_not_less : boolean;
-    variable slice1other_cost_0_7_is_not_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice0other_cost_0_1_all, slice0other_cost_0_1_choice, slice0other_cost_0_2_choice : boolean;
+    variable slice0other_cost_0_3_choice, slice0other_cost_0_4_choice, slice0other_cost_0_5_choice : boolean;
+    variable slice0other_cost_0_6_choice, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_below_0_0_is_equal : boolean;
+    variable slice0winner2_best_below_0_1_is_equal, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_below_0_0_is_equal, slice0winner3_best_above_0_0_is_equal : boolean;
+    variable slice1other_cost_0_1_any, slice1other_cost_0_1_choice, slice1other_cost_0_2_choice : boolean;
+    variable slice1other_cost_0_3_choice, slice1other_cost_0_4_choice, slice1other_cost_0_5_choice : boolean;
+    variable slice1other_cost_0_6_choice, slice1other_cost_0_7_choice, slice1winner1_best_cost_0_0_is_less : boolean;
     variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
     variable slice1winner1_best_cost_0_3_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
     variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_below_0_0_is_equal : boolean;
@@ -654,27 +652,6 @@ begin
     variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice_2, refinement_fraction_0_choice : natural range 0 to 255;
-    variable slice0other_cost_0_0_choice, slice0other_cost_0_0_choice_2 : natural range 0 to 3200;
-    variable slice0other_cost_0_0_choice_3, slice0other_cost_0_0_choice_4 : natural range 0 to 3200;
-    variable slice0other_cost_0_0_choice_5, slice0other_cost_0_0_choice_6 : natural range 0 to 3200;
-    variable slice0other_cost_0_1_choice, slice0other_cost_0_1_choice_2 : natural range 0 to 3200;
-    variable slice0other_cost_0_1_choice_3, slice0other_cost_0_1_choice_4 : natural range 0 to 3200;
-    variable slice0other_cost_0_1_choice_5, slice0other_cost_0_1_choice_6 : natural range 0 to 3200;
-    variable slice0other_cost_0_2_choice, slice0other_cost_0_2_choice_2 : natural range 0 to 3200;
-    variable slice0other_cost_0_2_choice_3, slice0other_cost_0_2_choice_4 : natural range 0 to 3200;
-    variable slice0other_cost_0_2_choice_5, slice0other_cost_0_2_choice_6 : natural range 0 to 3200;
-    variable slice0other_cost_0_3_choice, slice0other_cost_0_3_choice_2 : natural range 0 to 3200;
-    variable slice0other_cost_0_3_choice_3, slice0other_cost_0_3_choice_4 : natural range 0 to 3200;
-    variable slice0other_cost_0_3_choice_5, slice0other_cost_0_3_choice_6 : natural range 0 to 3200;
-    variable slice0other_cost_0_4_choice, slice0other_cost_0_4_choice_2 : natural range 0 to 3200;
-    variable slice0other_cost_0_4_choice_3, slice0other_cost_0_4_choice_4 : natural range 0 to 3200;
-    variable slice0other_cost_0_4_choice_5, slice0other_cost_0_4_choice_6 : natural range 0 to 3200;
-    variable slice0other_cost_0_5_choice, slice0other_cost_0_5_choice_2 : natural range 0 to 3200;
-    variable slice0other_cost_0_5_choice_3, slice0other_cost_0_5_choice_4 : natural range 0 to 3200;
-    variable slice0other_cost_0_5_choice_5, slice0other_cost_0_5_choice_6 : natural range 0 to 3200;
-    variable slice0other_cost_0_6_choice, slice0other_cost_0_6_choice_2 : natural range 0 to 3200;
-    variable slice0other_cost_0_6_choice_3, slice0other_cost_0_6_choice_4 : natural range 0 to 3200;
-    variable slice0other_cost_0_7_choice, slice0other_cost_0_7_choice_2 : natural range 0 to 3200;
     variable slice0winner2_best_below_0_0_choice, slice0winner2_best_below_0_1_choice : natural range 0 to 3200;
     variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_0_1_choice : natural range 0 to 3200;
     variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 3200;
@@ -684,22 +661,6 @@ begin
     variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 3200;
     variable slice0winner3_best_second_0_0_choice, slice0winner3_best_second_0_0_choice_2 : natural range 0 to 3200;
     variable slice0winner3_best_second_0_0_choice_3, slice0winner3_best_second_0_0_choice_4 : natural range 0 to 3200;
-    variable slice1other_cost_0_1_choice, slice1other_cost_0_1_choice_2 : natural range 0 to 3200;
-    variable slice1other_cost_0_1_choice_3, slice1other_cost_0_1_choice_4 : natural range 0 to 3200;
-    variable slice1other_cost_0_1_choice_5, slice1other_cost_0_2_choice : natural range 0 to 3200;
-    variable slice1other_cost_0_2_choice_2, slice1other_cost_0_2_choice_3 : natural range 0 to 3200;
-    variable slice1other_cost_0_2_choice_4, slice1other_cost_0_2_choice_5 : natural range 0 to 3200;
-    variable slice1other_cost_0_3_choice, slice1other_cost_0_3_choice_2 : natural range 0 to 3200;
-    variable slice1other_cost_0_3_choice_3, slice1other_cost_0_3_choice_4 : natural range 0 to 3200;
-    variable slice1other_cost_0_3_choice_5, slice1other_cost_0_4_choice : natural range 0 to 3200;
-    variable slice1other_cost_0_4_choice_2, slice1other_cost_0_4_choice_3 : natural range 0 to 3200;
-    variable slice1other_cost_0_4_choice_4, slice1other_cost_0_4_choice_5 : natural range 0 to 3200;
-    variable slice1other_cost_0_5_choice, slice1other_cost_0_5_choice_2 : natural range 0 to 3200;
-    variable slice1other_cost_0_5_choice_3, slice1other_cost_0_5_choice_4 : natural range 0 to 3200;
-    variable slice1other_cost_0_5_choice_5, slice1other_cost_0_6_choice : natural range 0 to 3200;
-    variable slice1other_cost_0_6_choice_2, slice1other_cost_0_6_choice_3 : natural range 0 to 3200;
-    variable slice1other_cost_0_6_choice_4, slice1other_cost_0_6_choice_5 : natural range 0 to 3200;
-    variable slice1other_cost_0_7_choice, slice1other_cost_0_7_choice_2 : natural range 0 to 3200;
     variable slice1winner2_best_below_0_0_choice, slice1winner2_best_below_0_1_choice : natural range 0 to 3200;
     variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_0_1_choice : natural range 0 to 3200;
     variable slice1winner2_best_second_0_0_choice, slice1winner2_best_second_0_0_choice_2 : natural range 0 to 3200;
@@ -712,45 +673,6 @@ begin
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 3200;
     variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_2 : natural range 0 to 3200;
     variable slice1_best_second_0_0_choice_3, slice1_best_second_0_0_choice_4 : natural range 0 to 3200;
-    variable slice0other_winner_0_0_choice, slice0other_winner_0_0_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_0_choice_3, slice0other_winner_0_0_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_0_choice_5, slice0other_winner_0_0_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_1_choice, slice0other_winner_0_1_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_1_choice_3, slice0other_winner_0_1_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_1_choice_5, slice0other_winner_0_1_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_2_choice_3, slice0other_winner_0_2_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_2_choice_5, slice0other_winner_0_2_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_3_choice, slice0other_winner_0_3_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_3_choice_3, slice0other_winner_0_3_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_3_choice_5, slice0other_winner_0_3_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_4_choice, slice0other_winner_0_4_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_4_choice_3, slice0other_winner_0_4_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_4_choice_5, slice0other_winner_0_4_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_5_choice, slice0other_winner_0_5_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_5_choice_3, slice0other_winner_0_5_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_5_choice_5, slice0other_winner_0_5_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_6_choice, slice0other_winner_0_6_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_7_choice, slice0other_winner_0_7_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_0_choice, slice1other_winner_0_0_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_0_choice_3, slice1other_winner_0_0_choice_4 : natural range 0 to 15;
-    variable slice1other_winner_0_0_choice_5, slice1other_winner_0_1_choice : natural range 0 to 15;
-    variable slice1other_winner_0_1_choice_2, slice1other_winner_0_1_choice_3 : natural range 0 to 15;
-    variable slice1other_winner_0_1_choice_4, slice1other_winner_0_1_choice_5 : natural range 0 to 15;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_2_choice_3, slice1other_winner_0_2_choice_4 : natural range 0 to 15;
-    variable slice1other_winner_0_2_choice_5, slice1other_winner_0_3_choice : natural range 0 to 15;
-    variable slice1other_winner_0_3_choice_2, slice1other_winner_0_3_choice_3 : natural range 0 to 15;
-    variable slice1other_winner_0_3_choice_4, slice1other_winner_0_3_choice_5 : natural range 0 to 15;
-    variable slice1other_winner_0_4_choice, slice1other_winner_0_4_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_4_choice_3, slice1other_winner_0_4_choice_4 : natural range 0 to 15;
-    variable slice1other_winner_0_4_choice_5, slice1other_winner_0_5_choice : natural range 0 to 15;
-    variable slice1other_winner_0_5_choice_2, slice1other_winner_0_5_choice_3 : natural range 0 to 15;
-    variable slice1other_winner_0_5_choice_4, slice1other_winner_0_5_choice_5 : natural range 0 to 15;
-    variable slice1other_winner_0_6_choice, slice1other_winner_0_6_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_6_choice_3, slice1other_winner_0_6_choice_4 : natural range 0 to 15;
-    variable slice1other_winner_0_6_choice_5, slice1other_winner_0_7_choice : natural range 0 to 15;
-    variable slice1other_winner_0_7_choice_2, leftright_address_0_value : natural range 0 to 15;
     variable refinement_remainder_1_0_difference : natural range 2049 to 6143;
     variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 2049 to 8190;
     variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 2049 to 8190;
@@ -759,6 +681,7 @@ begin
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
+    variable leftright_address_0_value : natural range 0 to 15;
     variable leftright_checked_passed_0_difference : integer range -14 to 16;
     variable map_of_column_0_a_choice : natural range 0 to 4095;
     variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
@@ -1252,177 +1175,41 @@ begin
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0other
-      slice0other_cost_0_0_all := ((slice0other_cost_0_7 - slice0window_sum_0_6) < 0) and (not
-        slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_0) >= 0;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0other_cost_0_0_is_not_less else
-        slice0other_cost_0_1;
-      slice0other_cost_0_0_choice_2 := slice0other_cost_0_0_choice when slice0window_tag_valid else
-        slice0other_cost_0_0;
-      slice0other_cost_0_0_all_2 := ((slice0other_cost_0_7 - slice0window_sum_0_6) >= 0) and (not
-        slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_choice_3 := slice0window_sum_0_0 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_5 := slice0other_cost_0_0_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_0_choice_4;
-      slice0other_cost_0_0_choice_6 := slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_0_choice_5;
-      slice0other_cost_0_1_is_not_less := (slice0other_cost_0_2 - slice0window_sum_0_1) >= 0;
-      slice0other_cost_0_1_choice := slice0window_sum_0_1 when slice0other_cost_0_1_is_not_less else
-        slice0other_cost_0_2;
-      slice0other_cost_0_1_choice_2 := slice0other_cost_0_1_choice when slice0window_tag_valid else
-        slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_5 := slice0other_cost_0_1_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_1_choice_4;
-      slice0other_cost_0_1_choice_6 := slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_1_choice_5;
-      slice0other_cost_0_2_is_not_less := (slice0other_cost_0_3 - slice0window_sum_0_2) >= 0;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0other_cost_0_2_is_not_less else
-        slice0other_cost_0_3;
-      slice0other_cost_0_2_choice_2 := slice0other_cost_0_2_choice when slice0window_tag_valid else
-        slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_3 := slice0window_sum_0_2 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_4 := slice0other_cost_0_3 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_5 := slice0other_cost_0_2_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_2_choice_4;
-      slice0other_cost_0_2_choice_6 := slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_2_choice_5;
-      slice0other_cost_0_3_is_not_less := (slice0other_cost_0_4 - slice0window_sum_0_3) >= 0;
-      slice0other_cost_0_3_choice := slice0window_sum_0_3 when slice0other_cost_0_3_is_not_less else
-        slice0other_cost_0_4;
-      slice0other_cost_0_3_choice_2 := slice0other_cost_0_3_choice when slice0window_tag_valid else
-        slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_3 := slice0window_sum_0_3 when slice0window_tag_valid else slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_4 := slice0other_cost_0_4 when slice0window_tag_valid else slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_5 := slice0other_cost_0_3_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_3_choice_4;
-      slice0other_cost_0_3_choice_6 := slice0other_cost_0_3_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_3_choice_5;
-      slice0other_cost_0_4_is_not_less := (slice0other_cost_0_5 - slice0window_sum_0_4) >= 0;
-      slice0other_cost_0_4_choice := slice0window_sum_0_4 when slice0other_cost_0_4_is_not_less else
-        slice0other_cost_0_5;
-      slice0other_cost_0_4_choice_2 := slice0other_cost_0_4_choice when slice0window_tag_valid else
-        slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_3 := slice0window_sum_0_4 when slice0window_tag_valid else slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_4 := slice0other_cost_0_5 when slice0window_tag_valid else slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_5 := slice0other_cost_0_4_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_4_choice_4;
-      slice0other_cost_0_4_choice_6 := slice0other_cost_0_4_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_4_choice_5;
-      slice0other_cost_0_5_is_not_less := (slice0other_cost_0_6 - slice0window_sum_0_5) >= 0;
-      slice0other_cost_0_5_choice := slice0window_sum_0_5 when slice0other_cost_0_5_is_not_less else
-        slice0other_cost_0_6;
-      slice0other_cost_0_5_choice_2 := slice0other_cost_0_5_choice when slice0window_tag_valid else
-        slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_3 := slice0window_sum_0_5 when slice0window_tag_valid else slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_4 := slice0other_cost_0_6 when slice0window_tag_valid else slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_5 := slice0other_cost_0_5_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_5_choice_4;
-      slice0other_cost_0_5_choice_6 := slice0other_cost_0_5_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_5_choice_5;
-      slice0other_cost_0_6_choice := slice0other_cost_0_7 when slice0window_tag_valid else slice0other_cost_0_6;
-      slice0other_cost_0_6_choice_2 := slice0window_sum_0_6 when slice0window_tag_valid else slice0other_cost_0_6;
-      slice0other_cost_0_6_choice_3 := slice0other_cost_0_6_choice_2 when slice0window_tag_output_column else
-        slice0other_cost_0_6_choice;
-      slice0other_cost_0_6_choice_4 := slice0other_cost_0_6_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_6_choice_3;
-      slice0other_winner_0_0_choice := 8 when slice0other_cost_0_0_is_not_less else slice0other_winner_0_1;
-      slice0other_winner_0_0_choice_2 := slice0other_winner_0_0_choice when slice0window_tag_valid else
-        slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_3 := 8 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_4 := slice0other_winner_0_1 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_5 := slice0other_winner_0_0_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_0_choice_4;
-      slice0other_winner_0_0_choice_6 := slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_0_choice_5;
-      slice0other_winner_0_1_choice := 9 when slice0other_cost_0_1_is_not_less else slice0other_winner_0_2;
-      slice0other_winner_0_1_choice_2 := slice0other_winner_0_1_choice when slice0window_tag_valid else
-        slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_3 := 9 when slice0window_tag_valid else slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_4 := slice0other_winner_0_2 when slice0window_tag_valid else slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_5 := slice0other_winner_0_1_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_1_choice_4;
-      slice0other_winner_0_1_choice_6 := slice0other_winner_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_1_choice_5;
-      slice0other_winner_0_2_choice := 10 when slice0other_cost_0_2_is_not_less else slice0other_winner_0_3;
-      slice0other_winner_0_2_choice_2 := slice0other_winner_0_2_choice when slice0window_tag_valid else
-        slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_3 := 10 when slice0window_tag_valid else slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_4 := slice0other_winner_0_3 when slice0window_tag_valid else slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_5 := slice0other_winner_0_2_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_2_choice_4;
-      slice0other_winner_0_2_choice_6 := slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_2_choice_5;
-      slice0other_winner_0_3_choice := 11 when slice0other_cost_0_3_is_not_less else slice0other_winner_0_4;
-      slice0other_winner_0_3_choice_2 := slice0other_winner_0_3_choice when slice0window_tag_valid else
-        slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_3 := 11 when slice0window_tag_valid else slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_4 := slice0other_winner_0_4 when slice0window_tag_valid else slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_5 := slice0other_winner_0_3_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_3_choice_4;
-      slice0other_winner_0_3_choice_6 := slice0other_winner_0_3_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_3_choice_5;
-      slice0other_winner_0_4_choice := 12 when slice0other_cost_0_4_is_not_less else slice0other_winner_0_5;
-      slice0other_winner_0_4_choice_2 := slice0other_winner_0_4_choice when slice0window_tag_valid else
-        slice0other_winner_0_4;
-      slice0other_winner_0_4_choice_3 := 12 when slice0window_tag_valid else slice0other_winner_0_4;
-      slice0other_winner_0_4_choice_4 := slice0other_winner_0_5 when slice0window_tag_valid else slice0other_winner_0_4;
-      slice0other_winner_0_4_choice_5 := slice0other_winner_0_4_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_4_choice_4;
-      slice0other_winner_0_4_choice_6 := slice0other_winner_0_4_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_4_choice_5;
-      slice0other_winner_0_5_choice := 13 when slice0other_cost_0_5_is_not_less else slice0other_winner_0_6;
-      slice0other_winner_0_5_choice_2 := slice0other_winner_0_5_choice when slice0window_tag_valid else
-        slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_3 := 13 when slice0window_tag_valid else slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_4 := slice0other_winner_0_6 when slice0window_tag_valid else slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_5 := slice0other_winner_0_5_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_5_choice_4;
-      slice0other_winner_0_5_choice_6 := slice0other_winner_0_5_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_5_choice_5;
-      slice0other_cost_0_0 <= slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_0_choice_6;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_6;
-      slice0other_cost_0_2 <= slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_2_choice_6;
-      slice0other_cost_0_3 <= slice0other_cost_0_3_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_3_choice_6;
-      slice0other_cost_0_4 <= slice0other_cost_0_4_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_4_choice_6;
-      slice0other_cost_0_5 <= slice0other_cost_0_5_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_5_choice_6;
-      slice0other_cost_0_6 <= slice0other_cost_0_6_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_6_choice_4;
-      slice0other_winner_0_0 <= slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_0_choice_6;
-      slice0other_winner_0_1 <= slice0other_winner_0_1_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_1_choice_6;
-      slice0other_winner_0_2 <= slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_2_choice_6;
-      slice0other_winner_0_3 <= slice0other_winner_0_3_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_3_choice_6;
-      slice0other_winner_0_4 <= slice0other_winner_0_4_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_4_choice_6;
-      slice0other_winner_0_5 <= slice0other_winner_0_5_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_5_choice_6;
+      slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
+        0) or slice0window_tag_first_column);
+      slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
+      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_2_choice := slice0window_tag_output_column when (slice0other_cost_0_3 - slice0window_sum_0_2)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_3_choice := slice0window_tag_output_column when (slice0other_cost_0_4 - slice0window_sum_0_3)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_4_choice := slice0window_tag_output_column when (slice0other_cost_0_5 - slice0window_sum_0_4)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_5_choice := slice0window_tag_output_column when (slice0other_cost_0_6 - slice0window_sum_0_5)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_6_choice := slice0window_tag_output_column when (slice0other_cost_0_7 - slice0window_sum_0_6)
+        >= 0 else slice0other_cost_0_1_all;
+      if slice0window_tag_valid then
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_3;
+        slice0other_cost_0_3 <= slice0window_sum_0_3 when slice0other_cost_0_3_choice else slice0other_cost_0_4;
+        slice0other_cost_0_4 <= slice0window_sum_0_4 when slice0other_cost_0_4_choice else slice0other_cost_0_5;
+        slice0other_cost_0_5 <= slice0window_sum_0_5 when slice0other_cost_0_5_choice else slice0other_cost_0_6;
+        slice0other_cost_0_6 <= slice0window_sum_0_6 when slice0other_cost_0_6_choice else slice0other_cost_0_7;
+        slice0other_cost_0_7 <= slice0window_sum_0_7 when slice0window_tag_output_column else 0;
+        slice0other_winner_0_0 <= 8 when slice0other_cost_0_0_all else slice0other_winner_0_1;
+        slice0other_winner_0_1 <= 9 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
+        slice0other_winner_0_2 <= 10 when slice0other_cost_0_2_choice else slice0other_winner_0_3;
+        slice0other_winner_0_3 <= 11 when slice0other_cost_0_3_choice else slice0other_winner_0_4;
+        slice0other_winner_0_4 <= 12 when slice0other_cost_0_4_choice else slice0other_winner_0_5;
+        slice0other_winner_0_5 <= 13 when slice0other_cost_0_5_choice else slice0other_winner_0_6;
+        slice0other_winner_0_6 <= 14 when slice0other_cost_0_6_choice else slice0other_winner_0_7;
+        slice0other_winner_0_7 <= 15 when slice0window_tag_output_column else 0;
+      end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_winner_out_0 <= slice0other_winner_0_0;
-      slice0other_cost_0_7_choice := slice0window_sum_0_7 when slice0window_tag_output_column else 0;
-      slice0other_cost_0_7_choice_2 := slice0window_sum_0_7 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_7_choice;
-      slice0other_winner_0_6_choice := 14 when slice0window_tag_output_column else slice0other_winner_0_7;
-      slice0other_winner_0_6_choice_2 := 14 when slice0other_cost_0_0_all_2 else slice0other_winner_0_6_choice;
-      slice0other_winner_0_7_choice := 15 when slice0window_tag_output_column else 0;
-      slice0other_winner_0_7_choice_2 := 15 when slice0other_cost_0_0_all_2 else slice0other_winner_0_7_choice;
-      if slice0window_tag_valid then
-        slice0other_cost_0_7 <= slice0window_sum_0_7 when slice0other_cost_0_0_all else slice0other_cost_0_7_choice_2;
-        slice0other_winner_0_6 <= slice0other_winner_0_7 when slice0other_cost_0_0_all else
-          slice0other_winner_0_6_choice_2;
-        slice0other_winner_0_7 <= 15 when slice0other_cost_0_0_all else slice0other_winner_0_7_choice_2;
-      end if;
       -- slice0winner1
       slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
@@ -1818,157 +1605,40 @@ begin
       slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_3_6;
       slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_3_7;
       -- slice1other
-      slice1other_cost_0_1_any := (not slice0winner1_tag_first_column) or (not slice0winner1_tag_output_column);
-      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
-        slice1other_cost_0_2;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_2 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_2_is_not_less := (slice1other_cost_0_3 - slice1window_sum_0_2) >= 0;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice1other_cost_0_2_is_not_less else
-        slice1other_cost_0_3;
-      slice1other_cost_0_2_choice_2 := slice1other_cost_0_2_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_3 := slice1other_cost_0_3 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_2_choice_3;
-      slice1other_cost_0_2_choice_5 := slice1window_sum_0_2 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_3_is_not_less := (slice1other_cost_0_4 - slice1window_sum_0_3) >= 0;
-      slice1other_cost_0_3_choice := slice1window_sum_0_3 when slice1other_cost_0_3_is_not_less else
-        slice1other_cost_0_4;
-      slice1other_cost_0_3_choice_2 := slice1other_cost_0_3_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_3;
-      slice1other_cost_0_3_choice_3 := slice1other_cost_0_4 when slice0winner1_tag_valid else slice1other_cost_0_3;
-      slice1other_cost_0_3_choice_4 := slice1other_cost_0_3_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_3_choice_3;
-      slice1other_cost_0_3_choice_5 := slice1window_sum_0_3 when slice0winner1_tag_valid else slice1other_cost_0_3;
-      slice1other_cost_0_4_is_not_less := (slice1other_cost_0_5 - slice1window_sum_0_4) >= 0;
-      slice1other_cost_0_4_choice := slice1window_sum_0_4 when slice1other_cost_0_4_is_not_less else
-        slice1other_cost_0_5;
-      slice1other_cost_0_4_choice_2 := slice1other_cost_0_4_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_4;
-      slice1other_cost_0_4_choice_3 := slice1other_cost_0_5 when slice0winner1_tag_valid else slice1other_cost_0_4;
-      slice1other_cost_0_4_choice_4 := slice1other_cost_0_4_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_4_choice_3;
-      slice1other_cost_0_4_choice_5 := slice1window_sum_0_4 when slice0winner1_tag_valid else slice1other_cost_0_4;
-      slice1other_cost_0_5_is_not_less := (slice1other_cost_0_6 - slice1window_sum_0_5) >= 0;
-      slice1other_cost_0_5_choice := slice1window_sum_0_5 when slice1other_cost_0_5_is_not_less else
-        slice1other_cost_0_6;
-      slice1other_cost_0_5_choice_2 := slice1other_cost_0_5_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_5;
-      slice1other_cost_0_5_choice_3 := slice1other_cost_0_6 when slice0winner1_tag_valid else slice1other_cost_0_5;
-      slice1other_cost_0_5_choice_4 := slice1other_cost_0_5_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_5_choice_3;
-      slice1other_cost_0_5_choice_5 := slice1window_sum_0_5 when slice0winner1_tag_valid else slice1other_cost_0_5;
-      slice1other_cost_0_6_is_not_less := (slice1other_cost_0_7 - slice1window_sum_0_6) >= 0;
-      slice1other_cost_0_6_choice := slice1window_sum_0_6 when slice1other_cost_0_6_is_not_less else
-        slice1other_cost_0_7;
-      slice1other_cost_0_6_choice_2 := slice1other_cost_0_6_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_6;
-      slice1other_cost_0_6_choice_3 := slice1other_cost_0_7 when slice0winner1_tag_valid else slice1other_cost_0_6;
-      slice1other_cost_0_6_choice_4 := slice1other_cost_0_6_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_6_choice_3;
-      slice1other_cost_0_6_choice_5 := slice1window_sum_0_6 when slice0winner1_tag_valid else slice1other_cost_0_6;
-      slice1other_winner_0_0_choice := 0 when (slice1other_cost_0_1 - slice1window_sum_0_0) >= 0 else
-        slice1other_winner_0_1;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_3 := slice1other_winner_0_1 when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_0_choice_5 := 0 when slice0winner1_tag_valid else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice := 1 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_2;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_2 when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 1 when slice0winner1_tag_valid else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice := 2 when slice1other_cost_0_2_is_not_less else slice1other_winner_0_3;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_3 := slice1other_winner_0_3 when slice0winner1_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_2_choice_3;
-      slice1other_winner_0_2_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_0_2;
-      slice1other_winner_0_3_choice := 3 when slice1other_cost_0_3_is_not_less else slice1other_winner_0_4;
-      slice1other_winner_0_3_choice_2 := slice1other_winner_0_3_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_3;
-      slice1other_winner_0_3_choice_3 := slice1other_winner_0_4 when slice0winner1_tag_valid else
-        slice1other_winner_0_3;
-      slice1other_winner_0_3_choice_4 := slice1other_winner_0_3_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_3_choice_3;
-      slice1other_winner_0_3_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_0_3;
-      slice1other_winner_0_4_choice := 4 when slice1other_cost_0_4_is_not_less else slice1other_winner_0_5;
-      slice1other_winner_0_4_choice_2 := slice1other_winner_0_4_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_4;
-      slice1other_winner_0_4_choice_3 := slice1other_winner_0_5 when slice0winner1_tag_valid else
-        slice1other_winner_0_4;
-      slice1other_winner_0_4_choice_4 := slice1other_winner_0_4_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_4_choice_3;
-      slice1other_winner_0_4_choice_5 := 4 when slice0winner1_tag_valid else slice1other_winner_0_4;
-      slice1other_winner_0_5_choice := 5 when slice1other_cost_0_5_is_not_less else slice1other_winner_0_6;
-      slice1other_winner_0_5_choice_2 := slice1other_winner_0_5_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_5;
-      slice1other_winner_0_5_choice_3 := slice1other_winner_0_6 when slice0winner1_tag_valid else
-        slice1other_winner_0_5;
-      slice1other_winner_0_5_choice_4 := slice1other_winner_0_5_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_5_choice_3;
-      slice1other_winner_0_5_choice_5 := 5 when slice0winner1_tag_valid else slice1other_winner_0_5;
-      slice1other_winner_0_6_choice := 6 when slice1other_cost_0_6_is_not_less else slice1other_winner_0_7;
-      slice1other_winner_0_6_choice_2 := slice1other_winner_0_6_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_6;
-      slice1other_winner_0_6_choice_3 := slice1other_winner_0_7 when slice0winner1_tag_valid else
-        slice1other_winner_0_6;
-      slice1other_winner_0_6_choice_4 := slice1other_winner_0_6_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_6_choice_3;
-      slice1other_winner_0_6_choice_5 := 6 when slice0winner1_tag_valid else slice1other_winner_0_6;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_1_choice_5;
-      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_2_choice_5;
-      slice1other_cost_0_3 <= slice1other_cost_0_3_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_3_choice_5;
-      slice1other_cost_0_4 <= slice1other_cost_0_4_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_4_choice_5;
-      slice1other_cost_0_5 <= slice1other_cost_0_5_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_5_choice_5;
-      slice1other_cost_0_6 <= slice1other_cost_0_6_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_6_choice_5;
-      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_0_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_1_choice_5;
-      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_2_choice_5;
-      slice1other_winner_0_3 <= slice1other_winner_0_3_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_3_choice_5;
-      slice1other_winner_0_4 <= slice1other_winner_0_4_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_4_choice_5;
-      slice1other_winner_0_5 <= slice1other_winner_0_5_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_5_choice_5;
-      slice1other_winner_0_6 <= slice1other_winner_0_6_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_6_choice_5;
-      slice1other_winner_out_0 <= slice1other_winner_0_0;
-      slice1other_cost_0_7_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_7) >= 0;
-      slice1other_cost_0_7_choice := slice1window_sum_0_7 when slice1other_cost_0_7_is_not_less else
-        slice0other_cost_out_0;
-      slice1other_cost_0_7_choice_2 := slice1other_cost_0_7_choice when slice0winner1_tag_output_column else
-        slice0other_cost_out_0;
-      slice1other_winner_0_7_choice := 7 when slice1other_cost_0_7_is_not_less else slice0other_winner_out_0;
-      slice1other_winner_0_7_choice_2 := slice1other_winner_0_7_choice when slice0winner1_tag_output_column else
-        slice0other_winner_out_0;
+      slice1other_cost_0_1_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
+      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_2 -
+        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_2_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_3 -
+        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_3_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_4 -
+        slice1window_sum_0_3) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_4_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_5 -
+        slice1window_sum_0_4) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_5_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_6 -
+        slice1window_sum_0_5) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_6_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_7 -
+        slice1window_sum_0_6) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_7_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_0 -
+        slice1window_sum_0_7) >= 0 else slice1other_cost_0_1_any;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_7 <= slice1other_cost_0_7_choice_2 when slice1other_cost_0_1_any else slice1window_sum_0_7;
-        slice1other_winner_0_7 <= slice1other_winner_0_7_choice_2 when slice1other_cost_0_1_any else 7;
+        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice1other_cost_0_3 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
+        slice1other_cost_0_3 <= slice1other_cost_0_4 when slice1other_cost_0_3_choice else slice1window_sum_0_3;
+        slice1other_cost_0_4 <= slice1other_cost_0_5 when slice1other_cost_0_4_choice else slice1window_sum_0_4;
+        slice1other_cost_0_5 <= slice1other_cost_0_6 when slice1other_cost_0_5_choice else slice1window_sum_0_5;
+        slice1other_cost_0_6 <= slice1other_cost_0_7 when slice1other_cost_0_6_choice else slice1window_sum_0_6;
+        slice1other_cost_0_7 <= slice0other_cost_out_0 when slice1other_cost_0_7_choice else slice1window_sum_0_7;
+        slice1other_winner_0_0 <= slice1other_winner_0_1 when (not slice0winner1_tag_output_column) or ((not
+          slice0winner1_tag_first_column) and ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0)) else 0;
+        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 1;
+        slice1other_winner_0_2 <= slice1other_winner_0_3 when slice1other_cost_0_2_choice else 2;
+        slice1other_winner_0_3 <= slice1other_winner_0_4 when slice1other_cost_0_3_choice else 3;
+        slice1other_winner_0_4 <= slice1other_winner_0_5 when slice1other_cost_0_4_choice else 4;
+        slice1other_winner_0_5 <= slice1other_winner_0_6 when slice1other_cost_0_5_choice else 5;
+        slice1other_winner_0_6 <= slice1other_winner_0_7 when slice1other_cost_0_6_choice else 6;
+        slice1other_winner_0_7 <= slice0other_winner_out_0 when slice1other_cost_0_7_choice else 7;
       end if;
+      slice1other_winner_out_0 <= slice1other_winner_0_0;
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
@@ -2330,7 +2000,7 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((4096 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 2048) +
+      refinement_quotient_8_0 <= (((((4096 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 4096) +
         ((other_3 / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -2421,11 +2091,11 @@ begin
         leftright_checked_tag_row_start_is_equal_3 and leftright_checked_tag_valid and leftright_checked_tag_map_column
         else map_counter_group;
       map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
-      map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
+      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_of_column_0_a_choice := other_1 / 2;
+        map_of_column_0_a_choice := other_0 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c_choice := map_column_1 / 2;
@@ -2473,7 +2143,7 @@ begin
       map_counter_group <= as_number(leftright_checked_tag_row_start_all) * 64 when
         leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column else
         map_counter_group_choice_2;
-      map_counter_next_frame <= to_integer(other_0(40 downto 40)) = 1;
+      map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_arrives <= leftright_checked_tag_row_start_all_2;
@@ -2483,13 +2153,13 @@ begin
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_write_column <= to_integer(other_0(8 downto 0));
+      map_write_column <= to_integer(other_1(8 downto 0));
       map_column_1 <= map_rows_ready_words_0 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= to_integer(other_0(24 downto 24)) = 1;
-      map_at_top <= to_integer(other_0(32 downto 32)) = 1;
-      map_at_output <= to_integer(other_0(48 downto 48)) = 1;
+      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
       map_of_column_0_a <= map_of_column_0_a_choice;
       map_of_column_0_b <= map_column_1 / 2;
       map_of_column_0_c <= map_of_column_0_c_choice;
@@ -2564,7 +2234,7 @@ begin
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= to_integer(other_0(8 downto 0));
+        map_at_column <= to_integer(other_1(8 downto 0));
       end if;
       map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
       map_low_1_0_all := map_window_complete_is_equal and map_sorted_arrives;
@@ -2586,8 +2256,8 @@ begin
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= other_2;
-      other_1 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
+      other_0 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
+      other_1 <= other_2;
       other_2 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 65))), 1) &
         to_unsigned(as_number(leftright_checked_tag_row_start_is_equal), 8) & to_unsigned(as_number((map_counter_group
         = 1)), 8) & to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
@@ -2792,7 +2462,7 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= to_unsigned(0, 49);
+        other_1 <= to_unsigned(0, 49);
         other_2 <= to_unsigned(0, 49);
       end if;
     end if;

@@ -86,10 +86,10 @@ architecture rtl of stereo_core_study_left_right is
     return '0';
   end function;
 
-  signal in_right_pixel : natural range 0 to 255;
-  signal in_valid : boolean;
   signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
   signal in_left_pixel : natural range 0 to 255;
+  signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
   signal raster_features_valid, raster_place_next_frame : boolean;
@@ -347,22 +347,38 @@ architecture rtl of stereo_core_study_left_right is
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 31;
   signal leftright_held_0 : unsigned(12 downto 0);
   signal leftright_found_0 : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
 
 begin
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
   in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(right_pixel));
   disparity <= std_logic_vector(to_unsigned(leftright_checked_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(leftright_checked_passed_0), 1));
   disparity_valid <= as_bit(leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_start_of_frame <= as_bit(leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_end_of_line <= as_bit(leftright_checked_tag_end_of_line and leftright_checked_tag_valid and leftright_checked_tag_output_column);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_3_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(slice1_best_index_0_0, 8) & to_unsigned(as_number(slice1_best_tag_end_of_line), 1) & to_unsigned(as_number(slice1_best_tag_start_of_frame), 1) & to_unsigned(as_number(slice1_best_tag_output_column), 1) & to_unsigned(as_number(slice1_best_tag_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 13)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
@@ -388,118 +404,24 @@ begin
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_3_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(slice1_best_index_0_0, 8) & to_unsigned(as_number(slice1_best_tag_end_of_line), 1) & to_unsigned(as_number(slice1_best_tag_start_of_frame), 1) & to_unsigned(as_number(slice1_best_tag_output_column), 1) & to_unsigned(as_number(slice1_best_tag_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 13)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
-
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
     variable raster_place_group_is_equal_3, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
     variable delay_row_inside_2_is_less, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, slice0other_cost_0_0_all, slice0other_cost_0_0_is_not_less : boolean;
-    variable slice0other_cost_0_0_all_2, slice0other_cost_0_1_is_not_less, slice0other_cost_0_2_is_not_less : boolean;
-    variable slice0other_cost_0_3_is_not_less, slice0other_cost_0_4_is_not_less : boolean;
-    variable slice0other_cost_0_5_is_not_less, slice0winner1_of_pair_0_0_is_less : boolean;
-    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
-    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_four_0_0_is_less : boolean;
-    variable slice0winner1_of_four_0_4_is_less, slice0winner2_best_cost_0_0_is_less, slice1other_cost_0_1_any : boolean;
-    variable slice1other_cost_0_1_is_not_less, slice1other_cost_0_2_is_not_less : boolean;
-    variable slice1other_cost_0_3_is_not_less, slice1other_cost_0_4_is_not_less : boolean;
-    variable slice1other_cost_0_5_is_not_less, slice1other_cost_0_6_is_not_less : boolean;
-    variable slice1other_cost_0_7_is_not_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
-    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_4_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable leftright_holds_winners_all : boolean;
+    variable delay_tag_map_column_is_less, slice0other_cost_0_0_all, slice0other_cost_0_1_all : boolean;
+    variable slice0other_cost_0_1_choice, slice0other_cost_0_2_choice, slice0other_cost_0_3_choice : boolean;
+    variable slice0other_cost_0_4_choice, slice0other_cost_0_5_choice, slice0other_cost_0_6_choice : boolean;
+    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
+    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice1other_cost_0_1_any, slice1other_cost_0_1_choice : boolean;
+    variable slice1other_cost_0_2_choice, slice1other_cost_0_3_choice, slice1other_cost_0_4_choice : boolean;
+    variable slice1other_cost_0_5_choice, slice1other_cost_0_6_choice, slice1other_cost_0_7_choice : boolean;
+    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_pair_0_2_is_less : boolean;
+    variable slice1winner1_of_pair_0_4_is_less, slice1winner1_of_pair_0_6_is_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice1winner1_of_four_0_4_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, leftright_holds_winners_all : boolean;
     variable raster_place_group_choice, raster_place_group_choice_2 : natural range 0 to 127;
-    variable slice0other_cost_0_0_choice, slice0other_cost_0_0_choice_2 : natural range 0 to 6395;
-    variable slice0other_cost_0_0_choice_3, slice0other_cost_0_0_choice_4 : natural range 0 to 6395;
-    variable slice0other_cost_0_0_choice_5, slice0other_cost_0_0_choice_6 : natural range 0 to 6395;
-    variable slice0other_cost_0_1_choice, slice0other_cost_0_1_choice_2 : natural range 0 to 6395;
-    variable slice0other_cost_0_1_choice_3, slice0other_cost_0_1_choice_4 : natural range 0 to 6395;
-    variable slice0other_cost_0_1_choice_5, slice0other_cost_0_1_choice_6 : natural range 0 to 6395;
-    variable slice0other_cost_0_2_choice, slice0other_cost_0_2_choice_2 : natural range 0 to 6395;
-    variable slice0other_cost_0_2_choice_3, slice0other_cost_0_2_choice_4 : natural range 0 to 6395;
-    variable slice0other_cost_0_2_choice_5, slice0other_cost_0_2_choice_6 : natural range 0 to 6395;
-    variable slice0other_cost_0_3_choice, slice0other_cost_0_3_choice_2 : natural range 0 to 6395;
-    variable slice0other_cost_0_3_choice_3, slice0other_cost_0_3_choice_4 : natural range 0 to 6395;
-    variable slice0other_cost_0_3_choice_5, slice0other_cost_0_3_choice_6 : natural range 0 to 6395;
-    variable slice0other_cost_0_4_choice, slice0other_cost_0_4_choice_2 : natural range 0 to 6395;
-    variable slice0other_cost_0_4_choice_3, slice0other_cost_0_4_choice_4 : natural range 0 to 6395;
-    variable slice0other_cost_0_4_choice_5, slice0other_cost_0_4_choice_6 : natural range 0 to 6395;
-    variable slice0other_cost_0_5_choice, slice0other_cost_0_5_choice_2 : natural range 0 to 6395;
-    variable slice0other_cost_0_5_choice_3, slice0other_cost_0_5_choice_4 : natural range 0 to 6395;
-    variable slice0other_cost_0_5_choice_5, slice0other_cost_0_5_choice_6 : natural range 0 to 6395;
-    variable slice0other_cost_0_6_choice, slice0other_cost_0_6_choice_2 : natural range 0 to 6395;
-    variable slice0other_cost_0_6_choice_3, slice0other_cost_0_6_choice_4 : natural range 0 to 6395;
-    variable slice0other_cost_0_7_choice, slice0other_cost_0_7_choice_2 : natural range 0 to 6395;
-    variable slice1other_cost_0_1_choice, slice1other_cost_0_1_choice_2 : natural range 0 to 6395;
-    variable slice1other_cost_0_1_choice_3, slice1other_cost_0_1_choice_4 : natural range 0 to 6395;
-    variable slice1other_cost_0_1_choice_5, slice1other_cost_0_2_choice : natural range 0 to 6395;
-    variable slice1other_cost_0_2_choice_2, slice1other_cost_0_2_choice_3 : natural range 0 to 6395;
-    variable slice1other_cost_0_2_choice_4, slice1other_cost_0_2_choice_5 : natural range 0 to 6395;
-    variable slice1other_cost_0_3_choice, slice1other_cost_0_3_choice_2 : natural range 0 to 6395;
-    variable slice1other_cost_0_3_choice_3, slice1other_cost_0_3_choice_4 : natural range 0 to 6395;
-    variable slice1other_cost_0_3_choice_5, slice1other_cost_0_4_choice : natural range 0 to 6395;
-    variable slice1other_cost_0_4_choice_2, slice1other_cost_0_4_choice_3 : natural range 0 to 6395;
-    variable slice1other_cost_0_4_choice_4, slice1other_cost_0_4_choice_5 : natural range 0 to 6395;
-    variable slice1other_cost_0_5_choice, slice1other_cost_0_5_choice_2 : natural range 0 to 6395;
-    variable slice1other_cost_0_5_choice_3, slice1other_cost_0_5_choice_4 : natural range 0 to 6395;
-    variable slice1other_cost_0_5_choice_5, slice1other_cost_0_6_choice : natural range 0 to 6395;
-    variable slice1other_cost_0_6_choice_2, slice1other_cost_0_6_choice_3 : natural range 0 to 6395;
-    variable slice1other_cost_0_6_choice_4, slice1other_cost_0_6_choice_5 : natural range 0 to 6395;
-    variable slice1other_cost_0_7_choice, slice1other_cost_0_7_choice_2 : natural range 0 to 6395;
-    variable slice0other_winner_0_0_choice, slice0other_winner_0_0_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_0_choice_3, slice0other_winner_0_0_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_0_choice_5, slice0other_winner_0_0_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_1_choice, slice0other_winner_0_1_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_1_choice_3, slice0other_winner_0_1_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_1_choice_5, slice0other_winner_0_1_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_2_choice_3, slice0other_winner_0_2_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_2_choice_5, slice0other_winner_0_2_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_3_choice, slice0other_winner_0_3_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_3_choice_3, slice0other_winner_0_3_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_3_choice_5, slice0other_winner_0_3_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_4_choice, slice0other_winner_0_4_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_4_choice_3, slice0other_winner_0_4_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_4_choice_5, slice0other_winner_0_4_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_5_choice, slice0other_winner_0_5_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_5_choice_3, slice0other_winner_0_5_choice_4 : natural range 0 to 15;
-    variable slice0other_winner_0_5_choice_5, slice0other_winner_0_5_choice_6 : natural range 0 to 15;
-    variable slice0other_winner_0_6_choice, slice0other_winner_0_6_choice_2 : natural range 0 to 15;
-    variable slice0other_winner_0_7_choice, slice0other_winner_0_7_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_0_choice, slice1other_winner_0_0_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_0_choice_3, slice1other_winner_0_0_choice_4 : natural range 0 to 15;
-    variable slice1other_winner_0_0_choice_5, slice1other_winner_0_1_choice : natural range 0 to 15;
-    variable slice1other_winner_0_1_choice_2, slice1other_winner_0_1_choice_3 : natural range 0 to 15;
-    variable slice1other_winner_0_1_choice_4, slice1other_winner_0_1_choice_5 : natural range 0 to 15;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_2_choice_3, slice1other_winner_0_2_choice_4 : natural range 0 to 15;
-    variable slice1other_winner_0_2_choice_5, slice1other_winner_0_3_choice : natural range 0 to 15;
-    variable slice1other_winner_0_3_choice_2, slice1other_winner_0_3_choice_3 : natural range 0 to 15;
-    variable slice1other_winner_0_3_choice_4, slice1other_winner_0_3_choice_5 : natural range 0 to 15;
-    variable slice1other_winner_0_4_choice, slice1other_winner_0_4_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_4_choice_3, slice1other_winner_0_4_choice_4 : natural range 0 to 15;
-    variable slice1other_winner_0_4_choice_5, slice1other_winner_0_5_choice : natural range 0 to 15;
-    variable slice1other_winner_0_5_choice_2, slice1other_winner_0_5_choice_3 : natural range 0 to 15;
-    variable slice1other_winner_0_5_choice_4, slice1other_winner_0_5_choice_5 : natural range 0 to 15;
-    variable slice1other_winner_0_6_choice, slice1other_winner_0_6_choice_2 : natural range 0 to 15;
-    variable slice1other_winner_0_6_choice_3, slice1other_winner_0_6_choice_4 : natural range 0 to 15;
-    variable slice1other_winner_0_6_choice_5, slice1other_winner_0_7_choice : natural range 0 to 15;
-    variable slice1other_winner_0_7_choice_2, leftright_address_0_value : natural range 0 to 15;
     variable leftright_checked_passed_0_difference : integer range -14 to 16;
   begin
     if rising_edge(clock) then
@@ -863,177 +785,41 @@ begin
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0other
-      slice0other_cost_0_0_all := ((slice0other_cost_0_7 - slice0window_sum_0_6) < 0) and (not
-        slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_0) >= 0;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0other_cost_0_0_is_not_less else
-        slice0other_cost_0_1;
-      slice0other_cost_0_0_choice_2 := slice0other_cost_0_0_choice when slice0window_tag_valid else
-        slice0other_cost_0_0;
-      slice0other_cost_0_0_all_2 := ((slice0other_cost_0_7 - slice0window_sum_0_6) >= 0) and (not
-        slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_choice_3 := slice0window_sum_0_0 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_5 := slice0other_cost_0_0_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_0_choice_4;
-      slice0other_cost_0_0_choice_6 := slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_0_choice_5;
-      slice0other_cost_0_1_is_not_less := (slice0other_cost_0_2 - slice0window_sum_0_1) >= 0;
-      slice0other_cost_0_1_choice := slice0window_sum_0_1 when slice0other_cost_0_1_is_not_less else
-        slice0other_cost_0_2;
-      slice0other_cost_0_1_choice_2 := slice0other_cost_0_1_choice when slice0window_tag_valid else
-        slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_5 := slice0other_cost_0_1_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_1_choice_4;
-      slice0other_cost_0_1_choice_6 := slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_1_choice_5;
-      slice0other_cost_0_2_is_not_less := (slice0other_cost_0_3 - slice0window_sum_0_2) >= 0;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0other_cost_0_2_is_not_less else
-        slice0other_cost_0_3;
-      slice0other_cost_0_2_choice_2 := slice0other_cost_0_2_choice when slice0window_tag_valid else
-        slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_3 := slice0window_sum_0_2 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_4 := slice0other_cost_0_3 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_5 := slice0other_cost_0_2_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_2_choice_4;
-      slice0other_cost_0_2_choice_6 := slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_2_choice_5;
-      slice0other_cost_0_3_is_not_less := (slice0other_cost_0_4 - slice0window_sum_0_3) >= 0;
-      slice0other_cost_0_3_choice := slice0window_sum_0_3 when slice0other_cost_0_3_is_not_less else
-        slice0other_cost_0_4;
-      slice0other_cost_0_3_choice_2 := slice0other_cost_0_3_choice when slice0window_tag_valid else
-        slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_3 := slice0window_sum_0_3 when slice0window_tag_valid else slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_4 := slice0other_cost_0_4 when slice0window_tag_valid else slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_5 := slice0other_cost_0_3_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_3_choice_4;
-      slice0other_cost_0_3_choice_6 := slice0other_cost_0_3_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_3_choice_5;
-      slice0other_cost_0_4_is_not_less := (slice0other_cost_0_5 - slice0window_sum_0_4) >= 0;
-      slice0other_cost_0_4_choice := slice0window_sum_0_4 when slice0other_cost_0_4_is_not_less else
-        slice0other_cost_0_5;
-      slice0other_cost_0_4_choice_2 := slice0other_cost_0_4_choice when slice0window_tag_valid else
-        slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_3 := slice0window_sum_0_4 when slice0window_tag_valid else slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_4 := slice0other_cost_0_5 when slice0window_tag_valid else slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_5 := slice0other_cost_0_4_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_4_choice_4;
-      slice0other_cost_0_4_choice_6 := slice0other_cost_0_4_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_4_choice_5;
-      slice0other_cost_0_5_is_not_less := (slice0other_cost_0_6 - slice0window_sum_0_5) >= 0;
-      slice0other_cost_0_5_choice := slice0window_sum_0_5 when slice0other_cost_0_5_is_not_less else
-        slice0other_cost_0_6;
-      slice0other_cost_0_5_choice_2 := slice0other_cost_0_5_choice when slice0window_tag_valid else
-        slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_3 := slice0window_sum_0_5 when slice0window_tag_valid else slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_4 := slice0other_cost_0_6 when slice0window_tag_valid else slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_5 := slice0other_cost_0_5_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_5_choice_4;
-      slice0other_cost_0_5_choice_6 := slice0other_cost_0_5_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_5_choice_5;
-      slice0other_cost_0_6_choice := slice0other_cost_0_7 when slice0window_tag_valid else slice0other_cost_0_6;
-      slice0other_cost_0_6_choice_2 := slice0window_sum_0_6 when slice0window_tag_valid else slice0other_cost_0_6;
-      slice0other_cost_0_6_choice_3 := slice0other_cost_0_6_choice_2 when slice0window_tag_output_column else
-        slice0other_cost_0_6_choice;
-      slice0other_cost_0_6_choice_4 := slice0other_cost_0_6_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_6_choice_3;
-      slice0other_winner_0_0_choice := 8 when slice0other_cost_0_0_is_not_less else slice0other_winner_0_1;
-      slice0other_winner_0_0_choice_2 := slice0other_winner_0_0_choice when slice0window_tag_valid else
-        slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_3 := 8 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_4 := slice0other_winner_0_1 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_5 := slice0other_winner_0_0_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_0_choice_4;
-      slice0other_winner_0_0_choice_6 := slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_0_choice_5;
-      slice0other_winner_0_1_choice := 9 when slice0other_cost_0_1_is_not_less else slice0other_winner_0_2;
-      slice0other_winner_0_1_choice_2 := slice0other_winner_0_1_choice when slice0window_tag_valid else
-        slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_3 := 9 when slice0window_tag_valid else slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_4 := slice0other_winner_0_2 when slice0window_tag_valid else slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_5 := slice0other_winner_0_1_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_1_choice_4;
-      slice0other_winner_0_1_choice_6 := slice0other_winner_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_1_choice_5;
-      slice0other_winner_0_2_choice := 10 when slice0other_cost_0_2_is_not_less else slice0other_winner_0_3;
-      slice0other_winner_0_2_choice_2 := slice0other_winner_0_2_choice when slice0window_tag_valid else
-        slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_3 := 10 when slice0window_tag_valid else slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_4 := slice0other_winner_0_3 when slice0window_tag_valid else slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_5 := slice0other_winner_0_2_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_2_choice_4;
-      slice0other_winner_0_2_choice_6 := slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_2_choice_5;
-      slice0other_winner_0_3_choice := 11 when slice0other_cost_0_3_is_not_less else slice0other_winner_0_4;
-      slice0other_winner_0_3_choice_2 := slice0other_winner_0_3_choice when slice0window_tag_valid else
-        slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_3 := 11 when slice0window_tag_valid else slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_4 := slice0other_winner_0_4 when slice0window_tag_valid else slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_5 := slice0other_winner_0_3_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_3_choice_4;
-      slice0other_winner_0_3_choice_6 := slice0other_winner_0_3_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_3_choice_5;
-      slice0other_winner_0_4_choice := 12 when slice0other_cost_0_4_is_not_less else slice0other_winner_0_5;
-      slice0other_winner_0_4_choice_2 := slice0other_winner_0_4_choice when slice0window_tag_valid else
-        slice0other_winner_0_4;
-      slice0other_winner_0_4_choice_3 := 12 when slice0window_tag_valid else slice0other_winner_0_4;
-      slice0other_winner_0_4_choice_4 := slice0other_winner_0_5 when slice0window_tag_valid else slice0other_winner_0_4;
-      slice0other_winner_0_4_choice_5 := slice0other_winner_0_4_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_4_choice_4;
-      slice0other_winner_0_4_choice_6 := slice0other_winner_0_4_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_4_choice_5;
-      slice0other_winner_0_5_choice := 13 when slice0other_cost_0_5_is_not_less else slice0other_winner_0_6;
-      slice0other_winner_0_5_choice_2 := slice0other_winner_0_5_choice when slice0window_tag_valid else
-        slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_3 := 13 when slice0window_tag_valid else slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_4 := slice0other_winner_0_6 when slice0window_tag_valid else slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_5 := slice0other_winner_0_5_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_5_choice_4;
-      slice0other_winner_0_5_choice_6 := slice0other_winner_0_5_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_5_choice_5;
-      slice0other_cost_0_0 <= slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_0_choice_6;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_6;
-      slice0other_cost_0_2 <= slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_2_choice_6;
-      slice0other_cost_0_3 <= slice0other_cost_0_3_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_3_choice_6;
-      slice0other_cost_0_4 <= slice0other_cost_0_4_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_4_choice_6;
-      slice0other_cost_0_5 <= slice0other_cost_0_5_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_5_choice_6;
-      slice0other_cost_0_6 <= slice0other_cost_0_6_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_6_choice_4;
-      slice0other_winner_0_0 <= slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_0_choice_6;
-      slice0other_winner_0_1 <= slice0other_winner_0_1_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_1_choice_6;
-      slice0other_winner_0_2 <= slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_2_choice_6;
-      slice0other_winner_0_3 <= slice0other_winner_0_3_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_3_choice_6;
-      slice0other_winner_0_4 <= slice0other_winner_0_4_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_4_choice_6;
-      slice0other_winner_0_5 <= slice0other_winner_0_5_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_5_choice_6;
+      slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
+        0) or slice0window_tag_first_column);
+      slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
+      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_2_choice := slice0window_tag_output_column when (slice0other_cost_0_3 - slice0window_sum_0_2)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_3_choice := slice0window_tag_output_column when (slice0other_cost_0_4 - slice0window_sum_0_3)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_4_choice := slice0window_tag_output_column when (slice0other_cost_0_5 - slice0window_sum_0_4)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_5_choice := slice0window_tag_output_column when (slice0other_cost_0_6 - slice0window_sum_0_5)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_6_choice := slice0window_tag_output_column when (slice0other_cost_0_7 - slice0window_sum_0_6)
+        >= 0 else slice0other_cost_0_1_all;
+      if slice0window_tag_valid then
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_3;
+        slice0other_cost_0_3 <= slice0window_sum_0_3 when slice0other_cost_0_3_choice else slice0other_cost_0_4;
+        slice0other_cost_0_4 <= slice0window_sum_0_4 when slice0other_cost_0_4_choice else slice0other_cost_0_5;
+        slice0other_cost_0_5 <= slice0window_sum_0_5 when slice0other_cost_0_5_choice else slice0other_cost_0_6;
+        slice0other_cost_0_6 <= slice0window_sum_0_6 when slice0other_cost_0_6_choice else slice0other_cost_0_7;
+        slice0other_cost_0_7 <= slice0window_sum_0_7 when slice0window_tag_output_column else 0;
+        slice0other_winner_0_0 <= 8 when slice0other_cost_0_0_all else slice0other_winner_0_1;
+        slice0other_winner_0_1 <= 9 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
+        slice0other_winner_0_2 <= 10 when slice0other_cost_0_2_choice else slice0other_winner_0_3;
+        slice0other_winner_0_3 <= 11 when slice0other_cost_0_3_choice else slice0other_winner_0_4;
+        slice0other_winner_0_4 <= 12 when slice0other_cost_0_4_choice else slice0other_winner_0_5;
+        slice0other_winner_0_5 <= 13 when slice0other_cost_0_5_choice else slice0other_winner_0_6;
+        slice0other_winner_0_6 <= 14 when slice0other_cost_0_6_choice else slice0other_winner_0_7;
+        slice0other_winner_0_7 <= 15 when slice0window_tag_output_column else 0;
+      end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_winner_out_0 <= slice0other_winner_0_0;
-      slice0other_cost_0_7_choice := slice0window_sum_0_7 when slice0window_tag_output_column else 0;
-      slice0other_cost_0_7_choice_2 := slice0window_sum_0_7 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_7_choice;
-      slice0other_winner_0_6_choice := 14 when slice0window_tag_output_column else slice0other_winner_0_7;
-      slice0other_winner_0_6_choice_2 := 14 when slice0other_cost_0_0_all_2 else slice0other_winner_0_6_choice;
-      slice0other_winner_0_7_choice := 15 when slice0window_tag_output_column else 0;
-      slice0other_winner_0_7_choice_2 := 15 when slice0other_cost_0_0_all_2 else slice0other_winner_0_7_choice;
-      if slice0window_tag_valid then
-        slice0other_cost_0_7 <= slice0window_sum_0_7 when slice0other_cost_0_0_all else slice0other_cost_0_7_choice_2;
-        slice0other_winner_0_6 <= slice0other_winner_0_7 when slice0other_cost_0_0_all else
-          slice0other_winner_0_6_choice_2;
-        slice0other_winner_0_7 <= 15 when slice0other_cost_0_0_all else slice0other_winner_0_7_choice_2;
-      end if;
       -- slice0winner1
       slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
@@ -1326,158 +1112,41 @@ begin
       slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_3_6;
       slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_3_7;
       -- slice1other
-      slice1other_cost_0_1_any := (not slice0winner1_pair_tag_first_column) or (not
-        slice0winner1_pair_tag_output_column);
-      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
-        slice1other_cost_0_2;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_2 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_2_is_not_less := (slice1other_cost_0_3 - slice1window_sum_0_2) >= 0;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice1other_cost_0_2_is_not_less else
-        slice1other_cost_0_3;
-      slice1other_cost_0_2_choice_2 := slice1other_cost_0_2_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_3 := slice1other_cost_0_3 when slice0winner1_pair_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_2_choice_3;
-      slice1other_cost_0_2_choice_5 := slice1window_sum_0_2 when slice0winner1_pair_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_3_is_not_less := (slice1other_cost_0_4 - slice1window_sum_0_3) >= 0;
-      slice1other_cost_0_3_choice := slice1window_sum_0_3 when slice1other_cost_0_3_is_not_less else
-        slice1other_cost_0_4;
-      slice1other_cost_0_3_choice_2 := slice1other_cost_0_3_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_3;
-      slice1other_cost_0_3_choice_3 := slice1other_cost_0_4 when slice0winner1_pair_tag_valid else slice1other_cost_0_3;
-      slice1other_cost_0_3_choice_4 := slice1other_cost_0_3_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_3_choice_3;
-      slice1other_cost_0_3_choice_5 := slice1window_sum_0_3 when slice0winner1_pair_tag_valid else slice1other_cost_0_3;
-      slice1other_cost_0_4_is_not_less := (slice1other_cost_0_5 - slice1window_sum_0_4) >= 0;
-      slice1other_cost_0_4_choice := slice1window_sum_0_4 when slice1other_cost_0_4_is_not_less else
-        slice1other_cost_0_5;
-      slice1other_cost_0_4_choice_2 := slice1other_cost_0_4_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_4;
-      slice1other_cost_0_4_choice_3 := slice1other_cost_0_5 when slice0winner1_pair_tag_valid else slice1other_cost_0_4;
-      slice1other_cost_0_4_choice_4 := slice1other_cost_0_4_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_4_choice_3;
-      slice1other_cost_0_4_choice_5 := slice1window_sum_0_4 when slice0winner1_pair_tag_valid else slice1other_cost_0_4;
-      slice1other_cost_0_5_is_not_less := (slice1other_cost_0_6 - slice1window_sum_0_5) >= 0;
-      slice1other_cost_0_5_choice := slice1window_sum_0_5 when slice1other_cost_0_5_is_not_less else
-        slice1other_cost_0_6;
-      slice1other_cost_0_5_choice_2 := slice1other_cost_0_5_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_5;
-      slice1other_cost_0_5_choice_3 := slice1other_cost_0_6 when slice0winner1_pair_tag_valid else slice1other_cost_0_5;
-      slice1other_cost_0_5_choice_4 := slice1other_cost_0_5_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_5_choice_3;
-      slice1other_cost_0_5_choice_5 := slice1window_sum_0_5 when slice0winner1_pair_tag_valid else slice1other_cost_0_5;
-      slice1other_cost_0_6_is_not_less := (slice1other_cost_0_7 - slice1window_sum_0_6) >= 0;
-      slice1other_cost_0_6_choice := slice1window_sum_0_6 when slice1other_cost_0_6_is_not_less else
-        slice1other_cost_0_7;
-      slice1other_cost_0_6_choice_2 := slice1other_cost_0_6_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_6;
-      slice1other_cost_0_6_choice_3 := slice1other_cost_0_7 when slice0winner1_pair_tag_valid else slice1other_cost_0_6;
-      slice1other_cost_0_6_choice_4 := slice1other_cost_0_6_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_6_choice_3;
-      slice1other_cost_0_6_choice_5 := slice1window_sum_0_6 when slice0winner1_pair_tag_valid else slice1other_cost_0_6;
-      slice1other_winner_0_0_choice := 0 when (slice1other_cost_0_1 - slice1window_sum_0_0) >= 0 else
-        slice1other_winner_0_1;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_3 := slice1other_winner_0_1 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_0_choice_5 := 0 when slice0winner1_pair_tag_valid else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice := 1 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_2;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_2 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 1 when slice0winner1_pair_tag_valid else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice := 2 when slice1other_cost_0_2_is_not_less else slice1other_winner_0_3;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_3 := slice1other_winner_0_3 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_2_choice_3;
-      slice1other_winner_0_2_choice_5 := 2 when slice0winner1_pair_tag_valid else slice1other_winner_0_2;
-      slice1other_winner_0_3_choice := 3 when slice1other_cost_0_3_is_not_less else slice1other_winner_0_4;
-      slice1other_winner_0_3_choice_2 := slice1other_winner_0_3_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_3;
-      slice1other_winner_0_3_choice_3 := slice1other_winner_0_4 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_3;
-      slice1other_winner_0_3_choice_4 := slice1other_winner_0_3_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_3_choice_3;
-      slice1other_winner_0_3_choice_5 := 3 when slice0winner1_pair_tag_valid else slice1other_winner_0_3;
-      slice1other_winner_0_4_choice := 4 when slice1other_cost_0_4_is_not_less else slice1other_winner_0_5;
-      slice1other_winner_0_4_choice_2 := slice1other_winner_0_4_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_4;
-      slice1other_winner_0_4_choice_3 := slice1other_winner_0_5 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_4;
-      slice1other_winner_0_4_choice_4 := slice1other_winner_0_4_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_4_choice_3;
-      slice1other_winner_0_4_choice_5 := 4 when slice0winner1_pair_tag_valid else slice1other_winner_0_4;
-      slice1other_winner_0_5_choice := 5 when slice1other_cost_0_5_is_not_less else slice1other_winner_0_6;
-      slice1other_winner_0_5_choice_2 := slice1other_winner_0_5_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_5;
-      slice1other_winner_0_5_choice_3 := slice1other_winner_0_6 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_5;
-      slice1other_winner_0_5_choice_4 := slice1other_winner_0_5_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_5_choice_3;
-      slice1other_winner_0_5_choice_5 := 5 when slice0winner1_pair_tag_valid else slice1other_winner_0_5;
-      slice1other_winner_0_6_choice := 6 when slice1other_cost_0_6_is_not_less else slice1other_winner_0_7;
-      slice1other_winner_0_6_choice_2 := slice1other_winner_0_6_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_6;
-      slice1other_winner_0_6_choice_3 := slice1other_winner_0_7 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_6;
-      slice1other_winner_0_6_choice_4 := slice1other_winner_0_6_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_6_choice_3;
-      slice1other_winner_0_6_choice_5 := 6 when slice0winner1_pair_tag_valid else slice1other_winner_0_6;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_1_choice_5;
-      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_2_choice_5;
-      slice1other_cost_0_3 <= slice1other_cost_0_3_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_3_choice_5;
-      slice1other_cost_0_4 <= slice1other_cost_0_4_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_4_choice_5;
-      slice1other_cost_0_5 <= slice1other_cost_0_5_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_5_choice_5;
-      slice1other_cost_0_6 <= slice1other_cost_0_6_choice_4 when slice1other_cost_0_1_any else
-        slice1other_cost_0_6_choice_5;
-      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_0_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_1_choice_5;
-      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_2_choice_5;
-      slice1other_winner_0_3 <= slice1other_winner_0_3_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_3_choice_5;
-      slice1other_winner_0_4 <= slice1other_winner_0_4_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_4_choice_5;
-      slice1other_winner_0_5 <= slice1other_winner_0_5_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_5_choice_5;
-      slice1other_winner_0_6 <= slice1other_winner_0_6_choice_4 when slice1other_cost_0_1_any else
-        slice1other_winner_0_6_choice_5;
-      slice1other_winner_out_0 <= slice1other_winner_0_0;
-      slice1other_cost_0_7_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_7) >= 0;
-      slice1other_cost_0_7_choice := slice1window_sum_0_7 when slice1other_cost_0_7_is_not_less else
-        slice0other_cost_out_0;
-      slice1other_cost_0_7_choice_2 := slice1other_cost_0_7_choice when slice0winner1_pair_tag_output_column else
-        slice0other_cost_out_0;
-      slice1other_winner_0_7_choice := 7 when slice1other_cost_0_7_is_not_less else slice0other_winner_out_0;
-      slice1other_winner_0_7_choice_2 := slice1other_winner_0_7_choice when slice0winner1_pair_tag_output_column else
-        slice0other_winner_out_0;
+      slice1other_cost_0_1_any := (not slice0winner1_pair_tag_output_column) or (not
+        slice0winner1_pair_tag_first_column);
+      slice1other_cost_0_1_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_2 -
+        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_2_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_3 -
+        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_3_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_4 -
+        slice1window_sum_0_3) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_4_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_5 -
+        slice1window_sum_0_4) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_5_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_6 -
+        slice1window_sum_0_5) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_6_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_7 -
+        slice1window_sum_0_6) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_7_choice := not slice0winner1_pair_tag_output_column when (slice0other_cost_out_0 -
+        slice1window_sum_0_7) >= 0 else slice1other_cost_0_1_any;
       if slice0winner1_pair_tag_valid then
-        slice1other_cost_0_7 <= slice1other_cost_0_7_choice_2 when slice1other_cost_0_1_any else slice1window_sum_0_7;
-        slice1other_winner_0_7 <= slice1other_winner_0_7_choice_2 when slice1other_cost_0_1_any else 7;
+        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice1other_cost_0_3 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
+        slice1other_cost_0_3 <= slice1other_cost_0_4 when slice1other_cost_0_3_choice else slice1window_sum_0_3;
+        slice1other_cost_0_4 <= slice1other_cost_0_5 when slice1other_cost_0_4_choice else slice1window_sum_0_4;
+        slice1other_cost_0_5 <= slice1other_cost_0_6 when slice1other_cost_0_5_choice else slice1window_sum_0_5;
+        slice1other_cost_0_6 <= slice1other_cost_0_7 when slice1other_cost_0_6_choice else slice1window_sum_0_6;
+        slice1other_cost_0_7 <= slice0other_cost_out_0 when slice1other_cost_0_7_choice else slice1window_sum_0_7;
+        slice1other_winner_0_0 <= slice1other_winner_0_1 when (not slice0winner1_pair_tag_output_column) or ((not
+          slice0winner1_pair_tag_first_column) and ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0)) else 0;
+        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 1;
+        slice1other_winner_0_2 <= slice1other_winner_0_3 when slice1other_cost_0_2_choice else 2;
+        slice1other_winner_0_3 <= slice1other_winner_0_4 when slice1other_cost_0_3_choice else 3;
+        slice1other_winner_0_4 <= slice1other_winner_0_5 when slice1other_cost_0_4_choice else 4;
+        slice1other_winner_0_5 <= slice1other_winner_0_6 when slice1other_cost_0_5_choice else 5;
+        slice1other_winner_0_6 <= slice1other_winner_0_7 when slice1other_cost_0_6_choice else 6;
+        slice1other_winner_0_7 <= slice0other_winner_out_0 when slice1other_cost_0_7_choice else 7;
       end if;
+      slice1other_winner_out_0 <= slice1other_winner_0_0;
       -- slice1winner1
       slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
@@ -1537,7 +1206,6 @@ begin
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
       -- leftright
       leftright_holds_winners_all := (leftright_ring_read_address /= 0) and (not leftright_holds_winners);
-      leftright_address_0_value := to_integer(leftright_held_0(7 downto 4));
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_other_1_0 <= slice1other_winner_out_0;
       leftright_other_2_0 <= leftright_other_1_0;
@@ -1547,8 +1215,8 @@ begin
       leftright_position <= (leftright_position + as_number(slice1_best_tag_valid)) mod 32;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and slice1_best_tag_valid;
-      leftright_address_0 <= (leftright_address_0_value + leftright_held_position + 17) mod 32;
-      leftright_asking_disparity_0 <= leftright_address_0_value;
+      leftright_address_0 <= (to_integer(leftright_held_0(12 downto 4)) + leftright_held_position + 17) mod 32;
+      leftright_asking_disparity_0 <= to_integer(leftright_held_0(7 downto 4));
       leftright_asking_passed_0 <= to_integer(leftright_held_0(12 downto 12)) = 1;
       leftright_asking_tag_valid <= leftright_held_valid;
       leftright_asking_tag_output_column <= to_integer(leftright_held_0(1 downto 1)) = 1;

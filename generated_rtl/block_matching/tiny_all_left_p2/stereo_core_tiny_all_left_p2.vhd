@@ -525,8 +525,6 @@ architecture rtl of stereo_core_tiny_all_left_p2 is
   signal other_11, other_12 : natural range 0 to 224;
   signal other_13, other_14 : natural range 0 to 192;
   signal other_15, other_16 : natural range 0 to 128;
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal map_rows_read_words_1_memory_write_data : unsigned(12 downto 0);
@@ -534,6 +532,8 @@ architecture rtl of stereo_core_tiny_all_left_p2 is
   signal leftright_found_1_memory_write_data : unsigned(2 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -545,22 +545,6 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
-
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned((rows_search_rows_write_words_0 mod 2097152), 21);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 21)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned((rows_reference_rows_write_words_0 mod 2097152), 21);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 21)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 24);
   transform_left_rows_read_words_0_memory : entity work.line_memory
@@ -618,6 +602,22 @@ begin
       read_address => leftright_ring_read_address, read_data => leftright_held_0,
       write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned((rows_search_rows_write_words_0 mod 2097152), 21);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 21)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned((rows_reference_rows_write_words_0 mod 2097152), 21);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 21)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
@@ -630,30 +630,28 @@ begin
     variable raster_place_group_is_equal_2, raster_place_group_all, raster_place_group_is_equal_3 : boolean;
     variable raster_place_group_choice_2, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
     variable raster_place_next_frame_choice_3, raster_place_next_frame_choice_4, delay_row_inside_0_value : boolean;
-    variable delay_row_inside_0_any, delay_row_inside_1_any, delay_tag_map_column_is_less : boolean;
-    variable delay_tag_first_column_is_equal, slice0cost_single_0_0_is_less, slice0cost_single_0_1_is_less : boolean;
-    variable slice0cost_single_0_2_is_less, slice0cost_single_3_0_is_less, slice0cost_single_3_1_is_less : boolean;
-    variable slice0cost_single_3_2_is_less, slice0other_cost_0_0_all, slice0other_cost_0_1_is_not_less : boolean;
-    variable slice0other_cost_0_2_is_not_less, slice0other_cost_1_1_is_not_less : boolean;
-    variable slice0other_cost_1_2_is_not_less, slice0other_winner_0_1_choice, slice0other_winner_0_1_choice_2 : boolean;
-    variable slice0other_winner_1_1_choice, slice0winner1_best_index_0_0_is_not_less : boolean;
+    variable delay_row_inside_0_any, delay_row_inside_1_any, delay_row_inside_1_choice : boolean;
+    variable delay_tag_map_column_is_less, delay_tag_first_column_is_equal, slice0cost_single_0_0_is_less : boolean;
+    variable slice0cost_single_0_1_is_less, slice0cost_single_0_2_is_less, slice0cost_single_3_0_is_less : boolean;
+    variable slice0cost_single_3_1_is_less, slice0cost_single_3_2_is_less, slice0other_cost_0_1_all : boolean;
+    variable slice0other_cost_0_1_choice, slice0other_cost_0_2_all, slice0other_cost_1_1_choice : boolean;
+    variable slice0other_cost_1_2_choice, slice0winner1_best_index_0_0_is_not_less : boolean;
     variable slice0winner1_best_index_1_0_is_not_less, slice0winner2_best_index_0_0_is_less : boolean;
     variable slice0winner2_best_index_1_0_is_less, slice0winner2_best_place_0_0_is_not_less : boolean;
     variable slice0winner2_best_place_1_0_is_not_less, slice1cost_single_0_0_is_less : boolean;
     variable slice1cost_single_0_1_is_less, slice1cost_single_0_2_is_less, slice1cost_single_3_0_is_less : boolean;
-    variable slice1cost_single_3_1_is_less, slice1cost_single_3_2_is_less, slice1other_cost_0_0_is_not_less : boolean;
-    variable slice1other_cost_0_1_is_not_less, slice1other_cost_0_2_is_not_less : boolean;
-    variable slice1other_cost_1_1_is_not_less, slice1other_cost_1_2_is_not_less : boolean;
-    variable slice1other_cost_1_0_is_not_less, slice1winner1_best_index_0_0_is_not_less : boolean;
-    variable slice1winner1_best_index_1_0_is_not_less, slice1winner2_best_index_0_0_is_less : boolean;
-    variable slice1winner2_best_index_1_0_is_less, slice1winner2_best_place_0_0_is_not_less : boolean;
-    variable slice1winner2_best_place_1_0_is_not_less, slice1_best_index_0_0_is_less : boolean;
-    variable slice1_best_index_1_0_is_less, slice1_best_below_0_0_is_equal, slice1_best_below_1_0_is_equal : boolean;
-    variable slice1_best_above_0_0_is_equal, slice1_best_above_1_0_is_equal : boolean;
+    variable slice1cost_single_3_1_is_less, slice1cost_single_3_2_is_less, slice1other_cost_0_0_any : boolean;
+    variable slice1other_cost_0_0_choice, slice1other_cost_0_1_choice, slice1other_cost_0_2_any : boolean;
+    variable slice1other_cost_1_0_choice, slice1other_cost_1_1_choice, slice1other_cost_1_2_choice : boolean;
+    variable slice1winner1_best_index_0_0_is_not_less, slice1winner1_best_index_1_0_is_not_less : boolean;
+    variable slice1winner2_best_index_0_0_is_less, slice1winner2_best_index_1_0_is_less : boolean;
+    variable slice1winner2_best_place_0_0_is_not_less, slice1winner2_best_place_1_0_is_not_less : boolean;
+    variable slice1_best_index_0_0_is_less, slice1_best_index_1_0_is_less, slice1_best_below_0_0_is_equal : boolean;
+    variable slice1_best_below_1_0_is_equal, slice1_best_above_0_0_is_equal, slice1_best_above_1_0_is_equal : boolean;
     variable slice1_best_place_0_0_is_not_less, slice1_best_place_1_0_is_not_less : boolean;
     variable slice2cost_single_0_0_is_less, slice2cost_single_0_1_is_less, slice2cost_single_3_0_is_less : boolean;
-    variable slice2cost_single_3_1_is_less, slice2other_cost_0_0_all, slice2other_cost_0_0_is_not_less : boolean;
-    variable slice2other_cost_1_0_is_not_less, slice2winner1_best_below_0_0_is_less : boolean;
+    variable slice2cost_single_3_1_is_less, slice2other_cost_0_0_any, slice2other_cost_0_0_choice : boolean;
+    variable slice2other_cost_1_0_choice, slice2other_winner_1_1_choice, slice2winner1_best_below_0_0_is_less : boolean;
     variable slice2winner1_best_below_1_0_is_less, slice2_best_index_0_0_is_less : boolean;
     variable slice2_best_index_1_0_is_less, slice2_best_above_0_0_is_equal, slice2_best_above_1_0_is_equal : boolean;
     variable slice2_best_place_0_0_is_not_less, slice2_best_place_1_0_is_not_less : boolean;
@@ -663,18 +661,9 @@ begin
     variable map_counter_group_is_equal_2, map_counter_next_frame_choice, map_counter_next_frame_choice_2 : boolean;
     variable map_line_ended_choice, map_at_arrives_value, map_passed_1_0_all, map_passed_1_0_any : boolean;
     variable map_window_complete_all : boolean;
-    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
-    variable slice1other_winner_0_0_choice, slice1other_winner_0_0_choice_2 : natural range 0 to 3;
-    variable slice1other_winner_0_0_choice_3, slice1other_winner_0_0_choice_4 : natural range 0 to 3;
-    variable slice1other_winner_0_0_choice_5, slice1other_winner_1_0_choice : natural range 0 to 3;
-    variable slice1other_winner_1_0_choice_2, map_counter_group_choice : natural range 0 to 3;
+    variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 7;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice, slice2other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice_3, slice2other_winner_0_1_choice_4 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice_5, slice2other_winner_1_1_choice : natural range 0 to 7;
-    variable slice2other_winner_1_1_choice_2, slice2other_winner_1_1_choice_3 : natural range 0 to 7;
-    variable slice2other_winner_1_1_choice_4, slice2other_winner_1_1_choice_5 : natural range 0 to 7;
     variable refinement_fraction_0_choice_2, refinement_fraction_1_choice_2 : natural range 0 to 7;
     variable leftright_address_0_value, leftright_address_1_value, map_counter_group_choice_2 : natural range 0 to 7;
     variable map_counter_group_choice_3 : natural range 0 to 7;
@@ -701,45 +690,12 @@ begin
     variable texturecost_single_3_0_choice, refinement_fraction_0_choice : natural range 0 to 255;
     variable transform_right_filter_feature_0_choice : natural range 0 to 65535;
     variable transform_right_filter_feature_0_choice_2 : natural range 0 to 65535;
-    variable slice0other_cost_0_0_choice, slice0other_cost_0_0_choice_2 : natural range 0 to 765;
-    variable slice0other_cost_0_0_choice_3, slice0other_cost_0_1_choice : natural range 0 to 765;
-    variable slice0other_cost_0_1_choice_2, slice0other_cost_0_1_choice_3 : natural range 0 to 765;
-    variable slice0other_cost_0_1_choice_4, slice0other_cost_0_2_choice : natural range 0 to 765;
-    variable slice0other_cost_0_2_choice_2, slice0other_cost_0_2_choice_3 : natural range 0 to 765;
-    variable slice0other_cost_0_2_choice_4, slice0other_cost_0_2_choice_5 : natural range 0 to 765;
-    variable slice0other_cost_1_1_choice, slice0other_cost_1_1_choice_2 : natural range 0 to 765;
-    variable slice0other_cost_1_1_choice_3, slice0other_cost_1_1_choice_4 : natural range 0 to 765;
-    variable slice0other_cost_1_2_choice, slice0other_cost_1_2_choice_2 : natural range 0 to 765;
-    variable slice0other_cost_1_2_choice_3, slice0other_cost_1_2_choice_4 : natural range 0 to 765;
-    variable slice0other_cost_1_2_choice_5, slice0other_cost_1_0_choice : natural range 0 to 765;
     variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_1_0_choice : natural range 0 to 765;
-    variable slice1other_cost_0_0_choice, slice1other_cost_0_0_choice_2 : natural range 0 to 765;
-    variable slice1other_cost_0_0_choice_3, slice1other_cost_0_0_choice_4 : natural range 0 to 765;
-    variable slice1other_cost_0_1_choice, slice1other_cost_0_1_choice_2 : natural range 0 to 765;
-    variable slice1other_cost_0_1_choice_3, slice1other_cost_0_1_choice_4 : natural range 0 to 765;
-    variable slice1other_cost_0_1_choice_5, slice1other_cost_0_2_choice : natural range 0 to 765;
-    variable slice1other_cost_0_2_choice_2, slice1other_cost_0_2_choice_3 : natural range 0 to 765;
-    variable slice1other_cost_0_2_choice_4, slice1other_cost_0_2_choice_5 : natural range 0 to 765;
-    variable slice1other_cost_1_1_choice, slice1other_cost_1_1_choice_2 : natural range 0 to 765;
-    variable slice1other_cost_1_1_choice_3, slice1other_cost_1_1_choice_4 : natural range 0 to 765;
-    variable slice1other_cost_1_1_choice_5, slice1other_cost_1_2_choice : natural range 0 to 765;
-    variable slice1other_cost_1_2_choice_2, slice1other_cost_1_2_choice_3 : natural range 0 to 765;
-    variable slice1other_cost_1_2_choice_4, slice1other_cost_1_2_choice_5 : natural range 0 to 765;
-    variable slice1other_cost_1_0_choice, slice1other_cost_1_0_choice_2 : natural range 0 to 765;
     variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_1_0_choice : natural range 0 to 765;
     variable slice1_best_below_0_0_choice, slice1_best_below_1_0_choice : natural range 0 to 765;
     variable slice1_best_above_0_0_choice, slice1_best_above_1_0_choice : natural range 0 to 765;
-    variable slice2other_cost_0_0_choice, slice2other_cost_0_0_choice_2 : natural range 0 to 765;
-    variable slice2other_cost_0_0_choice_3, slice2other_cost_0_0_choice_4 : natural range 0 to 765;
-    variable slice2other_cost_1_0_choice, slice2other_cost_1_0_choice_2 : natural range 0 to 765;
-    variable slice2other_cost_1_0_choice_3, slice2other_cost_1_0_choice_4 : natural range 0 to 765;
     variable slice2_best_below_0_0_choice, slice2_best_below_1_0_choice : natural range 0 to 765;
     variable slice2_best_above_0_0_choice, slice2_best_above_1_0_choice : natural range 0 to 765;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 2;
-    variable slice0other_winner_0_2_choice_3, slice0other_winner_0_2_choice_4 : natural range 0 to 2;
-    variable slice0other_winner_0_2_choice_5, slice0other_winner_1_2_choice : natural range 0 to 2;
-    variable slice0other_winner_1_2_choice_2, slice0other_winner_1_2_choice_3 : natural range 0 to 2;
-    variable slice0other_winner_1_2_choice_4, slice0other_winner_1_2_choice_5 : natural range 0 to 2;
     variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 1023;
     variable slice0winner2_best_second_0_0_choice_3, slice0winner2_best_second_1_0_choice : natural range 0 to 1023;
     variable slice0winner2_best_second_1_0_choice_2, slice0winner2_best_second_1_0_choice_3 : natural range 0 to 1023;
@@ -755,20 +711,6 @@ begin
     variable slice2_best_second_1_0_choice, slice2_best_second_1_0_choice_2 : natural range 0 to 1023;
     variable slice2_best_second_1_0_choice_3, slice2_best_second_1_0_choice_4 : natural range 0 to 1023;
     variable refinement_divisor_0_0_choice, refinement_divisor_0_1_choice : natural range 0 to 1023;
-    variable slice1other_winner_0_1_choice, slice1other_winner_0_1_choice_2 : natural range 0 to 4;
-    variable slice1other_winner_0_1_choice_3, slice1other_winner_0_1_choice_4 : natural range 0 to 4;
-    variable slice1other_winner_0_1_choice_5, slice1other_winner_1_1_choice : natural range 0 to 4;
-    variable slice1other_winner_1_1_choice_2, slice1other_winner_1_1_choice_3 : natural range 0 to 4;
-    variable slice1other_winner_1_1_choice_4, slice1other_winner_1_1_choice_5 : natural range 0 to 4;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 5;
-    variable slice1other_winner_0_2_choice_3, slice1other_winner_0_2_choice_4 : natural range 0 to 5;
-    variable slice1other_winner_0_2_choice_5, slice1other_winner_1_2_choice : natural range 0 to 5;
-    variable slice1other_winner_1_2_choice_2, slice1other_winner_1_2_choice_3 : natural range 0 to 5;
-    variable slice1other_winner_1_2_choice_4, slice1other_winner_1_2_choice_5 : natural range 0 to 5;
-    variable slice2other_winner_0_0_choice, slice2other_winner_0_0_choice_2 : natural range 0 to 6;
-    variable slice2other_winner_0_0_choice_3, slice2other_winner_0_0_choice_4 : natural range 0 to 6;
-    variable slice2other_winner_0_0_choice_5, slice2other_winner_1_0_choice : natural range 0 to 6;
-    variable slice2other_winner_1_0_choice_2 : natural range 0 to 6;
     variable refinement_remainder_1_0_difference, refinement_remainder_1_1_difference : natural range 1025 to 2813;
     variable refinement_remainder_2_0_difference, refinement_remainder_2_1_difference : natural range 1025 to 4094;
     variable refinement_remainder_3_0_difference, refinement_remainder_3_1_difference : natural range 1025 to 4094;
@@ -1010,6 +952,8 @@ begin
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
       delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
       delay_row_inside_1_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
+      delay_row_inside_1_choice := delay_row_inside_1_any when (raster_place_group mod 2) = 1 else
+        delay_row_inside_0_any;
       delay_tag_map_column_is_less := (((((raster_place_column / 8) + 8191) mod 8192) * 8) + (raster_place_column mod
         8)) < 24;
       delay_tag_first_column_is_equal := raster_place_column = 8;
@@ -1019,14 +963,13 @@ begin
         (to_unsigned(raster_features_search_0, 15))));
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_any;
-      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
+      delay_row_inside_1 <= delay_row_inside_1_choice;
       delay_row_inside_3 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
       delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and
-        delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_tag_map_column_is_less and delay_row_inside_1_choice;
       delay_tag_first_column <= delay_tag_first_column_is_equal;
       delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal;
@@ -1248,99 +1191,31 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0other
-      slice0other_cost_0_0_all := (not slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_2 := 0 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_3 := slice0other_cost_0_0_choice when slice0window_tag_output_column else
-        slice0other_cost_0_0_choice_2;
-      slice0other_cost_0_1_is_not_less := (slice0other_cost_0_0 - slice0window_sum_0_1) >= 0;
-      slice0other_cost_0_1_choice := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_2 := slice0other_cost_0_0 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice when slice0other_cost_0_1_is_not_less else
-        slice0other_cost_0_1_choice_2;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice when slice0window_tag_output_column else
-        slice0other_cost_0_1_choice_2;
-      slice0other_cost_0_2_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_2) >= 0;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0other_cost_0_2_is_not_less else
-        slice0other_cost_0_1;
-      slice0other_cost_0_2_choice_2 := slice0other_cost_0_2_choice when slice0window_tag_valid else
-        slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_3 := slice0window_sum_0_2 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_5 := slice0other_cost_0_2_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_2_choice_4;
-      slice0other_cost_1_1_is_not_less := (slice0other_cost_1_0 - slice0window_sum_1_1) >= 0;
-      slice0other_cost_1_1_choice := slice0window_sum_1_1 when slice0window_tag_valid else slice0other_cost_1_1;
-      slice0other_cost_1_1_choice_2 := slice0other_cost_1_0 when slice0window_tag_valid else slice0other_cost_1_1;
-      slice0other_cost_1_1_choice_3 := slice0other_cost_1_1_choice when slice0other_cost_1_1_is_not_less else
-        slice0other_cost_1_1_choice_2;
-      slice0other_cost_1_1_choice_4 := slice0other_cost_1_1_choice when slice0window_tag_output_column else
-        slice0other_cost_1_1_choice_2;
-      slice0other_cost_1_2_is_not_less := (slice0other_cost_1_1 - slice0window_sum_1_2) >= 0;
-      slice0other_cost_1_2_choice := slice0window_sum_1_2 when slice0other_cost_1_2_is_not_less else
-        slice0other_cost_1_1;
-      slice0other_cost_1_2_choice_2 := slice0other_cost_1_2_choice when slice0window_tag_valid else
-        slice0other_cost_1_2;
-      slice0other_cost_1_2_choice_3 := slice0window_sum_1_2 when slice0window_tag_valid else slice0other_cost_1_2;
-      slice0other_cost_1_2_choice_4 := slice0other_cost_1_1 when slice0window_tag_valid else slice0other_cost_1_2;
-      slice0other_cost_1_2_choice_5 := slice0other_cost_1_2_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_1_2_choice_4;
-      slice0other_winner_0_1_choice := slice0window_tag_output_column when slice0window_tag_valid else
-        slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_2 := slice0other_cost_0_1_is_not_less when slice0window_tag_valid else
-        slice0other_winner_0_1;
-      slice0other_winner_0_2_choice := 2 when slice0other_cost_0_2_is_not_less else as_number(slice0other_winner_0_1);
-      slice0other_winner_0_2_choice_2 := slice0other_winner_0_2_choice when slice0window_tag_valid else
-        slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_3 := 2 when slice0window_tag_valid else slice0other_winner_0_2;
+      slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
+      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_0 - slice0window_sum_0_1)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_2_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_2) >=
+        0) or slice0window_tag_first_column);
+      slice0other_cost_1_1_choice := slice0window_tag_output_column when (slice0other_cost_1_0 - slice0window_sum_1_1)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_1_2_choice := slice0window_tag_output_column when (slice0other_cost_1_1 - slice0window_sum_1_2)
+        >= 0 else slice0other_cost_0_1_all;
       if slice0window_tag_valid then
-        slice0other_winner_0_2_choice_4 := as_number(slice0other_winner_0_1);
-      else
-        slice0other_winner_0_2_choice_4 := slice0other_winner_0_2;
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column else 0;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_all else slice0other_cost_0_1;
+        slice0other_cost_1_0 <= slice0window_sum_1_0 when slice0window_tag_output_column else 0;
+        slice0other_cost_1_1 <= slice0window_sum_1_1 when slice0other_cost_1_1_choice else slice0other_cost_1_0;
+        slice0other_cost_1_2 <= slice0window_sum_1_2 when slice0other_cost_1_2_choice else slice0other_cost_1_1;
+        slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
+        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_all else as_number(slice0other_winner_0_1);
+        slice0other_winner_1_1 <= slice0other_cost_1_1_choice;
+        slice0other_winner_1_2 <= 2 when slice0other_cost_1_2_choice else as_number(slice0other_winner_1_1);
       end if;
-      slice0other_winner_0_2_choice_5 := slice0other_winner_0_2_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_2_choice_4;
-      slice0other_winner_1_1_choice := slice0window_tag_valid and slice0window_tag_output_column when
-        slice0other_cost_1_1_is_not_less else slice0window_tag_valid and slice0window_tag_first_column and
-        slice0window_tag_output_column;
-      slice0other_winner_1_2_choice := 2 when slice0other_cost_1_2_is_not_less else as_number(slice0other_winner_1_1);
-      slice0other_winner_1_2_choice_2 := slice0other_winner_1_2_choice when slice0window_tag_valid else
-        slice0other_winner_1_2;
-      slice0other_winner_1_2_choice_3 := 2 when slice0window_tag_valid else slice0other_winner_1_2;
-      if slice0window_tag_valid then
-        slice0other_winner_1_2_choice_4 := as_number(slice0other_winner_1_1);
-      else
-        slice0other_winner_1_2_choice_4 := slice0other_winner_1_2;
-      end if;
-      slice0other_winner_1_2_choice_5 := slice0other_winner_1_2_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_1_2_choice_4;
-      slice0other_cost_0_0 <= slice0other_cost_0_0_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_0_choice_3;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice_3 when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_4;
-      slice0other_cost_0_2 <= slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_2_choice_5;
-      slice0other_cost_1_1 <= slice0other_cost_1_1_choice_3 when slice0other_cost_0_0_all else
-        slice0other_cost_1_1_choice_4;
-      slice0other_cost_1_2 <= slice0other_cost_1_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_1_2_choice_5;
-      slice0other_winner_0_1 <= slice0other_winner_0_1_choice_2 or slice0window_tag_first_column or (not
-        slice0window_tag_output_column) when slice0other_winner_0_1_choice else slice0other_winner_0_1_choice_2 and
-        (not slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_winner_0_2 <= slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_2_choice_5;
-      slice0other_winner_1_1 <= slice0other_winner_1_1_choice or (slice0other_winner_1_1 and (not
-        slice0window_tag_valid));
-      slice0other_winner_1_2 <= slice0other_winner_1_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_1_2_choice_5;
       slice0other_cost_out_0 <= slice0other_cost_0_2;
       slice0other_cost_out_1 <= slice0other_cost_1_2;
       slice0other_winner_out_0 <= slice0other_winner_0_2;
       slice0other_winner_out_1 <= slice0other_winner_1_2;
-      slice0other_cost_1_0_choice := slice0window_sum_1_0 when slice0window_tag_output_column else 0;
-      if slice0window_tag_valid then
-        slice0other_cost_1_0 <= slice0window_sum_1_0 when slice0other_cost_0_0_all else slice0other_cost_1_0_choice;
-      end if;
       -- slice0winner1
       slice0winner1_best_index_0_0_is_not_less := (slice0window_sum_0_0 - slice0window_sum_0_1) >= 0;
       slice0winner1_best_index_1_0_is_not_less := (slice0window_sum_1_0 - slice0window_sum_1_1) >= 0;
@@ -1582,132 +1457,37 @@ begin
         slice1window_tag_first_column <= slice2cost_tag_first_column;
       end if;
       -- slice1other
-      slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_0_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_0) >= 0;
-      slice1other_cost_0_0_choice_2 := slice0other_cost_out_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_3 := slice1other_cost_0_0_choice when slice1other_cost_0_0_is_not_less else
-        slice1other_cost_0_0_choice_2;
-      slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice when slice0winner1_tag_first_column else
-        slice1other_cost_0_0_choice_3;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_0 - slice1window_sum_0_1) >= 0;
-      slice1other_cost_0_1_choice_2 := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
-        slice1other_cost_0_0;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_1_choice_2 when slice0winner1_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice when slice0winner1_tag_first_column else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1other_cost_0_0 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_is_not_less := (slice1other_cost_0_1 - slice1window_sum_0_2) >= 0;
-      slice1other_cost_0_2_choice_2 := slice1window_sum_0_2 when slice1other_cost_0_2_is_not_less else
-        slice1other_cost_0_1;
-      slice1other_cost_0_2_choice_3 := slice1other_cost_0_2_choice_2 when slice0winner1_tag_valid else
-        slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice when slice0winner1_tag_first_column else
-        slice1other_cost_0_2_choice_3;
-      slice1other_cost_0_2_choice_5 := slice1other_cost_0_1 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_1_1_choice := slice1window_sum_1_1 when slice0winner1_tag_valid else slice1other_cost_1_1;
-      slice1other_cost_1_1_is_not_less := (slice1other_cost_1_0 - slice1window_sum_1_1) >= 0;
-      slice1other_cost_1_1_choice_2 := slice1window_sum_1_1 when slice1other_cost_1_1_is_not_less else
-        slice1other_cost_1_0;
-      slice1other_cost_1_1_choice_3 := slice1other_cost_1_1_choice_2 when slice0winner1_tag_valid else
-        slice1other_cost_1_1;
-      slice1other_cost_1_1_choice_4 := slice1other_cost_1_1_choice when slice0winner1_tag_first_column else
-        slice1other_cost_1_1_choice_3;
-      slice1other_cost_1_1_choice_5 := slice1other_cost_1_0 when slice0winner1_tag_valid else slice1other_cost_1_1;
-      slice1other_cost_1_2_choice := slice1window_sum_1_2 when slice0winner1_tag_valid else slice1other_cost_1_2;
-      slice1other_cost_1_2_is_not_less := (slice1other_cost_1_1 - slice1window_sum_1_2) >= 0;
-      slice1other_cost_1_2_choice_2 := slice1window_sum_1_2 when slice1other_cost_1_2_is_not_less else
-        slice1other_cost_1_1;
-      slice1other_cost_1_2_choice_3 := slice1other_cost_1_2_choice_2 when slice0winner1_tag_valid else
-        slice1other_cost_1_2;
-      slice1other_cost_1_2_choice_4 := slice1other_cost_1_2_choice when slice0winner1_tag_first_column else
-        slice1other_cost_1_2_choice_3;
-      slice1other_cost_1_2_choice_5 := slice1other_cost_1_1 when slice0winner1_tag_valid else slice1other_cost_1_2;
-      slice1other_winner_0_0_choice := 3 when slice0winner1_tag_valid else slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_2 := 3 when slice1other_cost_0_0_is_not_less else slice0other_winner_out_0;
-      slice1other_winner_0_0_choice_3 := slice1other_winner_0_0_choice_2 when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice when slice0winner1_tag_first_column else
-        slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_0_choice_5 := slice0other_winner_out_0 when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_1_choice := 4 when slice0winner1_tag_valid else slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_2 := 4 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_1_choice_2 when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice when slice0winner1_tag_first_column else
-        slice1other_winner_0_1_choice_3;
+      slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
+      slice1other_cost_0_0_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_0 -
+        slice1window_sum_0_0) >= 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_0 -
+        slice1window_sum_0_1) >= 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_2_any := (not slice0winner1_tag_output_column) or ((not slice0winner1_tag_first_column) and
+        ((slice1other_cost_0_1 - slice1window_sum_0_2) < 0));
+      slice1other_cost_1_0_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_1 -
+        slice1window_sum_1_0) >= 0 else slice1other_cost_0_0_any;
+      slice1other_cost_1_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_1_0 -
+        slice1window_sum_1_1) >= 0 else slice1other_cost_0_0_any;
+      slice1other_cost_1_2_choice := not slice0winner1_tag_output_column when (slice1other_cost_1_1 -
+        slice1window_sum_1_2) >= 0 else slice1other_cost_0_0_any;
       if slice0winner1_tag_valid then
-        slice1other_winner_0_1_choice_5 := slice1other_winner_0_0;
-      else
-        slice1other_winner_0_1_choice_5 := slice1other_winner_0_1;
+        slice1other_cost_0_0 <= slice0other_cost_out_0 when slice1other_cost_0_0_choice else slice1window_sum_0_0;
+        slice1other_cost_0_1 <= slice1other_cost_0_0 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice1other_cost_0_1 when slice1other_cost_0_2_any else slice1window_sum_0_2;
+        slice1other_cost_1_0 <= slice0other_cost_out_1 when slice1other_cost_1_0_choice else slice1window_sum_1_0;
+        slice1other_cost_1_1 <= slice1other_cost_1_0 when slice1other_cost_1_1_choice else slice1window_sum_1_1;
+        slice1other_cost_1_2 <= slice1other_cost_1_1 when slice1other_cost_1_2_choice else slice1window_sum_1_2;
+        slice1other_winner_0_0 <= slice0other_winner_out_0 when slice1other_cost_0_0_choice else 3;
+        slice1other_winner_0_1 <= slice1other_winner_0_0 when slice1other_cost_0_1_choice else 4;
+        slice1other_winner_0_2 <= slice1other_winner_0_1 when slice1other_cost_0_2_any else 5;
+        slice1other_winner_1_0 <= slice0other_winner_out_1 when slice1other_cost_1_0_choice else 3;
+        slice1other_winner_1_1 <= slice1other_winner_1_0 when slice1other_cost_1_1_choice else 4;
+        slice1other_winner_1_2 <= slice1other_winner_1_1 when slice1other_cost_1_2_choice else 5;
       end if;
-      slice1other_winner_0_2_choice := 5 when slice0winner1_tag_valid else slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_2 := 5 when slice1other_cost_0_2_is_not_less else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice_3 := slice1other_winner_0_2_choice_2 when slice0winner1_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice when slice0winner1_tag_first_column else
-        slice1other_winner_0_2_choice_3;
-      slice1other_winner_0_2_choice_5 := slice1other_winner_0_1 when slice0winner1_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_1_1_choice := 4 when slice0winner1_tag_valid else slice1other_winner_1_1;
-      slice1other_winner_1_1_choice_2 := 4 when slice1other_cost_1_1_is_not_less else slice1other_winner_1_0;
-      slice1other_winner_1_1_choice_3 := slice1other_winner_1_1_choice_2 when slice0winner1_tag_valid else
-        slice1other_winner_1_1;
-      slice1other_winner_1_1_choice_4 := slice1other_winner_1_1_choice when slice0winner1_tag_first_column else
-        slice1other_winner_1_1_choice_3;
-      if slice0winner1_tag_valid then
-        slice1other_winner_1_1_choice_5 := slice1other_winner_1_0;
-      else
-        slice1other_winner_1_1_choice_5 := slice1other_winner_1_1;
-      end if;
-      slice1other_winner_1_2_choice := 5 when slice0winner1_tag_valid else slice1other_winner_1_2;
-      slice1other_winner_1_2_choice_2 := 5 when slice1other_cost_1_2_is_not_less else slice1other_winner_1_1;
-      slice1other_winner_1_2_choice_3 := slice1other_winner_1_2_choice_2 when slice0winner1_tag_valid else
-        slice1other_winner_1_2;
-      slice1other_winner_1_2_choice_4 := slice1other_winner_1_2_choice when slice0winner1_tag_first_column else
-        slice1other_winner_1_2_choice_3;
-      slice1other_winner_1_2_choice_5 := slice1other_winner_1_1 when slice0winner1_tag_valid else
-        slice1other_winner_1_2;
-      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_4 when slice0winner1_tag_output_column else
-        slice1other_cost_0_0_choice_2;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice0winner1_tag_output_column else
-        slice1other_cost_0_1_choice_5;
-      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_4 when slice0winner1_tag_output_column else
-        slice1other_cost_0_2_choice_5;
-      slice1other_cost_1_1 <= slice1other_cost_1_1_choice_4 when slice0winner1_tag_output_column else
-        slice1other_cost_1_1_choice_5;
-      slice1other_cost_1_2 <= slice1other_cost_1_2_choice_4 when slice0winner1_tag_output_column else
-        slice1other_cost_1_2_choice_5;
-      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_4 when slice0winner1_tag_output_column else
-        slice1other_winner_0_0_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice0winner1_tag_output_column else
-        slice1other_winner_0_1_choice_5;
-      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_4 when slice0winner1_tag_output_column else
-        slice1other_winner_0_2_choice_5;
-      slice1other_winner_1_1 <= slice1other_winner_1_1_choice_4 when slice0winner1_tag_output_column else
-        slice1other_winner_1_1_choice_5;
-      slice1other_winner_1_2 <= slice1other_winner_1_2_choice_4 when slice0winner1_tag_output_column else
-        slice1other_winner_1_2_choice_5;
       slice1other_cost_out_0 <= slice1other_cost_0_2;
       slice1other_cost_out_1 <= slice1other_cost_1_2;
       slice1other_winner_out_0 <= slice1other_winner_0_2;
       slice1other_winner_out_1 <= slice1other_winner_1_2;
-      slice1other_cost_1_0_is_not_less := (slice0other_cost_out_1 - slice1window_sum_1_0) >= 0;
-      slice1other_cost_1_0_choice := slice1window_sum_1_0 when slice1other_cost_1_0_is_not_less else
-        slice0other_cost_out_1;
-      slice1other_cost_1_0_choice_2 := slice1window_sum_1_0 when slice0winner1_tag_first_column else
-        slice1other_cost_1_0_choice;
-      slice1other_winner_1_0_choice := 3 when slice1other_cost_1_0_is_not_less else slice0other_winner_out_1;
-      slice1other_winner_1_0_choice_2 := 3 when slice0winner1_tag_first_column else slice1other_winner_1_0_choice;
-      if slice0winner1_tag_valid then
-        slice1other_cost_1_0 <= slice1other_cost_1_0_choice_2 when slice0winner1_tag_output_column else
-          slice0other_cost_out_1;
-        slice1other_winner_1_0 <= slice1other_winner_1_0_choice_2 when slice0winner1_tag_output_column else
-          slice0other_winner_out_1;
-      end if;
       -- slice1winner1
       slice1winner1_best_index_0_0_is_not_less := (slice1window_sum_0_0 - slice1window_sum_0_1) >= 0;
       slice1winner1_best_index_1_0_is_not_less := (slice1window_sum_1_0 - slice1window_sum_1_1) >= 0;
@@ -1948,65 +1728,24 @@ begin
       slice2window_sum_1_0 <= slice2window_partial_1_1_0 + slice2cost_column_1_0;
       slice2window_sum_1_1 <= slice2window_partial_1_1_1 + slice2cost_column_1_1;
       -- slice2other
-      slice2other_cost_0_0_all := (not slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_0_is_not_less := (slice1other_cost_out_0 - slice2window_sum_0_0) >= 0;
-      slice2other_cost_0_0_choice := slice2window_sum_0_0 when slice0winner2_tag_valid else slice2other_cost_0_0;
-      slice2other_cost_0_0_choice_2 := slice1other_cost_out_0 when slice0winner2_tag_valid else slice2other_cost_0_0;
-      slice2other_cost_0_0_choice_3 := slice2other_cost_0_0_choice when slice2other_cost_0_0_is_not_less else
-        slice2other_cost_0_0_choice_2;
-      slice2other_cost_0_0_choice_4 := slice2other_cost_0_0_choice when slice0winner2_tag_output_column else
-        slice2other_cost_0_0_choice_2;
-      slice2other_cost_1_0_is_not_less := (slice1other_cost_out_1 - slice2window_sum_1_0) >= 0;
-      slice2other_cost_1_0_choice := slice2window_sum_1_0 when slice0winner2_tag_valid else slice2other_cost_1_0;
-      slice2other_cost_1_0_choice_2 := slice1other_cost_out_1 when slice0winner2_tag_valid else slice2other_cost_1_0;
-      slice2other_cost_1_0_choice_3 := slice2other_cost_1_0_choice when slice2other_cost_1_0_is_not_less else
-        slice2other_cost_1_0_choice_2;
-      slice2other_cost_1_0_choice_4 := slice2other_cost_1_0_choice when slice0winner2_tag_output_column else
-        slice2other_cost_1_0_choice_2;
-      slice2other_winner_0_0_choice := 6 when slice2other_cost_0_0_is_not_less else slice1other_winner_out_0;
-      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_3 := 6 when slice0winner2_tag_valid else slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_4 := slice1other_winner_out_0 when slice0winner2_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_5 := slice2other_winner_0_0_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_0_0_choice_4;
-      slice2other_winner_0_1_choice := 7 when (slice2other_cost_0_0 - slice2window_sum_0_1) >= 0 else
-        slice2other_winner_0_0;
-      slice2other_winner_0_1_choice_2 := slice2other_winner_0_1_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_3 := 7 when slice0winner2_tag_valid else slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_4 := slice2other_winner_0_0 when slice0winner2_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_5 := slice2other_winner_0_1_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_0_1_choice_4;
-      slice2other_winner_1_1_choice := 7 when (slice2other_cost_1_0 - slice2window_sum_1_1) >= 0 else
-        slice2other_winner_1_0;
-      slice2other_winner_1_1_choice_2 := slice2other_winner_1_1_choice when slice0winner2_tag_valid else
-        slice2other_winner_1_1;
-      slice2other_winner_1_1_choice_3 := 7 when slice0winner2_tag_valid else slice2other_winner_1_1;
-      slice2other_winner_1_1_choice_4 := slice2other_winner_1_0 when slice0winner2_tag_valid else
-        slice2other_winner_1_1;
-      slice2other_winner_1_1_choice_5 := slice2other_winner_1_1_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_1_1_choice_4;
-      slice2other_cost_0_0 <= slice2other_cost_0_0_choice_3 when slice2other_cost_0_0_all else
-        slice2other_cost_0_0_choice_4;
-      slice2other_cost_1_0 <= slice2other_cost_1_0_choice_3 when slice2other_cost_0_0_all else
-        slice2other_cost_1_0_choice_4;
-      slice2other_winner_0_0 <= slice2other_winner_0_0_choice_2 when slice2other_cost_0_0_all else
-        slice2other_winner_0_0_choice_5;
-      slice2other_winner_0_1 <= slice2other_winner_0_1_choice_2 when slice2other_cost_0_0_all else
-        slice2other_winner_0_1_choice_5;
-      slice2other_winner_1_1 <= slice2other_winner_1_1_choice_2 when slice2other_cost_0_0_all else
-        slice2other_winner_1_1_choice_5;
+      slice2other_cost_0_0_any := (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
+      slice2other_cost_0_0_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_0 -
+        slice2window_sum_0_0) >= 0 else slice2other_cost_0_0_any;
+      slice2other_cost_1_0_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_1 -
+        slice2window_sum_1_0) >= 0 else slice2other_cost_0_0_any;
+      slice2other_winner_1_1_choice := not slice0winner2_tag_output_column when (slice2other_cost_1_0 -
+        slice2window_sum_1_1) >= 0 else slice2other_cost_0_0_any;
+      if slice0winner2_tag_valid then
+        slice2other_cost_0_0 <= slice1other_cost_out_0 when slice2other_cost_0_0_choice else slice2window_sum_0_0;
+        slice2other_cost_1_0 <= slice1other_cost_out_1 when slice2other_cost_1_0_choice else slice2window_sum_1_0;
+        slice2other_winner_0_0 <= slice1other_winner_out_0 when slice2other_cost_0_0_choice else 6;
+        slice2other_winner_0_1 <= slice2other_winner_0_0 when (not slice0winner2_tag_output_column) or ((not
+          slice0winner2_tag_first_column) and ((slice2other_cost_0_0 - slice2window_sum_0_1) < 0)) else 7;
+        slice2other_winner_1_0 <= slice1other_winner_out_1 when slice2other_cost_1_0_choice else 6;
+        slice2other_winner_1_1 <= slice2other_winner_1_0 when slice2other_winner_1_1_choice else 7;
+      end if;
       slice2other_winner_out_0 <= slice2other_winner_0_1;
       slice2other_winner_out_1 <= slice2other_winner_1_1;
-      slice2other_winner_1_0_choice := 6 when slice2other_cost_1_0_is_not_less else slice1other_winner_out_1;
-      slice2other_winner_1_0_choice_2 := 6 when slice0winner2_tag_output_column else slice1other_winner_out_1;
-      if slice0winner2_tag_valid then
-        slice2other_winner_1_0 <= slice2other_winner_1_0_choice when slice2other_cost_0_0_all else
-          slice2other_winner_1_0_choice_2;
-      end if;
       -- slice2winner1
       slice2winner1_best_below_0_0_is_less := (slice2window_sum_0_0 - slice2window_sum_0_1) < 0;
       slice2winner1_best_below_1_0_is_less := (slice2window_sum_1_0 - slice2window_sum_1_1) < 0;
@@ -2375,9 +2114,9 @@ begin
       refinement_divisor_6_1 <= refinement_divisor_5_1;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
       refinement_divisor_7_1 <= refinement_divisor_6_1;
-      refinement_quotient_8_0 <= ((((2048 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 1024) +
+      refinement_quotient_8_0 <= (((((2048 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 2048) +
         ((other_4 / 2) * 2);
-      refinement_quotient_8_1 <= ((((2048 - refinement_divisor_7_1) / 2) + refinement_remainder_7_1) / 1024) +
+      refinement_quotient_8_1 <= (((((2048 - refinement_divisor_7_1) / 2) + refinement_remainder_7_1) * 2) / 2048) +
         ((other_3 / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_0_1 <= refinement_divisor_0_1_is_less;

@@ -262,10 +262,10 @@ architecture rtl of stereo_core_tiny_all_p4 is
   signal slice0other_cost_out_0, slice0other_cost_out_1, slice0other_cost_out_2 : natural range 0 to 765;
   signal slice0other_cost_out_3 : natural range 0 to 765;
   signal slice0other_winner_0_0, slice0other_winner_0_1, slice0other_winner_0_2 : natural range 0 to 7;
-  signal slice0other_winner_1_0, slice0other_winner_1_1, slice0other_winner_1_2 : natural range 0 to 7;
-  signal slice0other_winner_2_0, slice0other_winner_2_1, slice0other_winner_3_0 : natural range 0 to 7;
-  signal slice0other_winner_3_1, slice0other_winner_out_0, slice0other_winner_out_1 : natural range 0 to 7;
-  signal slice0other_winner_out_2, slice0other_winner_out_3 : natural range 0 to 7;
+  signal slice0other_winner_1_0, slice0other_winner_1_1, slice0other_winner_2_0 : natural range 0 to 7;
+  signal slice0other_winner_2_1, slice0other_winner_3_0, slice0other_winner_3_1 : natural range 0 to 7;
+  signal slice0other_winner_out_0, slice0other_winner_out_1, slice0other_winner_out_2 : natural range 0 to 7;
+  signal slice0other_winner_out_3 : natural range 0 to 7;
   -- slice0winner1
   signal slice0winner1_held_0_0, slice0winner1_held_0_1, slice0winner1_held_0_2 : natural range 0 to 765;
   signal slice0winner1_held_1_0, slice0winner1_held_1_1, slice0winner1_held_1_2 : natural range 0 to 765;
@@ -769,11 +769,6 @@ architecture rtl of stereo_core_tiny_all_p4 is
   signal other_19, other_20, other_21, other_22 : natural range 0 to 224;
   signal other_23, other_24, other_25, other_26 : natural range 0 to 192;
   signal other_27, other_28, other_29, other_30 : natural range 0 to 128;
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(6 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(6 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(27 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
@@ -786,6 +781,11 @@ architecture rtl of stereo_core_tiny_all_p4 is
   signal leftright_found_1_memory_write_data : unsigned(2 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(59 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(6 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(6 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(27 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -797,46 +797,6 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
-
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned((rows_search_rows_write_words_1 mod 128), 7);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 7)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned((rows_search_rows_write_words_0 mod 268435456), 28);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 7);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 7)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  delay_delayed_0_memory_write_data <= ((((((to_unsigned(raster_features_reference_2, 14) & to_unsigned(0, 14)) or (to_unsigned(raster_features_reference_3, 7) & to_unsigned(0, 21)))) or (to_unsigned(raster_features_reference_0, 28)))) or (to_unsigned(raster_features_reference_1, 21) & to_unsigned(0, 7)));
-  delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   transform_left_rows_read_words_1_memory_write_data <= to_unsigned(transform_left_rows_write_words_1, 8);
   transform_left_rows_read_words_1_memory : entity work.line_memory
@@ -934,6 +894,46 @@ begin
       read_address => leftright_ring_read_address, read_data => leftright_held_0,
       write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned((rows_search_rows_write_words_1 mod 128), 7);
+  rows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 32, width => 7)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned((rows_search_rows_write_words_0 mod 268435456), 28);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 7);
+  rows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 32, width => 7)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= ((((((to_unsigned(raster_features_reference_2, 14) & to_unsigned(0, 14)) or (to_unsigned(raster_features_reference_3, 7) & to_unsigned(0, 21)))) or (to_unsigned(raster_features_reference_0, 28)))) or (to_unsigned(raster_features_reference_1, 21) & to_unsigned(0, 7)));
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
@@ -944,30 +944,28 @@ begin
     variable transform_right_filter_column_0_1_choice_3, transform_right_filter_column_0_2_choice_3 : boolean;
     variable transform_right_filter_column_0_3_choice_3, raster_place_group_is_equal : boolean;
     variable raster_place_group_is_equal_2, raster_place_group_all, raster_place_group_is_equal_3 : boolean;
-    variable raster_place_next_frame_choice, delay_row_inside_0_is_equal, delay_tag_first_cost_is_equal : boolean;
-    variable delay_tag_map_column_is_not_less, delay_tag_map_column_is_less, slice0cost_pair_0_0_is_less : boolean;
-    variable slice0cost_pair_0_1_is_less, slice0cost_pair_0_2_is_less, slice0cost_pair_1_0_is_less : boolean;
-    variable slice0cost_pair_1_1_is_less, slice0cost_pair_1_2_is_less, slice0cost_single_0_0_is_less : boolean;
-    variable slice0cost_single_0_1_is_less, slice0cost_single_0_2_is_less, slice0cost_single_5_0_is_less : boolean;
-    variable slice0cost_single_5_1_is_less, slice0cost_single_5_2_is_less, slice0other_cost_0_0_all : boolean;
-    variable slice0other_cost_0_0_is_not_less, slice0other_cost_0_0_all_2, slice0other_cost_0_1_is_not_less : boolean;
-    variable slice0other_cost_1_0_is_not_less, slice0other_cost_1_1_is_not_less : boolean;
-    variable slice0other_cost_2_0_is_not_less, slice0other_cost_2_1_is_not_less : boolean;
-    variable slice0other_cost_3_0_is_not_less, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_1_0_is_less, slice0winner1_best_cost_2_0_is_less : boolean;
-    variable slice0winner1_best_cost_3_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_1_0_is_less, slice0winner2_best_cost_2_0_is_less : boolean;
-    variable slice0winner2_best_cost_3_0_is_less, slice1cost_pair_0_0_is_less, slice1cost_pair_0_1_is_less : boolean;
-    variable slice1cost_pair_0_2_is_less, slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less : boolean;
-    variable slice1cost_pair_1_2_is_less, slice1cost_single_0_0_is_less, slice1cost_single_0_1_is_less : boolean;
-    variable slice1cost_single_0_2_is_less, slice1cost_single_5_0_is_less, slice1cost_single_5_1_is_less : boolean;
-    variable slice1cost_single_5_2_is_less, slice1other_cost_0_0_any, slice1other_cost_0_0_is_not_less : boolean;
-    variable slice1other_cost_0_1_is_not_less, slice1other_cost_0_2_is_not_less : boolean;
-    variable slice1other_cost_1_0_is_not_less, slice1other_cost_1_1_is_not_less : boolean;
-    variable slice1other_cost_1_2_is_not_less, slice1other_cost_2_0_is_not_less : boolean;
-    variable slice1other_cost_2_1_is_not_less, slice1other_cost_2_2_is_not_less : boolean;
-    variable slice1other_cost_3_0_is_not_less, slice1other_cost_3_1_is_not_less : boolean;
-    variable slice1other_cost_3_2_is_not_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable raster_place_next_frame_choice, delay_row_inside_0_is_equal, delay_row_inside_1_choice : boolean;
+    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable slice0cost_pair_0_0_is_less, slice0cost_pair_0_1_is_less, slice0cost_pair_0_2_is_less : boolean;
+    variable slice0cost_pair_1_0_is_less, slice0cost_pair_1_1_is_less, slice0cost_pair_1_2_is_less : boolean;
+    variable slice0cost_single_0_0_is_less, slice0cost_single_0_1_is_less, slice0cost_single_0_2_is_less : boolean;
+    variable slice0cost_single_5_0_is_less, slice0cost_single_5_1_is_less, slice0cost_single_5_2_is_less : boolean;
+    variable slice0other_cost_0_0_all, slice0other_cost_0_1_all, slice0other_cost_0_1_choice : boolean;
+    variable slice0other_cost_1_0_choice, slice0other_cost_1_1_choice, slice0other_cost_2_0_choice : boolean;
+    variable slice0other_cost_2_1_choice, slice0other_cost_3_0_choice, slice0other_cost_3_1_choice : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
+    variable slice0winner1_best_cost_2_0_is_less, slice0winner1_best_cost_3_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
+    variable slice0winner2_best_cost_2_0_is_less, slice0winner2_best_cost_3_0_is_less : boolean;
+    variable slice1cost_pair_0_0_is_less, slice1cost_pair_0_1_is_less, slice1cost_pair_0_2_is_less : boolean;
+    variable slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less, slice1cost_pair_1_2_is_less : boolean;
+    variable slice1cost_single_0_0_is_less, slice1cost_single_0_1_is_less, slice1cost_single_0_2_is_less : boolean;
+    variable slice1cost_single_5_0_is_less, slice1cost_single_5_1_is_less, slice1cost_single_5_2_is_less : boolean;
+    variable slice1other_cost_0_0_any, slice1other_cost_0_1_any, slice1other_cost_0_1_choice : boolean;
+    variable slice1other_cost_0_2_choice, slice1other_cost_1_0_choice, slice1other_cost_1_1_choice : boolean;
+    variable slice1other_cost_1_2_choice, slice1other_cost_2_0_choice, slice1other_cost_2_1_choice : boolean;
+    variable slice1other_cost_2_2_choice, slice1other_cost_3_0_choice, slice1other_cost_3_1_choice : boolean;
+    variable slice1other_cost_3_2_choice, slice1winner1_best_cost_0_0_is_less : boolean;
     variable slice1winner1_best_cost_1_0_is_less, slice1winner1_best_cost_2_0_is_less : boolean;
     variable slice1winner1_best_cost_3_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
     variable slice1winner2_best_cost_1_0_is_less, slice1winner2_best_cost_2_0_is_less : boolean;
@@ -978,8 +976,9 @@ begin
     variable slice1_best_above_3_0_is_equal, slice2cost_pair_0_0_is_less, slice2cost_pair_0_1_is_less : boolean;
     variable slice2cost_pair_1_0_is_less, slice2cost_pair_1_1_is_less, slice2cost_single_0_0_is_less : boolean;
     variable slice2cost_single_0_1_is_less, slice2cost_single_5_0_is_less, slice2cost_single_5_1_is_less : boolean;
-    variable slice2other_cost_0_1_all, slice2other_cost_0_1_is_not_less, slice2other_cost_0_1_all_2 : boolean;
-    variable slice2other_cost_1_1_is_not_less, slice2other_cost_2_1_is_not_less : boolean;
+    variable slice2other_cost_0_1_any, slice2other_cost_0_1_choice, slice2other_cost_1_1_choice : boolean;
+    variable slice2other_cost_2_1_choice, slice2other_cost_3_1_choice, slice2other_winner_1_0_choice : boolean;
+    variable slice2other_winner_2_0_choice, slice2other_winner_3_0_choice : boolean;
     variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
     variable slice2winner1_best_cost_2_0_is_less, slice2winner1_best_cost_3_0_is_less : boolean;
     variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, slice2_best_cost_2_0_is_less : boolean;
@@ -994,85 +993,9 @@ begin
     variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 7;
     variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
-    variable slice0other_winner_0_0_choice, slice0other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_0_0_choice_3, slice0other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_0_0_choice_5, slice0other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_0_1_choice, slice0other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_0_1_choice_3, slice0other_winner_0_1_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_0_1_choice_5, slice0other_winner_0_1_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_0_2_choice_3, slice0other_winner_0_2_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_1_0_choice, slice0other_winner_1_0_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_1_0_choice_3, slice0other_winner_1_0_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_1_0_choice_5, slice0other_winner_1_0_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_1_1_choice, slice0other_winner_1_1_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_1_1_choice_3, slice0other_winner_1_1_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_1_1_choice_5, slice0other_winner_1_1_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_2_0_choice, slice0other_winner_2_0_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_2_0_choice_3, slice0other_winner_2_0_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_2_0_choice_5, slice0other_winner_2_0_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_2_1_choice, slice0other_winner_2_1_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_2_1_choice_3, slice0other_winner_2_1_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_2_1_choice_5, slice0other_winner_2_1_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_3_0_choice, slice0other_winner_3_0_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_3_0_choice_3, slice0other_winner_3_0_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_3_0_choice_5, slice0other_winner_3_0_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_1_2_choice, slice0other_winner_1_2_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_3_1_choice, slice0other_winner_3_1_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice, slice1other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice_3, slice1other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice_5, slice1other_winner_0_1_choice : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_2, slice1other_winner_0_1_choice_3 : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_4, slice1other_winner_0_1_choice_5 : natural range 0 to 7;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_2_choice_3, slice1other_winner_0_2_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_0_2_choice_5, slice1other_winner_1_0_choice : natural range 0 to 7;
-    variable slice1other_winner_1_0_choice_2, slice1other_winner_1_0_choice_3 : natural range 0 to 7;
-    variable slice1other_winner_1_0_choice_4, slice1other_winner_1_0_choice_5 : natural range 0 to 7;
-    variable slice1other_winner_1_1_choice, slice1other_winner_1_1_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_1_1_choice_3, slice1other_winner_1_1_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_1_1_choice_5, slice1other_winner_1_2_choice : natural range 0 to 7;
-    variable slice1other_winner_1_2_choice_2, slice1other_winner_1_2_choice_3 : natural range 0 to 7;
-    variable slice1other_winner_1_2_choice_4, slice1other_winner_1_2_choice_5 : natural range 0 to 7;
-    variable slice1other_winner_2_0_choice, slice1other_winner_2_0_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_2_0_choice_3, slice1other_winner_2_0_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_2_0_choice_5, slice1other_winner_2_1_choice : natural range 0 to 7;
-    variable slice1other_winner_2_1_choice_2, slice1other_winner_2_1_choice_3 : natural range 0 to 7;
-    variable slice1other_winner_2_1_choice_4, slice1other_winner_2_1_choice_5 : natural range 0 to 7;
-    variable slice1other_winner_2_2_choice, slice1other_winner_2_2_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_2_2_choice_3, slice1other_winner_2_2_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_2_2_choice_5, slice1other_winner_3_0_choice : natural range 0 to 7;
-    variable slice1other_winner_3_0_choice_2, slice1other_winner_3_0_choice_3 : natural range 0 to 7;
-    variable slice1other_winner_3_0_choice_4, slice1other_winner_3_0_choice_5 : natural range 0 to 7;
-    variable slice1other_winner_3_1_choice, slice1other_winner_3_1_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_3_1_choice_3, slice1other_winner_3_1_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_3_1_choice_5, slice1other_winner_3_2_choice : natural range 0 to 7;
-    variable slice1other_winner_3_2_choice_2, slice2other_winner_0_0_choice : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice_2, slice2other_winner_0_0_choice_3 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice_4, slice2other_winner_0_0_choice_5 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice_6, slice2other_winner_0_1_choice : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice_2, slice2other_winner_0_1_choice_3 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice_4, slice2other_winner_0_1_choice_5 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice_6, slice2other_winner_1_0_choice : natural range 0 to 7;
-    variable slice2other_winner_1_0_choice_2, slice2other_winner_1_0_choice_3 : natural range 0 to 7;
-    variable slice2other_winner_1_0_choice_4, slice2other_winner_1_0_choice_5 : natural range 0 to 7;
-    variable slice2other_winner_1_0_choice_6, slice2other_winner_1_1_choice : natural range 0 to 7;
-    variable slice2other_winner_1_1_choice_2, slice2other_winner_1_1_choice_3 : natural range 0 to 7;
-    variable slice2other_winner_1_1_choice_4, slice2other_winner_1_1_choice_5 : natural range 0 to 7;
-    variable slice2other_winner_1_1_choice_6, slice2other_winner_2_0_choice : natural range 0 to 7;
-    variable slice2other_winner_2_0_choice_2, slice2other_winner_2_0_choice_3 : natural range 0 to 7;
-    variable slice2other_winner_2_0_choice_4, slice2other_winner_2_0_choice_5 : natural range 0 to 7;
-    variable slice2other_winner_2_0_choice_6, slice2other_winner_2_1_choice : natural range 0 to 7;
-    variable slice2other_winner_2_1_choice_2, slice2other_winner_2_1_choice_3 : natural range 0 to 7;
-    variable slice2other_winner_2_1_choice_4, slice2other_winner_2_1_choice_5 : natural range 0 to 7;
-    variable slice2other_winner_2_1_choice_6, slice2other_winner_3_0_choice : natural range 0 to 7;
-    variable slice2other_winner_3_0_choice_2, slice2other_winner_3_0_choice_3 : natural range 0 to 7;
-    variable slice2other_winner_3_0_choice_4, slice2other_winner_3_0_choice_5 : natural range 0 to 7;
-    variable slice2other_winner_3_0_choice_6, slice2other_winner_3_1_choice : natural range 0 to 7;
-    variable slice2other_winner_3_1_choice_2, refinement_fraction_0_choice_2 : natural range 0 to 7;
-    variable refinement_fraction_1_choice_2, refinement_fraction_2_choice_2 : natural range 0 to 7;
-    variable refinement_fraction_3_choice_2, map_counter_group_choice_2 : natural range 0 to 7;
-    variable map_counter_group_choice_3 : natural range 0 to 7;
+    variable refinement_fraction_0_choice_2, refinement_fraction_1_choice_2 : natural range 0 to 7;
+    variable refinement_fraction_2_choice_2, refinement_fraction_3_choice_2 : natural range 0 to 7;
+    variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 7;
     variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
     variable transform_left_filter_feature_1_choice, transform_left_filter_feature_1_choice_2 : natural range 0 to 255;
     variable transform_left_filter_feature_2_choice, transform_left_filter_feature_2_choice_2 : natural range 0 to 255;
@@ -1122,79 +1045,14 @@ begin
     variable transform_left_filter_feature_3_choice_2 : natural range 0 to 65535;
     variable transform_right_filter_feature_0_choice : natural range 0 to 65535;
     variable transform_right_filter_feature_0_choice_2 : natural range 0 to 65535;
-    variable slice0other_cost_0_0_choice, slice0other_cost_0_0_choice_2 : natural range 0 to 765;
-    variable slice0other_cost_0_0_choice_3, slice0other_cost_0_0_choice_4 : natural range 0 to 765;
-    variable slice0other_cost_0_0_choice_5, slice0other_cost_0_0_choice_6 : natural range 0 to 765;
-    variable slice0other_cost_0_1_choice, slice0other_cost_0_1_choice_2 : natural range 0 to 765;
-    variable slice0other_cost_0_1_choice_3, slice0other_cost_0_1_choice_4 : natural range 0 to 765;
-    variable slice0other_cost_0_1_choice_5, slice0other_cost_0_2_choice : natural range 0 to 765;
-    variable slice0other_cost_0_2_choice_2, slice0other_cost_0_2_choice_3 : natural range 0 to 765;
-    variable slice0other_cost_0_2_choice_4, slice0other_cost_1_0_choice : natural range 0 to 765;
-    variable slice0other_cost_1_0_choice_2, slice0other_cost_1_0_choice_3 : natural range 0 to 765;
-    variable slice0other_cost_1_0_choice_4, slice0other_cost_1_0_choice_5 : natural range 0 to 765;
-    variable slice0other_cost_1_0_choice_6, slice0other_cost_1_1_choice : natural range 0 to 765;
-    variable slice0other_cost_1_1_choice_2, slice0other_cost_1_1_choice_3 : natural range 0 to 765;
-    variable slice0other_cost_1_1_choice_4, slice0other_cost_1_1_choice_5 : natural range 0 to 765;
-    variable slice0other_cost_1_2_choice, slice0other_cost_1_2_choice_2 : natural range 0 to 765;
-    variable slice0other_cost_1_2_choice_3, slice0other_cost_1_2_choice_4 : natural range 0 to 765;
-    variable slice0other_cost_2_0_choice, slice0other_cost_2_0_choice_2 : natural range 0 to 765;
-    variable slice0other_cost_2_0_choice_3, slice0other_cost_2_0_choice_4 : natural range 0 to 765;
-    variable slice0other_cost_2_0_choice_5, slice0other_cost_2_0_choice_6 : natural range 0 to 765;
-    variable slice0other_cost_2_1_choice, slice0other_cost_2_1_choice_2 : natural range 0 to 765;
-    variable slice0other_cost_2_1_choice_3, slice0other_cost_2_1_choice_4 : natural range 0 to 765;
-    variable slice0other_cost_2_1_choice_5, slice0other_cost_2_2_choice : natural range 0 to 765;
-    variable slice0other_cost_2_2_choice_2, slice0other_cost_2_2_choice_3 : natural range 0 to 765;
-    variable slice0other_cost_2_2_choice_4, slice0other_cost_3_0_choice : natural range 0 to 765;
-    variable slice0other_cost_3_0_choice_2, slice0other_cost_3_0_choice_3 : natural range 0 to 765;
-    variable slice0other_cost_3_0_choice_4, slice0other_cost_3_0_choice_5 : natural range 0 to 765;
-    variable slice0other_cost_3_0_choice_6, slice0other_cost_3_1_choice : natural range 0 to 765;
-    variable slice0other_cost_3_1_choice_2, slice0other_cost_3_1_choice_3 : natural range 0 to 765;
-    variable slice0other_cost_3_1_choice_4, slice0other_cost_3_2_choice : natural range 0 to 765;
-    variable slice0other_cost_3_2_choice_2, slice0winner2_best_above_0_0_choice : natural range 0 to 765;
-    variable slice0winner2_best_above_1_0_choice, slice0winner2_best_above_2_0_choice : natural range 0 to 765;
-    variable slice0winner2_best_above_3_0_choice, slice1other_cost_0_0_choice : natural range 0 to 765;
-    variable slice1other_cost_0_0_choice_2, slice1other_cost_0_0_choice_3 : natural range 0 to 765;
-    variable slice1other_cost_0_0_choice_4, slice1other_cost_0_0_choice_5 : natural range 0 to 765;
-    variable slice1other_cost_0_1_choice, slice1other_cost_0_1_choice_2 : natural range 0 to 765;
-    variable slice1other_cost_0_1_choice_3, slice1other_cost_0_1_choice_4 : natural range 0 to 765;
-    variable slice1other_cost_0_1_choice_5, slice1other_cost_0_2_choice : natural range 0 to 765;
-    variable slice1other_cost_0_2_choice_2, slice1other_cost_0_2_choice_3 : natural range 0 to 765;
-    variable slice1other_cost_0_2_choice_4, slice1other_cost_1_0_choice : natural range 0 to 765;
-    variable slice1other_cost_1_0_choice_2, slice1other_cost_1_0_choice_3 : natural range 0 to 765;
-    variable slice1other_cost_1_0_choice_4, slice1other_cost_1_0_choice_5 : natural range 0 to 765;
-    variable slice1other_cost_1_1_choice, slice1other_cost_1_1_choice_2 : natural range 0 to 765;
-    variable slice1other_cost_1_1_choice_3, slice1other_cost_1_1_choice_4 : natural range 0 to 765;
-    variable slice1other_cost_1_1_choice_5, slice1other_cost_1_2_choice : natural range 0 to 765;
-    variable slice1other_cost_1_2_choice_2, slice1other_cost_1_2_choice_3 : natural range 0 to 765;
-    variable slice1other_cost_1_2_choice_4, slice1other_cost_2_0_choice : natural range 0 to 765;
-    variable slice1other_cost_2_0_choice_2, slice1other_cost_2_0_choice_3 : natural range 0 to 765;
-    variable slice1other_cost_2_0_choice_4, slice1other_cost_2_0_choice_5 : natural range 0 to 765;
-    variable slice1other_cost_2_1_choice, slice1other_cost_2_1_choice_2 : natural range 0 to 765;
-    variable slice1other_cost_2_1_choice_3, slice1other_cost_2_1_choice_4 : natural range 0 to 765;
-    variable slice1other_cost_2_1_choice_5, slice1other_cost_2_2_choice : natural range 0 to 765;
-    variable slice1other_cost_2_2_choice_2, slice1other_cost_2_2_choice_3 : natural range 0 to 765;
-    variable slice1other_cost_2_2_choice_4, slice1other_cost_3_0_choice : natural range 0 to 765;
-    variable slice1other_cost_3_0_choice_2, slice1other_cost_3_0_choice_3 : natural range 0 to 765;
-    variable slice1other_cost_3_0_choice_4, slice1other_cost_3_0_choice_5 : natural range 0 to 765;
-    variable slice1other_cost_3_1_choice, slice1other_cost_3_1_choice_2 : natural range 0 to 765;
-    variable slice1other_cost_3_1_choice_3, slice1other_cost_3_1_choice_4 : natural range 0 to 765;
-    variable slice1other_cost_3_1_choice_5, slice1other_cost_3_2_choice : natural range 0 to 765;
-    variable slice1other_cost_3_2_choice_2, slice1winner2_best_above_0_0_choice : natural range 0 to 765;
-    variable slice1winner2_best_above_1_0_choice, slice1winner2_best_above_2_0_choice : natural range 0 to 765;
-    variable slice1winner2_best_above_3_0_choice, slice1_best_below_0_0_choice : natural range 0 to 765;
-    variable slice1_best_below_1_0_choice, slice1_best_below_2_0_choice : natural range 0 to 765;
-    variable slice1_best_below_3_0_choice, slice1_best_above_0_0_choice : natural range 0 to 765;
-    variable slice1_best_above_1_0_choice, slice1_best_above_2_0_choice : natural range 0 to 765;
-    variable slice1_best_above_3_0_choice, slice2other_cost_0_1_choice : natural range 0 to 765;
-    variable slice2other_cost_0_1_choice_2, slice2other_cost_0_1_choice_3 : natural range 0 to 765;
-    variable slice2other_cost_0_1_choice_4, slice2other_cost_0_1_choice_5 : natural range 0 to 765;
-    variable slice2other_cost_1_1_choice, slice2other_cost_1_1_choice_2 : natural range 0 to 765;
-    variable slice2other_cost_1_1_choice_3, slice2other_cost_1_1_choice_4 : natural range 0 to 765;
-    variable slice2other_cost_1_1_choice_5, slice2other_cost_2_1_choice : natural range 0 to 765;
-    variable slice2other_cost_2_1_choice_2, slice2other_cost_2_1_choice_3 : natural range 0 to 765;
-    variable slice2other_cost_2_1_choice_4, slice2other_cost_2_1_choice_5 : natural range 0 to 765;
-    variable slice2other_cost_3_1_choice, slice2other_cost_3_1_choice_2 : natural range 0 to 765;
-    variable slice2other_cost_3_1_choice_3, slice2other_cost_3_1_choice_4 : natural range 0 to 765;
+    variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_1_0_choice : natural range 0 to 765;
+    variable slice0winner2_best_above_2_0_choice, slice0winner2_best_above_3_0_choice : natural range 0 to 765;
+    variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_1_0_choice : natural range 0 to 765;
+    variable slice1winner2_best_above_2_0_choice, slice1winner2_best_above_3_0_choice : natural range 0 to 765;
+    variable slice1_best_below_0_0_choice, slice1_best_below_1_0_choice : natural range 0 to 765;
+    variable slice1_best_below_2_0_choice, slice1_best_below_3_0_choice : natural range 0 to 765;
+    variable slice1_best_above_0_0_choice, slice1_best_above_1_0_choice : natural range 0 to 765;
+    variable slice1_best_above_2_0_choice, slice1_best_above_3_0_choice : natural range 0 to 765;
     variable slice2_best_below_0_0_choice, slice2_best_below_1_0_choice : natural range 0 to 765;
     variable slice2_best_below_2_0_choice, slice2_best_below_3_0_choice : natural range 0 to 765;
     variable slice2_best_above_0_0_choice, slice2_best_above_1_0_choice : natural range 0 to 765;
@@ -1587,6 +1445,8 @@ begin
         delay_ring_write_address <= delay_ring_read_address;
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
+      delay_row_inside_1_choice := not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
+        delay_row_inside_0_is_equal;
       delay_tag_first_cost_is_equal := raster_place_column = 7;
       delay_tag_map_column_is_not_less := raster_place_column >= 7;
       delay_tag_map_column_is_less := raster_place_column < 31;
@@ -1597,8 +1457,7 @@ begin
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else ((raster_place_group /
         4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
-      delay_row_inside_1 <= not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_is_equal;
+      delay_row_inside_1 <= delay_row_inside_1_choice;
       delay_row_inside_5 <= (raster_place_group / 2) = 0 when (raster_place_group mod 2) = 1 else not
         ((raster_place_group / 4) = 1);
       delay_tag_valid <= raster_features_valid;
@@ -1606,8 +1465,8 @@ begin
         (raster_place_column / 8) = 0;
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 4) and
-        delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
+        delay_row_inside_1_choice;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -1938,219 +1797,51 @@ begin
       slice0window_sum_3_2 <= slice0window_partial_3_1_2 + slice0cost_column_3_2;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_map_column <= slice0window_centre_map_column_0;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_first_column <= slice0window_centre_first_column_0;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
-      if slice0window_tag_valid then
-        slice0window_tag_output_column <= slice1cost_tag_output_column;
-        slice0window_tag_first_column <= slice1cost_tag_first_cost;
-      end if;
       -- slice0other
-      slice0other_cost_0_0_all := ((slice0other_cost_3_2 - slice0window_sum_3_1) < 0) and (not
-        slice2cost_tag_first_cost) and slice2cost_tag_output_column;
-      slice0other_cost_0_0_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_0) >= 0;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0other_cost_0_0_is_not_less else
-        slice0other_cost_0_1;
-      slice0other_cost_0_0_choice_2 := slice0other_cost_0_0_choice when slice0window_tag_valid else
-        slice0other_cost_0_0;
-      slice0other_cost_0_0_all_2 := ((slice0other_cost_3_2 - slice0window_sum_3_1) >= 0) and (not
-        slice2cost_tag_first_cost) and slice2cost_tag_output_column;
-      slice0other_cost_0_0_choice_3 := slice0window_sum_0_0 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_5 := slice0other_cost_0_0_choice_3 when slice2cost_tag_output_column else
-        slice0other_cost_0_0_choice_4;
-      slice0other_cost_0_0_choice_6 := slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_0_choice_5;
-      slice0other_cost_0_1_is_not_less := (slice0other_cost_0_2 - slice0window_sum_0_1) >= 0;
-      slice0other_cost_0_1_choice := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_2 := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice when slice0other_cost_0_1_is_not_less else
-        slice0other_cost_0_1_choice_2;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice when slice2cost_tag_output_column else
-        slice0other_cost_0_1_choice_2;
-      slice0other_cost_0_1_choice_5 := slice0other_cost_0_1_choice_3 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_1_choice_4;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_2 := 0 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_3 := slice0other_cost_0_2_choice when slice2cost_tag_output_column else
-        slice0other_cost_0_2_choice_2;
-      slice0other_cost_0_2_choice_4 := slice0other_cost_0_2_choice when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_2_choice_3;
-      slice0other_cost_1_0_is_not_less := (slice0other_cost_1_1 - slice0window_sum_1_0) >= 0;
-      slice0other_cost_1_0_choice := slice0window_sum_1_0 when slice0other_cost_1_0_is_not_less else
-        slice0other_cost_1_1;
-      slice0other_cost_1_0_choice_2 := slice0other_cost_1_0_choice when slice0window_tag_valid else
-        slice0other_cost_1_0;
-      slice0other_cost_1_0_choice_3 := slice0window_sum_1_0 when slice0window_tag_valid else slice0other_cost_1_0;
-      slice0other_cost_1_0_choice_4 := slice0other_cost_1_1 when slice0window_tag_valid else slice0other_cost_1_0;
-      slice0other_cost_1_0_choice_5 := slice0other_cost_1_0_choice_3 when slice2cost_tag_output_column else
-        slice0other_cost_1_0_choice_4;
-      slice0other_cost_1_0_choice_6 := slice0other_cost_1_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_1_0_choice_5;
-      slice0other_cost_1_1_is_not_less := (slice0other_cost_1_2 - slice0window_sum_1_1) >= 0;
-      slice0other_cost_1_1_choice := slice0window_sum_1_1 when slice0window_tag_valid else slice0other_cost_1_1;
-      slice0other_cost_1_1_choice_2 := slice0other_cost_1_2 when slice0window_tag_valid else slice0other_cost_1_1;
-      slice0other_cost_1_1_choice_3 := slice0other_cost_1_1_choice when slice0other_cost_1_1_is_not_less else
-        slice0other_cost_1_1_choice_2;
-      slice0other_cost_1_1_choice_4 := slice0other_cost_1_1_choice when slice2cost_tag_output_column else
-        slice0other_cost_1_1_choice_2;
-      slice0other_cost_1_1_choice_5 := slice0other_cost_1_1_choice_3 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_1_1_choice_4;
-      slice0other_cost_1_2_choice := slice0window_sum_1_2 when slice0window_tag_valid else slice0other_cost_1_2;
-      slice0other_cost_1_2_choice_2 := 0 when slice0window_tag_valid else slice0other_cost_1_2;
-      slice0other_cost_1_2_choice_3 := slice0other_cost_1_2_choice when slice2cost_tag_output_column else
-        slice0other_cost_1_2_choice_2;
-      slice0other_cost_1_2_choice_4 := slice0other_cost_1_2_choice when slice0other_cost_0_0_all_2 else
-        slice0other_cost_1_2_choice_3;
-      slice0other_cost_2_0_is_not_less := (slice0other_cost_2_1 - slice0window_sum_2_0) >= 0;
-      slice0other_cost_2_0_choice := slice0window_sum_2_0 when slice0other_cost_2_0_is_not_less else
-        slice0other_cost_2_1;
-      slice0other_cost_2_0_choice_2 := slice0other_cost_2_0_choice when slice0window_tag_valid else
-        slice0other_cost_2_0;
-      slice0other_cost_2_0_choice_3 := slice0window_sum_2_0 when slice0window_tag_valid else slice0other_cost_2_0;
-      slice0other_cost_2_0_choice_4 := slice0other_cost_2_1 when slice0window_tag_valid else slice0other_cost_2_0;
-      slice0other_cost_2_0_choice_5 := slice0other_cost_2_0_choice_3 when slice2cost_tag_output_column else
-        slice0other_cost_2_0_choice_4;
-      slice0other_cost_2_0_choice_6 := slice0other_cost_2_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_2_0_choice_5;
-      slice0other_cost_2_1_is_not_less := (slice0other_cost_2_2 - slice0window_sum_2_1) >= 0;
-      slice0other_cost_2_1_choice := slice0window_sum_2_1 when slice0window_tag_valid else slice0other_cost_2_1;
-      slice0other_cost_2_1_choice_2 := slice0other_cost_2_2 when slice0window_tag_valid else slice0other_cost_2_1;
-      slice0other_cost_2_1_choice_3 := slice0other_cost_2_1_choice when slice0other_cost_2_1_is_not_less else
-        slice0other_cost_2_1_choice_2;
-      slice0other_cost_2_1_choice_4 := slice0other_cost_2_1_choice when slice2cost_tag_output_column else
-        slice0other_cost_2_1_choice_2;
-      slice0other_cost_2_1_choice_5 := slice0other_cost_2_1_choice_3 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_2_1_choice_4;
-      slice0other_cost_2_2_choice := slice0window_sum_2_2 when slice0window_tag_valid else slice0other_cost_2_2;
-      slice0other_cost_2_2_choice_2 := 0 when slice0window_tag_valid else slice0other_cost_2_2;
-      slice0other_cost_2_2_choice_3 := slice0other_cost_2_2_choice when slice2cost_tag_output_column else
-        slice0other_cost_2_2_choice_2;
-      slice0other_cost_2_2_choice_4 := slice0other_cost_2_2_choice when slice0other_cost_0_0_all_2 else
-        slice0other_cost_2_2_choice_3;
-      slice0other_cost_3_0_is_not_less := (slice0other_cost_3_1 - slice0window_sum_3_0) >= 0;
-      slice0other_cost_3_0_choice := slice0window_sum_3_0 when slice0other_cost_3_0_is_not_less else
-        slice0other_cost_3_1;
-      slice0other_cost_3_0_choice_2 := slice0other_cost_3_0_choice when slice0window_tag_valid else
-        slice0other_cost_3_0;
-      slice0other_cost_3_0_choice_3 := slice0window_sum_3_0 when slice0window_tag_valid else slice0other_cost_3_0;
-      slice0other_cost_3_0_choice_4 := slice0other_cost_3_1 when slice0window_tag_valid else slice0other_cost_3_0;
-      slice0other_cost_3_0_choice_5 := slice0other_cost_3_0_choice_3 when slice2cost_tag_output_column else
-        slice0other_cost_3_0_choice_4;
-      slice0other_cost_3_0_choice_6 := slice0other_cost_3_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_3_0_choice_5;
-      slice0other_cost_3_1_choice := slice0other_cost_3_2 when slice0window_tag_valid else slice0other_cost_3_1;
-      slice0other_cost_3_1_choice_2 := slice0window_sum_3_1 when slice0window_tag_valid else slice0other_cost_3_1;
-      slice0other_cost_3_1_choice_3 := slice0other_cost_3_1_choice_2 when slice2cost_tag_output_column else
-        slice0other_cost_3_1_choice;
-      slice0other_cost_3_1_choice_4 := slice0other_cost_3_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_3_1_choice_3;
-      slice0other_winner_0_0_choice := 5 when slice0other_cost_0_0_is_not_less else slice0other_winner_0_1;
-      slice0other_winner_0_0_choice_2 := slice0other_winner_0_0_choice when slice0window_tag_valid else
-        slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_4 := slice0other_winner_0_1 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_5 := slice0other_winner_0_0_choice_3 when slice2cost_tag_output_column else
-        slice0other_winner_0_0_choice_4;
-      slice0other_winner_0_0_choice_6 := slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_0_choice_5;
-      slice0other_winner_0_1_choice := 6 when slice0other_cost_0_1_is_not_less else slice0other_winner_0_2;
-      slice0other_winner_0_1_choice_2 := slice0other_winner_0_1_choice when slice0window_tag_valid else
-        slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_3 := 6 when slice0window_tag_valid else slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_4 := slice0other_winner_0_2 when slice0window_tag_valid else slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_5 := slice0other_winner_0_1_choice_3 when slice2cost_tag_output_column else
-        slice0other_winner_0_1_choice_4;
-      slice0other_winner_0_1_choice_6 := slice0other_winner_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_1_choice_5;
-      slice0other_winner_0_2_choice := 7 when slice0window_tag_valid else slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_2 := 0 when slice0window_tag_valid else slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_3 := slice0other_winner_0_2_choice when slice2cost_tag_output_column else
-        slice0other_winner_0_2_choice_2;
-      slice0other_winner_0_2_choice_4 := slice0other_winner_0_2_choice when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_2_choice_3;
-      slice0other_winner_1_0_choice := 5 when slice0other_cost_1_0_is_not_less else slice0other_winner_1_1;
-      slice0other_winner_1_0_choice_2 := slice0other_winner_1_0_choice when slice0window_tag_valid else
-        slice0other_winner_1_0;
-      slice0other_winner_1_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_1_0;
-      slice0other_winner_1_0_choice_4 := slice0other_winner_1_1 when slice0window_tag_valid else slice0other_winner_1_0;
-      slice0other_winner_1_0_choice_5 := slice0other_winner_1_0_choice_3 when slice2cost_tag_output_column else
-        slice0other_winner_1_0_choice_4;
-      slice0other_winner_1_0_choice_6 := slice0other_winner_1_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_1_0_choice_5;
-      slice0other_winner_1_1_choice := 6 when slice0other_cost_1_1_is_not_less else slice0other_winner_0_2;
-      slice0other_winner_1_1_choice_2 := slice0other_winner_1_1_choice when slice0window_tag_valid else
-        slice0other_winner_1_1;
-      slice0other_winner_1_1_choice_3 := 6 when slice0window_tag_valid else slice0other_winner_1_1;
-      slice0other_winner_1_1_choice_4 := slice0other_winner_0_2 when slice0window_tag_valid else slice0other_winner_1_1;
-      slice0other_winner_1_1_choice_5 := slice0other_winner_1_1_choice_3 when slice2cost_tag_output_column else
-        slice0other_winner_1_1_choice_4;
-      slice0other_winner_1_1_choice_6 := slice0other_winner_1_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_1_1_choice_5;
-      slice0other_winner_2_0_choice := 5 when slice0other_cost_2_0_is_not_less else slice0other_winner_2_1;
-      slice0other_winner_2_0_choice_2 := slice0other_winner_2_0_choice when slice0window_tag_valid else
-        slice0other_winner_2_0;
-      slice0other_winner_2_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_2_0;
-      slice0other_winner_2_0_choice_4 := slice0other_winner_2_1 when slice0window_tag_valid else slice0other_winner_2_0;
-      slice0other_winner_2_0_choice_5 := slice0other_winner_2_0_choice_3 when slice2cost_tag_output_column else
-        slice0other_winner_2_0_choice_4;
-      slice0other_winner_2_0_choice_6 := slice0other_winner_2_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_2_0_choice_5;
-      slice0other_winner_2_1_choice := 6 when slice0other_cost_2_1_is_not_less else slice0other_winner_0_2;
-      slice0other_winner_2_1_choice_2 := slice0other_winner_2_1_choice when slice0window_tag_valid else
-        slice0other_winner_2_1;
-      slice0other_winner_2_1_choice_3 := 6 when slice0window_tag_valid else slice0other_winner_2_1;
-      slice0other_winner_2_1_choice_4 := slice0other_winner_0_2 when slice0window_tag_valid else slice0other_winner_2_1;
-      slice0other_winner_2_1_choice_5 := slice0other_winner_2_1_choice_3 when slice2cost_tag_output_column else
-        slice0other_winner_2_1_choice_4;
-      slice0other_winner_2_1_choice_6 := slice0other_winner_2_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_2_1_choice_5;
-      slice0other_winner_3_0_choice := 5 when slice0other_cost_3_0_is_not_less else slice0other_winner_3_1;
-      slice0other_winner_3_0_choice_2 := slice0other_winner_3_0_choice when slice0window_tag_valid else
-        slice0other_winner_3_0;
-      slice0other_winner_3_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_3_0;
-      slice0other_winner_3_0_choice_4 := slice0other_winner_3_1 when slice0window_tag_valid else slice0other_winner_3_0;
-      slice0other_winner_3_0_choice_5 := slice0other_winner_3_0_choice_3 when slice2cost_tag_output_column else
-        slice0other_winner_3_0_choice_4;
-      slice0other_winner_3_0_choice_6 := slice0other_winner_3_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_3_0_choice_5;
-      slice0other_cost_0_0 <= slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_0_choice_6;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice_3 when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_5;
-      slice0other_cost_0_2 <= slice0other_cost_0_2_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_2_choice_4;
-      slice0other_cost_1_0 <= slice0other_cost_1_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_1_0_choice_6;
-      slice0other_cost_1_1 <= slice0other_cost_1_1_choice_3 when slice0other_cost_0_0_all else
-        slice0other_cost_1_1_choice_5;
-      slice0other_cost_1_2 <= slice0other_cost_1_2_choice when slice0other_cost_0_0_all else
-        slice0other_cost_1_2_choice_4;
-      slice0other_cost_2_0 <= slice0other_cost_2_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_2_0_choice_6;
-      slice0other_cost_2_1 <= slice0other_cost_2_1_choice_3 when slice0other_cost_0_0_all else
-        slice0other_cost_2_1_choice_5;
-      slice0other_cost_2_2 <= slice0other_cost_2_2_choice when slice0other_cost_0_0_all else
-        slice0other_cost_2_2_choice_4;
-      slice0other_cost_3_0 <= slice0other_cost_3_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_3_0_choice_6;
-      slice0other_cost_3_1 <= slice0other_cost_3_1_choice when slice0other_cost_0_0_all else
-        slice0other_cost_3_1_choice_4;
-      slice0other_winner_0_0 <= slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_0_choice_6;
-      slice0other_winner_0_1 <= slice0other_winner_0_1_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_1_choice_6;
-      slice0other_winner_0_2 <= slice0other_winner_0_2_choice when slice0other_cost_0_0_all else
-        slice0other_winner_0_2_choice_4;
-      slice0other_winner_1_0 <= slice0other_winner_1_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_1_0_choice_6;
-      slice0other_winner_1_1 <= slice0other_winner_1_1_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_1_1_choice_6;
-      slice0other_winner_2_0 <= slice0other_winner_2_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_2_0_choice_6;
-      slice0other_winner_2_1 <= slice0other_winner_2_1_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_2_1_choice_6;
-      slice0other_winner_3_0 <= slice0other_winner_3_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_3_0_choice_6;
+      slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
+        0) or slice0window_tag_first_column);
+      slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
+      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_1_0_choice := slice0window_tag_output_column when (slice0other_cost_1_1 - slice0window_sum_1_0)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_1_1_choice := slice0window_tag_output_column when (slice0other_cost_1_2 - slice0window_sum_1_1)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_2_0_choice := slice0window_tag_output_column when (slice0other_cost_2_1 - slice0window_sum_2_0)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_2_1_choice := slice0window_tag_output_column when (slice0other_cost_2_2 - slice0window_sum_2_1)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_3_0_choice := slice0window_tag_output_column when (slice0other_cost_3_1 - slice0window_sum_3_0)
+        >= 0 else slice0other_cost_0_1_all;
+      slice0other_cost_3_1_choice := slice0window_tag_output_column when (slice0other_cost_3_2 - slice0window_sum_3_1)
+        >= 0 else slice0other_cost_0_1_all;
+      if slice0window_tag_valid then
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_output_column else 0;
+        slice0other_cost_1_0 <= slice0window_sum_1_0 when slice0other_cost_1_0_choice else slice0other_cost_1_1;
+        slice0other_cost_1_1 <= slice0window_sum_1_1 when slice0other_cost_1_1_choice else slice0other_cost_1_2;
+        slice0other_cost_1_2 <= slice0window_sum_1_2 when slice0window_tag_output_column else 0;
+        slice0other_cost_2_0 <= slice0window_sum_2_0 when slice0other_cost_2_0_choice else slice0other_cost_2_1;
+        slice0other_cost_2_1 <= slice0window_sum_2_1 when slice0other_cost_2_1_choice else slice0other_cost_2_2;
+        slice0other_cost_2_2 <= slice0window_sum_2_2 when slice0window_tag_output_column else 0;
+        slice0other_cost_3_0 <= slice0window_sum_3_0 when slice0other_cost_3_0_choice else slice0other_cost_3_1;
+        slice0other_cost_3_1 <= slice0window_sum_3_1 when slice0other_cost_3_1_choice else slice0other_cost_3_2;
+        slice0other_cost_3_2 <= slice0window_sum_3_2 when slice0window_tag_output_column else 0;
+        slice0other_winner_0_0 <= 5 when slice0other_cost_0_0_all else slice0other_winner_0_1;
+        slice0other_winner_0_1 <= 6 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
+        slice0other_winner_0_2 <= 7 when slice0window_tag_output_column else 0;
+        slice0other_winner_1_0 <= 5 when slice0other_cost_1_0_choice else slice0other_winner_1_1;
+        slice0other_winner_1_1 <= 6 when slice0other_cost_1_1_choice else slice0other_winner_0_2;
+        slice0other_winner_2_0 <= 5 when slice0other_cost_2_0_choice else slice0other_winner_2_1;
+        slice0other_winner_2_1 <= 6 when slice0other_cost_2_1_choice else slice0other_winner_0_2;
+        slice0other_winner_3_0 <= 5 when slice0other_cost_3_0_choice else slice0other_winner_3_1;
+        slice0other_winner_3_1 <= 6 when slice0other_cost_3_1_choice else slice0other_winner_0_2;
+      end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_cost_out_1 <= slice0other_cost_1_0;
       slice0other_cost_out_2 <= slice0other_cost_2_0;
@@ -2159,19 +1850,6 @@ begin
       slice0other_winner_out_1 <= slice0other_winner_1_0;
       slice0other_winner_out_2 <= slice0other_winner_2_0;
       slice0other_winner_out_3 <= slice0other_winner_3_0;
-      slice0other_cost_3_2_choice := slice0window_sum_3_2 when slice2cost_tag_output_column else 0;
-      slice0other_cost_3_2_choice_2 := slice0window_sum_3_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_3_2_choice;
-      slice0other_winner_1_2_choice := 7 when slice2cost_tag_output_column else 0;
-      slice0other_winner_1_2_choice_2 := 7 when slice0other_cost_0_0_all_2 else slice0other_winner_1_2_choice;
-      slice0other_winner_3_1_choice := 6 when slice2cost_tag_output_column else slice0other_winner_1_2;
-      slice0other_winner_3_1_choice_2 := 6 when slice0other_cost_0_0_all_2 else slice0other_winner_3_1_choice;
-      if slice0window_tag_valid then
-        slice0other_cost_3_2 <= slice0window_sum_3_2 when slice0other_cost_0_0_all else slice0other_cost_3_2_choice_2;
-        slice0other_winner_1_2 <= 7 when slice0other_cost_0_0_all else slice0other_winner_1_2_choice_2;
-        slice0other_winner_3_1 <= slice0other_winner_1_2 when slice0other_cost_0_0_all else
-          slice0other_winner_3_1_choice_2;
-      end if;
       -- slice0winner1
       slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
@@ -2227,10 +1905,10 @@ begin
       slice0winner1_best_but_last_2_0 <= slice0winner1_held_2_0;
       slice0winner1_best_but_last_3_0 <= slice0winner1_held_3_0;
       slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_output_column <= slice1window_centre_output_column_0;
+      slice0winner1_tag_first_column <= slice1window_centre_first_column_0;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice0window_tag_map_column;
-        slice0winner1_tag_first_column <= slice1window_centre_first_column_0;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
         slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
@@ -2248,29 +1926,29 @@ begin
       slice0winner2_best_above_3_0_choice := slice0winner1_held_3_2 when slice0winner1_best_index_3_0 else
         slice0winner1_best_above_3_0;
       slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1 when (not slice0winner2_best_at_end_0_0)
-        and (not slice0winner2_best_place_0_0) else 1023;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
-        1023;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
-        else slice0winner2_best_second_0_0_choice_2;
+        and (not slice0winner2_best_at_start_0_0) else 1023;
+      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_at_start_0_0
+        else 1023;
+      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_place_0_0 else
+        slice0winner2_best_second_0_0_choice_2;
       slice0winner2_best_second_1_0_choice := slice0winner1_best_late_cost_1_1 when (not slice0winner2_best_at_end_1_0)
-        and (not slice0winner2_best_place_1_0) else 1023;
-      slice0winner2_best_second_1_0_choice_2 := slice0winner1_best_late_cost_1_0 when slice0winner2_best_place_1_0 else
-        1023;
-      slice0winner2_best_second_1_0_choice_3 := slice0winner1_best_but_last_1_0 when slice0winner2_best_at_start_1_0
-        else slice0winner2_best_second_1_0_choice_2;
+        and (not slice0winner2_best_at_start_1_0) else 1023;
+      slice0winner2_best_second_1_0_choice_2 := slice0winner1_best_late_cost_1_0 when slice0winner2_best_at_start_1_0
+        else 1023;
+      slice0winner2_best_second_1_0_choice_3 := slice0winner1_best_but_last_1_0 when slice0winner2_best_place_1_0 else
+        slice0winner2_best_second_1_0_choice_2;
       slice0winner2_best_second_2_0_choice := slice0winner1_best_late_cost_2_1 when (not slice0winner2_best_at_end_2_0)
-        and (not slice0winner2_best_place_2_0) else 1023;
-      slice0winner2_best_second_2_0_choice_2 := slice0winner1_best_late_cost_2_0 when slice0winner2_best_place_2_0 else
-        1023;
-      slice0winner2_best_second_2_0_choice_3 := slice0winner1_best_but_last_2_0 when slice0winner2_best_at_start_2_0
-        else slice0winner2_best_second_2_0_choice_2;
+        and (not slice0winner2_best_at_start_2_0) else 1023;
+      slice0winner2_best_second_2_0_choice_2 := slice0winner1_best_late_cost_2_0 when slice0winner2_best_at_start_2_0
+        else 1023;
+      slice0winner2_best_second_2_0_choice_3 := slice0winner1_best_but_last_2_0 when slice0winner2_best_place_2_0 else
+        slice0winner2_best_second_2_0_choice_2;
       slice0winner2_best_second_3_0_choice := slice0winner1_best_late_cost_3_1 when (not slice0winner2_best_at_end_3_0)
-        and (not slice0winner2_best_place_3_0) else 1023;
-      slice0winner2_best_second_3_0_choice_2 := slice0winner1_best_late_cost_3_0 when slice0winner2_best_place_3_0 else
-        1023;
-      slice0winner2_best_second_3_0_choice_3 := slice0winner1_best_but_last_3_0 when slice0winner2_best_at_start_3_0
-        else slice0winner2_best_second_3_0_choice_2;
+        and (not slice0winner2_best_at_start_3_0) else 1023;
+      slice0winner2_best_second_3_0_choice_2 := slice0winner1_best_late_cost_3_0 when slice0winner2_best_at_start_3_0
+        else 1023;
+      slice0winner2_best_second_3_0_choice_3 := slice0winner1_best_but_last_3_0 when slice0winner2_best_place_3_0 else
+        slice0winner2_best_second_3_0_choice_2;
       slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
       slice0winner2_best_cost_1_0 <= slice0winner1_held_1_2 when slice0winner2_best_cost_1_0_is_less else
@@ -2307,14 +1985,14 @@ begin
       slice0winner2_best_first_1_0 <= slice0winner1_held_1_0;
       slice0winner2_best_first_2_0 <= slice0winner1_held_2_0;
       slice0winner2_best_first_3_0 <= slice0winner1_held_3_0;
-      slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less;
-      slice0winner2_best_place_1_0 <= slice0winner2_best_cost_1_0_is_less;
-      slice0winner2_best_place_2_0 <= slice0winner2_best_cost_2_0_is_less;
-      slice0winner2_best_place_3_0 <= slice0winner2_best_cost_3_0_is_less;
-      slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less and transform_read_column_inside_1;
-      slice0winner2_best_at_start_1_0 <= slice0winner2_best_cost_1_0_is_less and transform_read_column_inside_1;
-      slice0winner2_best_at_start_2_0 <= slice0winner2_best_cost_2_0_is_less and transform_read_column_inside_1;
-      slice0winner2_best_at_start_3_0 <= slice0winner2_best_cost_3_0_is_less and transform_read_column_inside_1;
+      slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less and transform_read_column_inside_1;
+      slice0winner2_best_place_1_0 <= slice0winner2_best_cost_1_0_is_less and transform_read_column_inside_1;
+      slice0winner2_best_place_2_0 <= slice0winner2_best_cost_2_0_is_less and transform_read_column_inside_1;
+      slice0winner2_best_place_3_0 <= slice0winner2_best_cost_3_0_is_less and transform_read_column_inside_1;
+      slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less;
+      slice0winner2_best_at_start_1_0 <= slice0winner2_best_cost_1_0_is_less;
+      slice0winner2_best_at_start_2_0 <= slice0winner2_best_cost_2_0_is_less;
+      slice0winner2_best_at_start_3_0 <= slice0winner2_best_cost_3_0_is_less;
       slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_held_0_2 -
         slice0winner1_best_cost_0_0) >= 0);
       slice0winner2_best_at_end_1_0 <= slice0winner1_best_index_1_0 and ((slice0winner1_held_1_2 -
@@ -2346,7 +2024,7 @@ begin
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_output_column <= slice1window_tag_output_column;
-      slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
+      slice0winner2_tag_first_column <= slice1window_tag_first_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
@@ -2590,9 +2268,9 @@ begin
         slice1window_partial_3_1_0 <= slice1window_partial_3_0_0 + slice1cost_column_3_0;
         slice1window_partial_3_1_1 <= slice1window_partial_3_0_1 + slice1cost_column_3_1;
         slice1window_partial_3_1_2 <= slice1window_partial_3_0_2 + slice1cost_column_3_2;
+        slice1window_centre_output_column_0 <= slice1cost_tag_output_column;
+        slice1window_centre_first_column_0 <= slice1cost_tag_first_cost;
       end if;
-      slice1window_centre_output_column_0 <= slice1cost_tag_output_column;
-      slice1window_centre_first_column_0 <= slice1cost_tag_first_cost;
       slice1window_sum_0_0 <= slice1window_partial_0_1_0 + slice1cost_column_0_0;
       slice1window_sum_0_1 <= slice1window_partial_0_1_1 + slice1cost_column_0_1;
       slice1window_sum_0_2 <= slice1window_partial_0_1_2 + slice1cost_column_0_2;
@@ -2605,237 +2283,62 @@ begin
       slice1window_sum_3_0 <= slice1window_partial_3_1_0 + slice1cost_column_3_0;
       slice1window_sum_3_1 <= slice1window_partial_3_1_1 + slice1cost_column_3_1;
       slice1window_sum_3_2 <= slice1window_partial_3_1_2 + slice1cost_column_3_2;
-      slice1window_tag_first_column <= slice0window_tag_first_column;
       if slice0winner1_tag_valid then
-        slice1window_tag_output_column <= slice1window_centre_output_column_0;
+        slice1window_tag_output_column <= slice2cost_tag_output_column;
+        slice1window_tag_first_column <= slice2cost_tag_first_cost;
       end if;
       -- slice1other
-      slice1other_cost_0_0_any := (not slice1window_tag_first_column) or (not slice0winner1_tag_output_column);
-      slice1other_cost_0_0_is_not_less := (slice1other_cost_0_1 - slice1window_sum_0_0) >= 0;
-      slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice1other_cost_0_0_is_not_less else
-        slice1other_cost_0_1;
-      slice1other_cost_0_0_choice_2 := slice1other_cost_0_0_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_3 := slice1other_cost_0_1 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_0_choice_3;
-      slice1other_cost_0_0_choice_5 := slice1window_sum_0_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
-        slice1other_cost_0_2;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_2 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_2_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_2) >= 0;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_2 := slice0other_cost_out_0 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_3 := slice1other_cost_0_2_choice when slice1other_cost_0_2_is_not_less else
-        slice1other_cost_0_2_choice_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice_3 when slice0winner1_tag_output_column else
-        slice1other_cost_0_2_choice_2;
-      slice1other_cost_1_0_is_not_less := (slice1other_cost_1_1 - slice1window_sum_1_0) >= 0;
-      slice1other_cost_1_0_choice := slice1window_sum_1_0 when slice1other_cost_1_0_is_not_less else
-        slice1other_cost_1_1;
-      slice1other_cost_1_0_choice_2 := slice1other_cost_1_0_choice when slice0winner1_tag_valid else
-        slice1other_cost_1_0;
-      slice1other_cost_1_0_choice_3 := slice1other_cost_1_1 when slice0winner1_tag_valid else slice1other_cost_1_0;
-      slice1other_cost_1_0_choice_4 := slice1other_cost_1_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_1_0_choice_3;
-      slice1other_cost_1_0_choice_5 := slice1window_sum_1_0 when slice0winner1_tag_valid else slice1other_cost_1_0;
-      slice1other_cost_1_1_is_not_less := (slice1other_cost_1_2 - slice1window_sum_1_1) >= 0;
-      slice1other_cost_1_1_choice := slice1window_sum_1_1 when slice1other_cost_1_1_is_not_less else
-        slice1other_cost_1_2;
-      slice1other_cost_1_1_choice_2 := slice1other_cost_1_1_choice when slice0winner1_tag_valid else
-        slice1other_cost_1_1;
-      slice1other_cost_1_1_choice_3 := slice1other_cost_1_2 when slice0winner1_tag_valid else slice1other_cost_1_1;
-      slice1other_cost_1_1_choice_4 := slice1other_cost_1_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_1_1_choice_3;
-      slice1other_cost_1_1_choice_5 := slice1window_sum_1_1 when slice0winner1_tag_valid else slice1other_cost_1_1;
-      slice1other_cost_1_2_is_not_less := (slice0other_cost_out_1 - slice1window_sum_1_2) >= 0;
-      slice1other_cost_1_2_choice := slice1window_sum_1_2 when slice0winner1_tag_valid else slice1other_cost_1_2;
-      slice1other_cost_1_2_choice_2 := slice0other_cost_out_1 when slice0winner1_tag_valid else slice1other_cost_1_2;
-      slice1other_cost_1_2_choice_3 := slice1other_cost_1_2_choice when slice1other_cost_1_2_is_not_less else
-        slice1other_cost_1_2_choice_2;
-      slice1other_cost_1_2_choice_4 := slice1other_cost_1_2_choice_3 when slice0winner1_tag_output_column else
-        slice1other_cost_1_2_choice_2;
-      slice1other_cost_2_0_is_not_less := (slice1other_cost_2_1 - slice1window_sum_2_0) >= 0;
-      slice1other_cost_2_0_choice := slice1window_sum_2_0 when slice1other_cost_2_0_is_not_less else
-        slice1other_cost_2_1;
-      slice1other_cost_2_0_choice_2 := slice1other_cost_2_0_choice when slice0winner1_tag_valid else
-        slice1other_cost_2_0;
-      slice1other_cost_2_0_choice_3 := slice1other_cost_2_1 when slice0winner1_tag_valid else slice1other_cost_2_0;
-      slice1other_cost_2_0_choice_4 := slice1other_cost_2_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_2_0_choice_3;
-      slice1other_cost_2_0_choice_5 := slice1window_sum_2_0 when slice0winner1_tag_valid else slice1other_cost_2_0;
-      slice1other_cost_2_1_is_not_less := (slice1other_cost_2_2 - slice1window_sum_2_1) >= 0;
-      slice1other_cost_2_1_choice := slice1window_sum_2_1 when slice1other_cost_2_1_is_not_less else
-        slice1other_cost_2_2;
-      slice1other_cost_2_1_choice_2 := slice1other_cost_2_1_choice when slice0winner1_tag_valid else
-        slice1other_cost_2_1;
-      slice1other_cost_2_1_choice_3 := slice1other_cost_2_2 when slice0winner1_tag_valid else slice1other_cost_2_1;
-      slice1other_cost_2_1_choice_4 := slice1other_cost_2_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_2_1_choice_3;
-      slice1other_cost_2_1_choice_5 := slice1window_sum_2_1 when slice0winner1_tag_valid else slice1other_cost_2_1;
-      slice1other_cost_2_2_is_not_less := (slice0other_cost_out_2 - slice1window_sum_2_2) >= 0;
-      slice1other_cost_2_2_choice := slice1window_sum_2_2 when slice0winner1_tag_valid else slice1other_cost_2_2;
-      slice1other_cost_2_2_choice_2 := slice0other_cost_out_2 when slice0winner1_tag_valid else slice1other_cost_2_2;
-      slice1other_cost_2_2_choice_3 := slice1other_cost_2_2_choice when slice1other_cost_2_2_is_not_less else
-        slice1other_cost_2_2_choice_2;
-      slice1other_cost_2_2_choice_4 := slice1other_cost_2_2_choice_3 when slice0winner1_tag_output_column else
-        slice1other_cost_2_2_choice_2;
-      slice1other_cost_3_0_is_not_less := (slice1other_cost_3_1 - slice1window_sum_3_0) >= 0;
-      slice1other_cost_3_0_choice := slice1window_sum_3_0 when slice1other_cost_3_0_is_not_less else
-        slice1other_cost_3_1;
-      slice1other_cost_3_0_choice_2 := slice1other_cost_3_0_choice when slice0winner1_tag_valid else
-        slice1other_cost_3_0;
-      slice1other_cost_3_0_choice_3 := slice1other_cost_3_1 when slice0winner1_tag_valid else slice1other_cost_3_0;
-      slice1other_cost_3_0_choice_4 := slice1other_cost_3_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_3_0_choice_3;
-      slice1other_cost_3_0_choice_5 := slice1window_sum_3_0 when slice0winner1_tag_valid else slice1other_cost_3_0;
-      slice1other_cost_3_1_is_not_less := (slice1other_cost_3_2 - slice1window_sum_3_1) >= 0;
-      slice1other_cost_3_1_choice := slice1window_sum_3_1 when slice1other_cost_3_1_is_not_less else
-        slice1other_cost_3_2;
-      slice1other_cost_3_1_choice_2 := slice1other_cost_3_1_choice when slice0winner1_tag_valid else
-        slice1other_cost_3_1;
-      slice1other_cost_3_1_choice_3 := slice1other_cost_3_2 when slice0winner1_tag_valid else slice1other_cost_3_1;
-      slice1other_cost_3_1_choice_4 := slice1other_cost_3_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_3_1_choice_3;
-      slice1other_cost_3_1_choice_5 := slice1window_sum_3_1 when slice0winner1_tag_valid else slice1other_cost_3_1;
-      slice1other_winner_0_0_choice := 2 when slice1other_cost_0_0_is_not_less else slice1other_winner_0_1;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_3 := slice1other_winner_0_1 when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice := 3 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_2;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_2 when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice := 4 when slice1other_cost_0_2_is_not_less else slice0other_winner_out_0;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_3 := slice0other_winner_out_0 when slice0winner1_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_2_choice_3;
-      slice1other_winner_0_2_choice_5 := 4 when slice0winner1_tag_valid else slice1other_winner_0_2;
-      slice1other_winner_1_0_choice := 2 when slice1other_cost_1_0_is_not_less else slice1other_winner_1_1;
-      slice1other_winner_1_0_choice_2 := slice1other_winner_1_0_choice when slice0winner1_tag_valid else
-        slice1other_winner_1_0;
-      slice1other_winner_1_0_choice_3 := slice1other_winner_1_1 when slice0winner1_tag_valid else
-        slice1other_winner_1_0;
-      slice1other_winner_1_0_choice_4 := slice1other_winner_1_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_1_0_choice_3;
-      slice1other_winner_1_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_1_0;
-      slice1other_winner_1_1_choice := 3 when slice1other_cost_1_1_is_not_less else slice1other_winner_1_2;
-      slice1other_winner_1_1_choice_2 := slice1other_winner_1_1_choice when slice0winner1_tag_valid else
-        slice1other_winner_1_1;
-      slice1other_winner_1_1_choice_3 := slice1other_winner_1_2 when slice0winner1_tag_valid else
-        slice1other_winner_1_1;
-      slice1other_winner_1_1_choice_4 := slice1other_winner_1_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_1_1_choice_3;
-      slice1other_winner_1_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_1_1;
-      slice1other_winner_1_2_choice := 4 when slice1other_cost_1_2_is_not_less else slice0other_winner_out_1;
-      slice1other_winner_1_2_choice_2 := slice1other_winner_1_2_choice when slice0winner1_tag_valid else
-        slice1other_winner_1_2;
-      slice1other_winner_1_2_choice_3 := slice0other_winner_out_1 when slice0winner1_tag_valid else
-        slice1other_winner_1_2;
-      slice1other_winner_1_2_choice_4 := slice1other_winner_1_2_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_1_2_choice_3;
-      slice1other_winner_1_2_choice_5 := 4 when slice0winner1_tag_valid else slice1other_winner_1_2;
-      slice1other_winner_2_0_choice := 2 when slice1other_cost_2_0_is_not_less else slice1other_winner_2_1;
-      slice1other_winner_2_0_choice_2 := slice1other_winner_2_0_choice when slice0winner1_tag_valid else
-        slice1other_winner_2_0;
-      slice1other_winner_2_0_choice_3 := slice1other_winner_2_1 when slice0winner1_tag_valid else
-        slice1other_winner_2_0;
-      slice1other_winner_2_0_choice_4 := slice1other_winner_2_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_2_0_choice_3;
-      slice1other_winner_2_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_2_0;
-      slice1other_winner_2_1_choice := 3 when slice1other_cost_2_1_is_not_less else slice1other_winner_2_2;
-      slice1other_winner_2_1_choice_2 := slice1other_winner_2_1_choice when slice0winner1_tag_valid else
-        slice1other_winner_2_1;
-      slice1other_winner_2_1_choice_3 := slice1other_winner_2_2 when slice0winner1_tag_valid else
-        slice1other_winner_2_1;
-      slice1other_winner_2_1_choice_4 := slice1other_winner_2_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_2_1_choice_3;
-      slice1other_winner_2_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_2_1;
-      slice1other_winner_2_2_choice := 4 when slice1other_cost_2_2_is_not_less else slice0other_winner_out_2;
-      slice1other_winner_2_2_choice_2 := slice1other_winner_2_2_choice when slice0winner1_tag_valid else
-        slice1other_winner_2_2;
-      slice1other_winner_2_2_choice_3 := slice0other_winner_out_2 when slice0winner1_tag_valid else
-        slice1other_winner_2_2;
-      slice1other_winner_2_2_choice_4 := slice1other_winner_2_2_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_2_2_choice_3;
-      slice1other_winner_2_2_choice_5 := 4 when slice0winner1_tag_valid else slice1other_winner_2_2;
-      slice1other_winner_3_0_choice := 2 when slice1other_cost_3_0_is_not_less else slice1other_winner_3_1;
-      slice1other_winner_3_0_choice_2 := slice1other_winner_3_0_choice when slice0winner1_tag_valid else
-        slice1other_winner_3_0;
-      slice1other_winner_3_0_choice_3 := slice1other_winner_3_1 when slice0winner1_tag_valid else
-        slice1other_winner_3_0;
-      slice1other_winner_3_0_choice_4 := slice1other_winner_3_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_3_0_choice_3;
-      slice1other_winner_3_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_3_0;
-      slice1other_winner_3_1_choice := 3 when slice1other_cost_3_1_is_not_less else slice1other_winner_3_2;
-      slice1other_winner_3_1_choice_2 := slice1other_winner_3_1_choice when slice0winner1_tag_valid else
-        slice1other_winner_3_1;
-      slice1other_winner_3_1_choice_3 := slice1other_winner_3_2 when slice0winner1_tag_valid else
-        slice1other_winner_3_1;
-      slice1other_winner_3_1_choice_4 := slice1other_winner_3_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_3_1_choice_3;
-      slice1other_winner_3_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_3_1;
-      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_0_choice_5;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_1_choice_5;
-      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_2_choice;
-      slice1other_cost_1_0 <= slice1other_cost_1_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_1_0_choice_5;
-      slice1other_cost_1_1 <= slice1other_cost_1_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_1_1_choice_5;
-      slice1other_cost_1_2 <= slice1other_cost_1_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_1_2_choice;
-      slice1other_cost_2_0 <= slice1other_cost_2_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_2_0_choice_5;
-      slice1other_cost_2_1 <= slice1other_cost_2_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_2_1_choice_5;
-      slice1other_cost_2_2 <= slice1other_cost_2_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_2_2_choice;
-      slice1other_cost_3_0 <= slice1other_cost_3_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_3_0_choice_5;
-      slice1other_cost_3_1 <= slice1other_cost_3_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_3_1_choice_5;
-      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_0_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_1_choice_5;
-      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_2_choice_5;
-      slice1other_winner_1_0 <= slice1other_winner_1_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_1_0_choice_5;
-      slice1other_winner_1_1 <= slice1other_winner_1_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_1_1_choice_5;
-      slice1other_winner_1_2 <= slice1other_winner_1_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_1_2_choice_5;
-      slice1other_winner_2_0 <= slice1other_winner_2_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_2_0_choice_5;
-      slice1other_winner_2_1 <= slice1other_winner_2_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_2_1_choice_5;
-      slice1other_winner_2_2 <= slice1other_winner_2_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_2_2_choice_5;
-      slice1other_winner_3_0 <= slice1other_winner_3_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_3_0_choice_5;
-      slice1other_winner_3_1 <= slice1other_winner_3_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_3_1_choice_5;
+      slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or ((not slice0winner1_tag_first_column) and
+        ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0));
+      slice1other_cost_0_1_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
+      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_2 -
+        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_2_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_0 -
+        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_1_0_choice := not slice0winner1_tag_output_column when (slice1other_cost_1_1 -
+        slice1window_sum_1_0) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_1_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_1_2 -
+        slice1window_sum_1_1) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_1_2_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_1 -
+        slice1window_sum_1_2) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_2_0_choice := not slice0winner1_tag_output_column when (slice1other_cost_2_1 -
+        slice1window_sum_2_0) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_2_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_2_2 -
+        slice1window_sum_2_1) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_2_2_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_2 -
+        slice1window_sum_2_2) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_3_0_choice := not slice0winner1_tag_output_column when (slice1other_cost_3_1 -
+        slice1window_sum_3_0) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_3_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_3_2 -
+        slice1window_sum_3_1) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_3_2_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_3 -
+        slice1window_sum_3_2) >= 0 else slice1other_cost_0_1_any;
+      if slice0winner1_tag_valid then
+        slice1other_cost_0_0 <= slice1other_cost_0_1 when slice1other_cost_0_0_any else slice1window_sum_0_0;
+        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice0other_cost_out_0 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
+        slice1other_cost_1_0 <= slice1other_cost_1_1 when slice1other_cost_1_0_choice else slice1window_sum_1_0;
+        slice1other_cost_1_1 <= slice1other_cost_1_2 when slice1other_cost_1_1_choice else slice1window_sum_1_1;
+        slice1other_cost_1_2 <= slice0other_cost_out_1 when slice1other_cost_1_2_choice else slice1window_sum_1_2;
+        slice1other_cost_2_0 <= slice1other_cost_2_1 when slice1other_cost_2_0_choice else slice1window_sum_2_0;
+        slice1other_cost_2_1 <= slice1other_cost_2_2 when slice1other_cost_2_1_choice else slice1window_sum_2_1;
+        slice1other_cost_2_2 <= slice0other_cost_out_2 when slice1other_cost_2_2_choice else slice1window_sum_2_2;
+        slice1other_cost_3_0 <= slice1other_cost_3_1 when slice1other_cost_3_0_choice else slice1window_sum_3_0;
+        slice1other_cost_3_1 <= slice1other_cost_3_2 when slice1other_cost_3_1_choice else slice1window_sum_3_1;
+        slice1other_cost_3_2 <= slice0other_cost_out_3 when slice1other_cost_3_2_choice else slice1window_sum_3_2;
+        slice1other_winner_0_0 <= slice1other_winner_0_1 when slice1other_cost_0_0_any else 2;
+        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 3;
+        slice1other_winner_0_2 <= slice0other_winner_out_0 when slice1other_cost_0_2_choice else 4;
+        slice1other_winner_1_0 <= slice1other_winner_1_1 when slice1other_cost_1_0_choice else 2;
+        slice1other_winner_1_1 <= slice1other_winner_1_2 when slice1other_cost_1_1_choice else 3;
+        slice1other_winner_1_2 <= slice0other_winner_out_1 when slice1other_cost_1_2_choice else 4;
+        slice1other_winner_2_0 <= slice1other_winner_2_1 when slice1other_cost_2_0_choice else 2;
+        slice1other_winner_2_1 <= slice1other_winner_2_2 when slice1other_cost_2_1_choice else 3;
+        slice1other_winner_2_2 <= slice0other_winner_out_2 when slice1other_cost_2_2_choice else 4;
+        slice1other_winner_3_0 <= slice1other_winner_3_1 when slice1other_cost_3_0_choice else 2;
+        slice1other_winner_3_1 <= slice1other_winner_3_2 when slice1other_cost_3_1_choice else 3;
+        slice1other_winner_3_2 <= slice0other_winner_out_3 when slice1other_cost_3_2_choice else 4;
+      end if;
       slice1other_cost_out_0 <= slice1other_cost_0_0;
       slice1other_cost_out_1 <= slice1other_cost_1_0;
       slice1other_cost_out_2 <= slice1other_cost_2_0;
@@ -2844,18 +2347,6 @@ begin
       slice1other_winner_out_1 <= slice1other_winner_1_0;
       slice1other_winner_out_2 <= slice1other_winner_2_0;
       slice1other_winner_out_3 <= slice1other_winner_3_0;
-      slice1other_cost_3_2_is_not_less := (slice0other_cost_out_3 - slice1window_sum_3_2) >= 0;
-      slice1other_cost_3_2_choice := slice1window_sum_3_2 when slice1other_cost_3_2_is_not_less else
-        slice0other_cost_out_3;
-      slice1other_cost_3_2_choice_2 := slice1other_cost_3_2_choice when slice0winner1_tag_output_column else
-        slice0other_cost_out_3;
-      slice1other_winner_3_2_choice := 4 when slice1other_cost_3_2_is_not_less else slice0other_winner_out_3;
-      slice1other_winner_3_2_choice_2 := slice1other_winner_3_2_choice when slice0winner1_tag_output_column else
-        slice0other_winner_out_3;
-      if slice0winner1_tag_valid then
-        slice1other_cost_3_2 <= slice1other_cost_3_2_choice_2 when slice1other_cost_0_0_any else slice1window_sum_3_2;
-        slice1other_winner_3_2 <= slice1other_winner_3_2_choice_2 when slice1other_cost_0_0_any else 4;
-      end if;
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
@@ -2923,29 +2414,29 @@ begin
       slice1winner2_best_above_3_0_choice := slice1winner1_held_3_2 when slice1winner1_best_index_3_0 else
         slice1winner1_best_above_3_0;
       slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1 when (not slice1winner2_best_at_end_0_0)
-        and (not slice1winner2_best_place_0_0) else 1023;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
-        1023;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
-        else slice1winner2_best_second_0_0_choice_2;
+        and (not slice1winner2_best_at_start_0_0) else 1023;
+      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_at_start_0_0
+        else 1023;
+      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_place_0_0 else
+        slice1winner2_best_second_0_0_choice_2;
       slice1winner2_best_second_1_0_choice := slice1winner1_best_late_cost_1_1 when (not slice1winner2_best_at_end_1_0)
-        and (not slice1winner2_best_place_1_0) else 1023;
-      slice1winner2_best_second_1_0_choice_2 := slice1winner1_best_late_cost_1_0 when slice1winner2_best_place_1_0 else
-        1023;
-      slice1winner2_best_second_1_0_choice_3 := slice1winner1_best_but_last_1_0 when slice1winner2_best_at_start_1_0
-        else slice1winner2_best_second_1_0_choice_2;
+        and (not slice1winner2_best_at_start_1_0) else 1023;
+      slice1winner2_best_second_1_0_choice_2 := slice1winner1_best_late_cost_1_0 when slice1winner2_best_at_start_1_0
+        else 1023;
+      slice1winner2_best_second_1_0_choice_3 := slice1winner1_best_but_last_1_0 when slice1winner2_best_place_1_0 else
+        slice1winner2_best_second_1_0_choice_2;
       slice1winner2_best_second_2_0_choice := slice1winner1_best_late_cost_2_1 when (not slice1winner2_best_at_end_2_0)
-        and (not slice1winner2_best_place_2_0) else 1023;
-      slice1winner2_best_second_2_0_choice_2 := slice1winner1_best_late_cost_2_0 when slice1winner2_best_place_2_0 else
-        1023;
-      slice1winner2_best_second_2_0_choice_3 := slice1winner1_best_but_last_2_0 when slice1winner2_best_at_start_2_0
-        else slice1winner2_best_second_2_0_choice_2;
+        and (not slice1winner2_best_at_start_2_0) else 1023;
+      slice1winner2_best_second_2_0_choice_2 := slice1winner1_best_late_cost_2_0 when slice1winner2_best_at_start_2_0
+        else 1023;
+      slice1winner2_best_second_2_0_choice_3 := slice1winner1_best_but_last_2_0 when slice1winner2_best_place_2_0 else
+        slice1winner2_best_second_2_0_choice_2;
       slice1winner2_best_second_3_0_choice := slice1winner1_best_late_cost_3_1 when (not slice1winner2_best_at_end_3_0)
-        and (not slice1winner2_best_place_3_0) else 1023;
-      slice1winner2_best_second_3_0_choice_2 := slice1winner1_best_late_cost_3_0 when slice1winner2_best_place_3_0 else
-        1023;
-      slice1winner2_best_second_3_0_choice_3 := slice1winner1_best_but_last_3_0 when slice1winner2_best_at_start_3_0
-        else slice1winner2_best_second_3_0_choice_2;
+        and (not slice1winner2_best_at_start_3_0) else 1023;
+      slice1winner2_best_second_3_0_choice_2 := slice1winner1_best_late_cost_3_0 when slice1winner2_best_at_start_3_0
+        else 1023;
+      slice1winner2_best_second_3_0_choice_3 := slice1winner1_best_but_last_3_0 when slice1winner2_best_place_3_0 else
+        slice1winner2_best_second_3_0_choice_2;
       slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
       slice1winner2_best_cost_1_0 <= slice1winner1_held_1_2 when slice1winner2_best_cost_1_0_is_less else
@@ -2982,14 +2473,14 @@ begin
       slice1winner2_best_first_1_0 <= slice1winner1_held_1_0;
       slice1winner2_best_first_2_0 <= slice1winner1_held_2_0;
       slice1winner2_best_first_3_0 <= slice1winner1_held_3_0;
-      slice1winner2_best_place_0_0 <= slice1winner2_best_cost_0_0_is_less;
-      slice1winner2_best_place_1_0 <= slice1winner2_best_cost_1_0_is_less;
-      slice1winner2_best_place_2_0 <= slice1winner2_best_cost_2_0_is_less;
-      slice1winner2_best_place_3_0 <= slice1winner2_best_cost_3_0_is_less;
-      slice1winner2_best_at_start_0_0 <= transform_read_column_inside_1 and slice1winner2_best_cost_0_0_is_less;
-      slice1winner2_best_at_start_1_0 <= slice1winner2_best_cost_1_0_is_less and transform_read_column_inside_1;
-      slice1winner2_best_at_start_2_0 <= slice1winner2_best_cost_2_0_is_less and transform_read_column_inside_1;
-      slice1winner2_best_at_start_3_0 <= slice1winner2_best_cost_3_0_is_less and transform_read_column_inside_1;
+      slice1winner2_best_place_0_0 <= transform_read_column_inside_1 and slice1winner2_best_cost_0_0_is_less;
+      slice1winner2_best_place_1_0 <= slice1winner2_best_cost_1_0_is_less and transform_read_column_inside_1;
+      slice1winner2_best_place_2_0 <= slice1winner2_best_cost_2_0_is_less and transform_read_column_inside_1;
+      slice1winner2_best_place_3_0 <= slice1winner2_best_cost_3_0_is_less and transform_read_column_inside_1;
+      slice1winner2_best_at_start_0_0 <= slice1winner2_best_cost_0_0_is_less;
+      slice1winner2_best_at_start_1_0 <= slice1winner2_best_cost_1_0_is_less;
+      slice1winner2_best_at_start_2_0 <= slice1winner2_best_cost_2_0_is_less;
+      slice1winner2_best_at_start_3_0 <= slice1winner2_best_cost_3_0_is_less;
       slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_held_0_2 -
         slice1winner1_best_cost_0_0) >= 0);
       slice1winner2_best_at_end_1_0 <= slice1winner1_best_index_1_0 and ((slice1winner1_held_1_2 -
@@ -3278,8 +2769,8 @@ begin
         slice2cost_pair_1_0 + slice2cost_single_5_0) mod 256;
       slice2cost_column_3_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_1) +
         slice2cost_pair_1_1 + slice2cost_single_5_1) mod 256;
-      slice2cost_tag_first_cost <= slice0window_centre_first_column_0;
-      slice2cost_tag_output_column <= slice0window_centre_output_column_0;
+      slice2cost_tag_first_cost <= slice1cost_tag_first_cost;
+      slice2cost_tag_output_column <= slice1cost_tag_output_column;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -3308,149 +2799,40 @@ begin
       slice2window_sum_3_0 <= slice2window_partial_3_1_0 + slice2cost_column_3_0;
       slice2window_sum_3_1 <= slice2window_partial_3_1_1 + slice2cost_column_3_1;
       -- slice2other
-      slice2other_cost_0_1_all := ((slice1other_cost_out_3 - slice2window_sum_3_1) < 0) and (not
-        slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_is_not_less := (slice1other_cost_out_0 - slice2window_sum_0_1) >= 0;
-      slice2other_cost_0_1_choice := slice2window_sum_0_1 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_2 := slice1other_cost_out_0 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_3 := slice2other_cost_0_1_choice when slice2other_cost_0_1_is_not_less else
-        slice2other_cost_0_1_choice_2;
-      slice2other_cost_0_1_all_2 := ((slice1other_cost_out_3 - slice2window_sum_3_1) >= 0) and (not
-        slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_choice_4 := slice2other_cost_0_1_choice when slice0winner2_tag_output_column else
-        slice2other_cost_0_1_choice_2;
-      slice2other_cost_0_1_choice_5 := slice2other_cost_0_1_choice_3 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_1_choice_4;
-      slice2other_cost_1_1_is_not_less := (slice1other_cost_out_1 - slice2window_sum_1_1) >= 0;
-      slice2other_cost_1_1_choice := slice2window_sum_1_1 when slice0winner2_tag_valid else slice2other_cost_1_1;
-      slice2other_cost_1_1_choice_2 := slice1other_cost_out_1 when slice0winner2_tag_valid else slice2other_cost_1_1;
-      slice2other_cost_1_1_choice_3 := slice2other_cost_1_1_choice when slice2other_cost_1_1_is_not_less else
-        slice2other_cost_1_1_choice_2;
-      slice2other_cost_1_1_choice_4 := slice2other_cost_1_1_choice when slice0winner2_tag_output_column else
-        slice2other_cost_1_1_choice_2;
-      slice2other_cost_1_1_choice_5 := slice2other_cost_1_1_choice_3 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_1_1_choice_4;
-      slice2other_cost_2_1_is_not_less := (slice1other_cost_out_2 - slice2window_sum_2_1) >= 0;
-      slice2other_cost_2_1_choice := slice2window_sum_2_1 when slice0winner2_tag_valid else slice2other_cost_2_1;
-      slice2other_cost_2_1_choice_2 := slice1other_cost_out_2 when slice0winner2_tag_valid else slice2other_cost_2_1;
-      slice2other_cost_2_1_choice_3 := slice2other_cost_2_1_choice when slice2other_cost_2_1_is_not_less else
-        slice2other_cost_2_1_choice_2;
-      slice2other_cost_2_1_choice_4 := slice2other_cost_2_1_choice when slice0winner2_tag_output_column else
-        slice2other_cost_2_1_choice_2;
-      slice2other_cost_2_1_choice_5 := slice2other_cost_2_1_choice_3 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_2_1_choice_4;
-      slice2other_cost_3_1_choice := slice1other_cost_out_3 when slice0winner2_tag_valid else slice2other_cost_3_1;
-      slice2other_cost_3_1_choice_2 := slice2window_sum_3_1 when slice0winner2_tag_valid else slice2other_cost_3_1;
-      slice2other_cost_3_1_choice_3 := slice2other_cost_3_1_choice_2 when slice0winner2_tag_output_column else
-        slice2other_cost_3_1_choice;
-      slice2other_cost_3_1_choice_4 := slice2other_cost_3_1_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_3_1_choice_3;
-      slice2other_winner_0_0_choice := 0 when (slice2other_cost_0_1 - slice2window_sum_0_0) >= 0 else
-        slice2other_winner_0_1;
-      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_3 := 0 when slice0winner2_tag_valid else slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_4 := slice2other_winner_0_1 when slice0winner2_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_5 := slice2other_winner_0_0_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_0_0_choice_4;
-      slice2other_winner_0_0_choice_6 := slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_0_choice_5;
-      slice2other_winner_0_1_choice := 1 when slice2other_cost_0_1_is_not_less else slice1other_winner_out_0;
-      slice2other_winner_0_1_choice_2 := slice2other_winner_0_1_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_3 := 1 when slice0winner2_tag_valid else slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_4 := slice1other_winner_out_0 when slice0winner2_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_5 := slice2other_winner_0_1_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_0_1_choice_4;
-      slice2other_winner_0_1_choice_6 := slice2other_winner_0_1_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_1_choice_5;
-      slice2other_winner_1_0_choice := 0 when (slice2other_cost_1_1 - slice2window_sum_1_0) >= 0 else
-        slice2other_winner_1_1;
-      slice2other_winner_1_0_choice_2 := slice2other_winner_1_0_choice when slice0winner2_tag_valid else
-        slice2other_winner_1_0;
-      slice2other_winner_1_0_choice_3 := 0 when slice0winner2_tag_valid else slice2other_winner_1_0;
-      slice2other_winner_1_0_choice_4 := slice2other_winner_1_1 when slice0winner2_tag_valid else
-        slice2other_winner_1_0;
-      slice2other_winner_1_0_choice_5 := slice2other_winner_1_0_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_1_0_choice_4;
-      slice2other_winner_1_0_choice_6 := slice2other_winner_1_0_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_1_0_choice_5;
-      slice2other_winner_1_1_choice := 1 when slice2other_cost_1_1_is_not_less else slice1other_winner_out_1;
-      slice2other_winner_1_1_choice_2 := slice2other_winner_1_1_choice when slice0winner2_tag_valid else
-        slice2other_winner_1_1;
-      slice2other_winner_1_1_choice_3 := 1 when slice0winner2_tag_valid else slice2other_winner_1_1;
-      slice2other_winner_1_1_choice_4 := slice1other_winner_out_1 when slice0winner2_tag_valid else
-        slice2other_winner_1_1;
-      slice2other_winner_1_1_choice_5 := slice2other_winner_1_1_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_1_1_choice_4;
-      slice2other_winner_1_1_choice_6 := slice2other_winner_1_1_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_1_1_choice_5;
-      slice2other_winner_2_0_choice := 0 when (slice2other_cost_2_1 - slice2window_sum_2_0) >= 0 else
-        slice2other_winner_2_1;
-      slice2other_winner_2_0_choice_2 := slice2other_winner_2_0_choice when slice0winner2_tag_valid else
-        slice2other_winner_2_0;
-      slice2other_winner_2_0_choice_3 := 0 when slice0winner2_tag_valid else slice2other_winner_2_0;
-      slice2other_winner_2_0_choice_4 := slice2other_winner_2_1 when slice0winner2_tag_valid else
-        slice2other_winner_2_0;
-      slice2other_winner_2_0_choice_5 := slice2other_winner_2_0_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_2_0_choice_4;
-      slice2other_winner_2_0_choice_6 := slice2other_winner_2_0_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_2_0_choice_5;
-      slice2other_winner_2_1_choice := 1 when slice2other_cost_2_1_is_not_less else slice1other_winner_out_2;
-      slice2other_winner_2_1_choice_2 := slice2other_winner_2_1_choice when slice0winner2_tag_valid else
-        slice2other_winner_2_1;
-      slice2other_winner_2_1_choice_3 := 1 when slice0winner2_tag_valid else slice2other_winner_2_1;
-      slice2other_winner_2_1_choice_4 := slice1other_winner_out_2 when slice0winner2_tag_valid else
-        slice2other_winner_2_1;
-      slice2other_winner_2_1_choice_5 := slice2other_winner_2_1_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_2_1_choice_4;
-      slice2other_winner_2_1_choice_6 := slice2other_winner_2_1_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_2_1_choice_5;
-      slice2other_winner_3_0_choice := 0 when (slice2other_cost_3_1 - slice2window_sum_3_0) >= 0 else
-        slice2other_winner_3_1;
-      slice2other_winner_3_0_choice_2 := slice2other_winner_3_0_choice when slice0winner2_tag_valid else
-        slice2other_winner_3_0;
-      slice2other_winner_3_0_choice_3 := 0 when slice0winner2_tag_valid else slice2other_winner_3_0;
-      slice2other_winner_3_0_choice_4 := slice2other_winner_3_1 when slice0winner2_tag_valid else
-        slice2other_winner_3_0;
-      slice2other_winner_3_0_choice_5 := slice2other_winner_3_0_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_3_0_choice_4;
-      slice2other_winner_3_0_choice_6 := slice2other_winner_3_0_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_3_0_choice_5;
-      slice2other_cost_0_1 <= slice2other_cost_0_1_choice_3 when slice2other_cost_0_1_all else
-        slice2other_cost_0_1_choice_5;
-      slice2other_cost_1_1 <= slice2other_cost_1_1_choice_3 when slice2other_cost_0_1_all else
-        slice2other_cost_1_1_choice_5;
-      slice2other_cost_2_1 <= slice2other_cost_2_1_choice_3 when slice2other_cost_0_1_all else
-        slice2other_cost_2_1_choice_5;
-      slice2other_cost_3_1 <= slice2other_cost_3_1_choice when slice2other_cost_0_1_all else
-        slice2other_cost_3_1_choice_4;
-      slice2other_winner_0_0 <= slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_0_choice_6;
-      slice2other_winner_0_1 <= slice2other_winner_0_1_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_1_choice_6;
-      slice2other_winner_1_0 <= slice2other_winner_1_0_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_1_0_choice_6;
-      slice2other_winner_1_1 <= slice2other_winner_1_1_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_1_1_choice_6;
-      slice2other_winner_2_0 <= slice2other_winner_2_0_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_2_0_choice_6;
-      slice2other_winner_2_1 <= slice2other_winner_2_1_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_2_1_choice_6;
-      slice2other_winner_3_0 <= slice2other_winner_3_0_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_3_0_choice_6;
+      slice2other_cost_0_1_any := (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
+      slice2other_cost_0_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_0 -
+        slice2window_sum_0_1) >= 0 else slice2other_cost_0_1_any;
+      slice2other_cost_1_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_1 -
+        slice2window_sum_1_1) >= 0 else slice2other_cost_0_1_any;
+      slice2other_cost_2_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_2 -
+        slice2window_sum_2_1) >= 0 else slice2other_cost_0_1_any;
+      slice2other_cost_3_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_3 -
+        slice2window_sum_3_1) >= 0 else slice2other_cost_0_1_any;
+      slice2other_winner_1_0_choice := not slice0winner2_tag_output_column when (slice2other_cost_1_1 -
+        slice2window_sum_1_0) >= 0 else slice2other_cost_0_1_any;
+      slice2other_winner_2_0_choice := not slice0winner2_tag_output_column when (slice2other_cost_2_1 -
+        slice2window_sum_2_0) >= 0 else slice2other_cost_0_1_any;
+      slice2other_winner_3_0_choice := not slice0winner2_tag_output_column when (slice2other_cost_3_1 -
+        slice2window_sum_3_0) >= 0 else slice2other_cost_0_1_any;
+      if slice0winner2_tag_valid then
+        slice2other_cost_0_1 <= slice1other_cost_out_0 when slice2other_cost_0_1_choice else slice2window_sum_0_1;
+        slice2other_cost_1_1 <= slice1other_cost_out_1 when slice2other_cost_1_1_choice else slice2window_sum_1_1;
+        slice2other_cost_2_1 <= slice1other_cost_out_2 when slice2other_cost_2_1_choice else slice2window_sum_2_1;
+        slice2other_cost_3_1 <= slice1other_cost_out_3 when slice2other_cost_3_1_choice else slice2window_sum_3_1;
+        slice2other_winner_0_0 <= slice2other_winner_0_1 when (not slice0winner2_tag_output_column) or ((not
+          slice0winner2_tag_first_column) and ((slice2other_cost_0_1 - slice2window_sum_0_0) < 0)) else 0;
+        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_choice else 1;
+        slice2other_winner_1_0 <= slice2other_winner_1_1 when slice2other_winner_1_0_choice else 0;
+        slice2other_winner_1_1 <= slice1other_winner_out_1 when slice2other_cost_1_1_choice else 1;
+        slice2other_winner_2_0 <= slice2other_winner_2_1 when slice2other_winner_2_0_choice else 0;
+        slice2other_winner_2_1 <= slice1other_winner_out_2 when slice2other_cost_2_1_choice else 1;
+        slice2other_winner_3_0 <= slice2other_winner_3_1 when slice2other_winner_3_0_choice else 0;
+        slice2other_winner_3_1 <= slice1other_winner_out_3 when slice2other_cost_3_1_choice else 1;
+      end if;
       slice2other_winner_out_0 <= slice2other_winner_0_0;
       slice2other_winner_out_1 <= slice2other_winner_1_0;
       slice2other_winner_out_2 <= slice2other_winner_2_0;
       slice2other_winner_out_3 <= slice2other_winner_3_0;
-      slice2other_winner_3_1_choice := 1 when slice0winner2_tag_output_column else slice1other_winner_out_3;
-      slice2other_winner_3_1_choice_2 := 1 when slice2other_cost_0_1_all_2 else slice2other_winner_3_1_choice;
-      if slice0winner2_tag_valid then
-        slice2other_winner_3_1 <= slice1other_winner_out_3 when slice2other_cost_0_1_all else
-          slice2other_winner_3_1_choice_2;
-      end if;
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
@@ -4104,13 +3486,13 @@ begin
       refinement_divisor_7_1 <= refinement_divisor_6_1;
       refinement_divisor_7_2 <= refinement_divisor_6_2;
       refinement_divisor_7_3 <= refinement_divisor_6_3;
-      refinement_quotient_8_0 <= ((((2048 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 1024) +
+      refinement_quotient_8_0 <= (((((2048 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 2048) +
         ((other_6 / 2) * 2);
-      refinement_quotient_8_1 <= ((((2048 - refinement_divisor_7_1) / 2) + refinement_remainder_7_1) / 1024) +
+      refinement_quotient_8_1 <= (((((2048 - refinement_divisor_7_1) / 2) + refinement_remainder_7_1) * 2) / 2048) +
         ((other_5 / 2) * 2);
-      refinement_quotient_8_2 <= ((((2048 - refinement_divisor_7_2) / 2) + refinement_remainder_7_2) / 1024) +
+      refinement_quotient_8_2 <= (((((2048 - refinement_divisor_7_2) / 2) + refinement_remainder_7_2) * 2) / 2048) +
         ((other_4 / 2) * 2);
-      refinement_quotient_8_3 <= ((((2048 - refinement_divisor_7_3) / 2) + refinement_remainder_7_3) / 1024) +
+      refinement_quotient_8_3 <= (((((2048 - refinement_divisor_7_3) / 2) + refinement_remainder_7_3) * 2) / 2048) +
         ((other_3 / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_0_1 <= refinement_divisor_0_1_is_less;
@@ -5354,7 +4736,6 @@ begin
         slice1window_partial_3_1_0 <= 0;
         slice1window_partial_3_1_1 <= 0;
         slice1window_partial_3_1_2 <= 0;
-        slice1window_centre_output_column_0 <= false;
         slice1window_sum_0_0 <= 0;
         slice1window_sum_0_1 <= 0;
         slice1window_sum_0_2 <= 0;
@@ -5563,6 +4944,7 @@ begin
         slice2cost_column_2_1 <= 0;
         slice2cost_column_3_0 <= 0;
         slice2cost_column_3_1 <= 0;
+        slice2cost_tag_output_column <= false;
         slice2window_partial_0_0_0 <= 0;
         slice2window_partial_0_0_1 <= 0;
         slice2window_partial_0_1_0 <= 0;

@@ -87,10 +87,10 @@ architecture rtl of stereo_core_tiny_full_p2 is
     return '0';
   end function;
 
-  signal in_right_pixel : natural range 0 to 65535;
   signal in_valid : boolean;
   signal in_start_of_frame : boolean;
   signal in_left_pixel : natural range 0 to 65535;
+  signal in_right_pixel : natural range 0 to 65535;
   -- raster
   signal raster_features_search : natural range 0 to 65535;
   signal raster_features_reference_0 : natural range 0 to 255;
@@ -348,49 +348,25 @@ architecture rtl of stereo_core_tiny_full_p2 is
   signal leftright_held_0 : unsigned(21 downto 0);
   signal leftright_found_0, leftright_found_1 : unsigned(2 downto 0);
   -- other
-  signal other_0, other_1, other_2, other_3 : natural range 0 to 65280;
-  signal other_4 : boolean;
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
+  signal other_0 : boolean;
+  signal other_1, other_2, other_3, other_4 : natural range 0 to 65280;
   signal leftright_found_1_memory_write_data : unsigned(2 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(21 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
 
 begin
-  in_right_pixel <= to_integer(unsigned(right_pixel));
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
   in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(right_pixel));
   disparity <= std_logic_vector(to_unsigned(leftright_checked_disparity_1, 8) & to_unsigned(leftright_checked_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(leftright_checked_passed_1), 1) & to_unsigned(as_number(leftright_checked_passed_0), 1));
   disparity_valid <= as_bit(leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_start_of_frame <= as_bit(leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_end_of_line <= as_bit(leftright_checked_tag_end_of_line and leftright_checked_tag_valid and leftright_checked_tag_output_column);
-
-  rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_search, 16);
-  delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 3, width => 16)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   leftright_found_1_memory_write_data <= to_unsigned(leftright_other_2_1, 3);
   leftright_found_1_memory : entity work.line_memory
@@ -416,6 +392,30 @@ begin
       read_address => leftright_ring_read_address, read_data => leftright_held_0,
       write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_search, 16);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 3, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
     variable raster_place_group_choice_2, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
@@ -430,47 +430,31 @@ begin
     variable slice0cost_pair_1_2_is_less, slice0mask_inside_0_all, slice0mask_inside_0_choice : boolean;
     variable slice0mask_inside_1_choice, slice0mask_inside_2_choice, slice0other_cost_0_0_all : boolean;
     variable slice0other_cost_0_1_all, slice0other_cost_0_1_all_2, slice0other_cost_0_1_choice : boolean;
-    variable slice0other_cost_1_1_choice, slice0other_cost_0_2_choice, slice0other_cost_1_2_choice : boolean;
-    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_1_0_is_less : boolean;
-    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_1_0_is_less : boolean;
-    variable slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less, slice1cost_pair_1_2_is_less : boolean;
-    variable slice1mask_inside_0_choice, slice1other_cost_0_0_choice, slice1other_cost_0_1_all : boolean;
-    variable slice1other_cost_0_1_choice, slice1other_cost_0_2_choice, slice1other_cost_1_1_choice : boolean;
-    variable slice1other_cost_1_2_choice, slice1other_cost_1_0_choice, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice0other_cost_0_2_choice, slice0other_cost_0_2_all, slice0other_cost_1_1_choice : boolean;
+    variable slice0other_cost_1_2_choice, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less : boolean;
+    variable slice1cost_pair_1_2_is_less, slice1mask_inside_0_all, slice1mask_inside_0_choice : boolean;
+    variable slice1mask_inside_1_choice, slice1mask_inside_2_choice, slice1other_cost_0_0_all : boolean;
+    variable slice1other_cost_0_0_all_2, slice1other_cost_0_0_choice, slice1other_cost_0_1_all : boolean;
+    variable slice1other_cost_0_1_all_2, slice1other_cost_0_1_choice, slice1other_cost_0_2_choice : boolean;
+    variable slice1other_cost_0_2_all, slice1other_cost_1_0_choice, slice1other_cost_1_1_choice : boolean;
+    variable slice1other_cost_1_2_choice, slice1winner1_of_pair_0_0_is_less : boolean;
     variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
     variable slice1winner1_of_four_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
-    variable slice2cost_pair_1_0_is_less, slice2cost_pair_1_1_is_less, slice2mask_inside_0_choice : boolean;
-    variable slice2other_cost_0_0_choice, slice2other_winner_0_1_choice, slice2other_winner_1_1_choice : boolean;
-    variable slice2other_cost_1_0_choice, slice2winner1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_1_0_is_less, slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less : boolean;
-    variable leftright_holds_winners_all : boolean;
-    variable raster_place_group_choice, slice1other_winner_0_0_choice : natural range 0 to 3;
-    variable slice1other_winner_0_0_choice_2, slice1other_winner_0_0_choice_3 : natural range 0 to 3;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice_2, slice2other_winner_0_1_choice_3 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice_4, slice2other_winner_1_1_choice_2 : natural range 0 to 7;
-    variable slice2other_winner_1_1_choice_3, slice2other_winner_1_1_choice_4 : natural range 0 to 7;
-    variable leftright_address_0_value, leftright_address_1_value : natural range 0 to 7;
+    variable slice2cost_pair_1_0_is_less, slice2cost_pair_1_1_is_less, slice2mask_inside_0_all : boolean;
+    variable slice2mask_inside_0_choice, slice2mask_inside_1_choice, slice2other_cost_0_0_all : boolean;
+    variable slice2other_cost_0_0_all_2, slice2other_cost_0_0_choice, slice2other_cost_1_0_choice : boolean;
+    variable slice2other_winner_0_1_choice, slice2other_winner_1_1_choice : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, leftright_holds_winners_all : boolean;
+    variable raster_place_group_choice : natural range 0 to 3;
+    variable raster_place_group_choice_3, raster_place_group_choice_4, leftright_address_0_value : natural range 0 to 7;
+    variable leftright_address_1_value : natural range 0 to 7;
     variable slice0cost_pair_1_0_folded_value, slice0cost_pair_1_1_folded_value : natural range 0 to 255;
     variable slice0cost_pair_1_2_folded_value, slice1cost_pair_1_0_folded_value : natural range 0 to 255;
     variable slice1cost_pair_1_1_folded_value, slice1cost_pair_1_2_folded_value : natural range 0 to 255;
     variable slice2cost_pair_1_0_folded_value, slice2cost_pair_1_1_folded_value : natural range 0 to 255;
-    variable slice0other_cost_0_2_choice_2, slice0other_cost_0_2_choice_3 : natural range 0 to 4092;
-    variable slice0other_cost_0_2_choice_4, slice1other_cost_0_0_choice_2 : natural range 0 to 4092;
-    variable slice1other_cost_0_0_choice_3, slice1other_cost_0_0_choice_4 : natural range 0 to 4092;
-    variable slice1other_cost_0_1_choice_2, slice1other_cost_0_1_choice_3 : natural range 0 to 4092;
-    variable slice1other_cost_0_1_choice_4, slice1other_cost_0_2_choice_2 : natural range 0 to 4092;
-    variable slice1other_cost_0_2_choice_3, slice1other_cost_0_2_choice_4 : natural range 0 to 4092;
-    variable slice2other_cost_0_0_choice_2, slice2other_cost_0_0_choice_3 : natural range 0 to 4092;
-    variable slice2other_cost_0_0_choice_4 : natural range 0 to 4092;
-    variable slice0other_cost_1_2_choice_2, slice0other_cost_1_2_choice_3 : natural range 0 to 4096;
-    variable slice0other_cost_1_2_choice_4, slice1other_cost_1_1_choice_2 : natural range 0 to 4096;
-    variable slice1other_cost_1_1_choice_3, slice1other_cost_1_1_choice_4 : natural range 0 to 4096;
-    variable slice1other_cost_1_2_choice_2, slice1other_cost_1_2_choice_3 : natural range 0 to 4096;
-    variable slice1other_cost_1_2_choice_4 : natural range 0 to 4096;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 2;
-    variable slice0other_winner_0_2_choice_3, slice0other_winner_1_2_choice : natural range 0 to 2;
-    variable slice0other_winner_1_2_choice_2, slice0other_winner_1_2_choice_3 : natural range 0 to 2;
     variable slice0winner1_of_pair_0_0_choice, slice0winner1_of_pair_0_0_any : natural range 0 to 4095;
     variable slice0winner1_of_pair_0_0_choice_2, slice0winner1_of_pair_0_0_any_2 : natural range 0 to 4095;
     variable slice0winner1_of_pair_0_2_choice, slice1winner1_of_pair_0_0_choice : natural range 0 to 4095;
@@ -481,14 +465,6 @@ begin
     variable slice0winner1_of_pair_1_0_any, slice0winner1_of_pair_1_0_any_2 : natural range 0 to 8191;
     variable slice1winner1_of_pair_1_0_any, slice1winner1_of_pair_1_0_any_2 : natural range 0 to 8191;
     variable slice2winner1_best_cost_1_0_any, slice2winner1_best_cost_1_0_any_2 : natural range 0 to 8191;
-    variable slice1other_winner_0_1_choice, slice1other_winner_0_1_choice_2 : natural range 0 to 4;
-    variable slice1other_winner_0_1_choice_3, slice1other_winner_1_1_choice : natural range 0 to 4;
-    variable slice1other_winner_1_1_choice_2, slice1other_winner_1_1_choice_3 : natural range 0 to 4;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 5;
-    variable slice1other_winner_0_2_choice_3, slice1other_winner_1_2_choice : natural range 0 to 5;
-    variable slice1other_winner_1_2_choice_2, slice1other_winner_1_2_choice_3 : natural range 0 to 5;
-    variable slice2other_winner_0_0_choice, slice2other_winner_0_0_choice_2 : natural range 0 to 6;
-    variable slice2other_winner_0_0_choice_3 : natural range 0 to 6;
     variable leftright_checked_passed_0_difference, leftright_checked_passed_1_difference : integer range -6 to 8;
   begin
     if rising_edge(clock) then
@@ -530,7 +506,7 @@ begin
       delay_tag_map_column_is_not_less := raster_place_column >= 1;
       delay_tag_map_column_is_less := raster_place_column < 30;
       delay_tag_first_column_is_equal := raster_place_column = 1;
-      delay_split_search_inside_0_all := (not other_4) and raster_features_valid and (raster_place_column = 0);
+      delay_split_search_inside_0_all := (not other_0) and raster_features_valid and (raster_place_column = 0);
       delay_split_search_inside_0_all_2 := (not delay_split_search_inside_0_all) and delay_split_inside_before_0;
       delay_split_search_inside_0_is_equal := (raster_place_column / 2) = 0;
       delay_split_search_inside_0_differs := (raster_place_column / 2) /= 0;
@@ -576,10 +552,10 @@ begin
       rows_search_rows_read_newest_0 <= to_integer(delay_delayed_0(7 downto 0));
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
       rows_search_rows_ready_newest <= to_integer(((to_unsigned(rows_search_rows_read_newest_0, 16)) or
-        (to_unsigned(other_2, 16))));
+        (to_unsigned(other_3, 16))));
       rows_reference_rows_read_newest_0 <= delay_ahead_0;
       rows_reference_rows_ready_words_0 <= rows_reference_rows_read_words_0;
-      rows_reference_rows_ready_newest <= ((other_0 / 256) * 256) + rows_reference_rows_read_newest_0;
+      rows_reference_rows_ready_newest <= ((other_1 / 256) * 256) + rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
       rows_read_inside_0 <= delay_row_inside_0;
       rows_read_inside_2 <= delay_row_inside_2;
@@ -765,10 +741,10 @@ begin
         slice0window_partial_1_2_2 <= slice0cost_column_1_2 + slice0window_partial_1_1_2;
         slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
         slice0window_centre_output_column_1 <= slice0window_centre_output_column_0;
-        slice0window_centre_first_column_1 <= slice1cost_tag_first_column;
+        slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
+        slice0window_centre_first_column_1 <= slice0window_centre_first_column_0;
       end if;
       slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
-      slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
@@ -791,14 +767,13 @@ begin
       slice0mask_inside_0_choice := slice0mask_inside_0_all when slice0window_centre_first_column_1 else
         slice0cost_tag_valid or slice0mask_inside_0;
       slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
-      slice0mask_inside_2_choice := not slice0cost_tag_valid when slice0window_centre_first_column_1 else (not
-        slice0cost_tag_valid) or slice0mask_inside_1;
+      slice0mask_inside_2_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_2;
       slice0mask_inside_0 <= slice0mask_inside_0_choice when (slice0mask_column >= 1) and (slice0mask_column < 30) else
         slice0mask_inside_0_all;
       slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1 when slice0window_centre_first_column_1
         else slice0mask_inside_1_choice;
-      slice0mask_inside_2 <= slice0mask_inside_2_choice when slice0mask_inside_2 else (not
-        slice0window_centre_first_column_1) and slice0cost_tag_valid and slice0mask_inside_1;
+      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice0window_centre_first_column_1
+        else slice0mask_inside_2_choice;
       slice0mask_left_out <= slice0mask_inside_2;
       if slice0cost_tag_valid then
         slice0mask_column <= 0 when slice0window_centre_first_column_1 else (slice0mask_column + 1) mod 32;
@@ -806,56 +781,30 @@ begin
       -- slice0other
       slice0other_cost_0_0_all := slice1window_centre_output_column_1 and slice0mask_inside_0;
       slice0other_cost_0_1_all := slice1window_centre_output_column_1 and slice0mask_inside_1;
-      slice0other_cost_0_1_all_2 := slice1window_centre_first_column_1 and slice1window_centre_output_column_1 and
+      slice0other_cost_0_1_all_2 := slice1window_centre_output_column_1 and slice1window_centre_first_column_1 and
         slice0mask_inside_1;
       slice0other_cost_0_1_choice := slice0other_cost_0_1_all when (slice0window_sum_0_1 - slice0other_cost_0_0) < 0
         else slice0other_cost_0_1_all_2;
+      slice0other_cost_0_2_choice := slice0mask_inside_2 when (slice0window_sum_0_2 - slice0other_cost_0_1) < 0 else
+        slice1window_centre_first_column_1 and slice0mask_inside_2;
+      slice0other_cost_0_2_all := slice1window_centre_output_column_1 and slice0other_cost_0_2_choice;
       slice0other_cost_1_1_choice := slice0other_cost_0_1_all when (slice0window_sum_1_1 - slice0other_cost_1_0) < 0
         else slice0other_cost_0_1_all_2;
+      slice0other_cost_1_2_choice := slice1window_centre_output_column_1 and slice0mask_inside_2 when
+        (slice0window_sum_1_2 - slice0other_cost_1_1) < 0 else slice1window_centre_output_column_1 and
+        slice1window_centre_first_column_1 and slice0mask_inside_2;
       if slice0window_tag_valid then
         slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else 0;
         slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_all else slice0other_cost_0_1;
         slice0other_cost_1_0 <= slice0window_sum_1_0 when slice0other_cost_0_0_all else 0;
         slice0other_cost_1_1 <= slice0window_sum_1_1 when slice0other_cost_1_1_choice else slice0other_cost_1_0;
+        slice0other_cost_1_2 <= slice0window_sum_1_2 when slice0other_cost_1_2_choice else slice0other_cost_1_1;
         slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
+        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_all else as_number(slice0other_winner_0_1);
         slice0other_winner_1_1 <= slice0other_cost_1_1_choice;
+        slice0other_winner_1_2 <= 2 when slice0other_cost_1_2_choice else as_number(slice0other_winner_1_1);
       end if;
-      slice0other_cost_0_2_choice := slice0mask_inside_2 when slice1window_centre_first_column_1 else
-        ((slice0window_sum_0_2 - slice0other_cost_0_1) < 0) and slice0mask_inside_2;
-      slice0other_cost_0_2_choice_2 := slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_1;
-      slice0other_cost_0_2_choice_3 := slice0other_cost_0_2_choice_2 when slice0window_tag_valid else
-        slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_1_2_choice := slice0mask_inside_2 when (slice0window_sum_1_2 - slice0other_cost_1_1) < 0 else
-        slice1window_centre_first_column_1 and slice0mask_inside_2;
-      slice0other_cost_1_2_choice_2 := slice0window_sum_1_2 when slice0other_cost_1_2_choice else slice0other_cost_1_1;
-      slice0other_cost_1_2_choice_3 := slice0other_cost_1_2_choice_2 when slice0window_tag_valid else
-        slice0other_cost_1_2;
-      slice0other_cost_1_2_choice_4 := slice0other_cost_1_1 when slice0window_tag_valid else slice0other_cost_1_2;
-      slice0other_winner_0_2_choice := 2 when slice0other_cost_0_2_choice else as_number(slice0other_winner_0_1);
-      slice0other_winner_0_2_choice_2 := slice0other_winner_0_2_choice when slice0window_tag_valid else
-        slice0other_winner_0_2;
-      if slice0window_tag_valid then
-        slice0other_winner_0_2_choice_3 := as_number(slice0other_winner_0_1);
-      else
-        slice0other_winner_0_2_choice_3 := slice0other_winner_0_2;
-      end if;
-      slice0other_winner_1_2_choice := 2 when slice0other_cost_1_2_choice else as_number(slice0other_winner_1_1);
-      slice0other_winner_1_2_choice_2 := slice0other_winner_1_2_choice when slice0window_tag_valid else
-        slice0other_winner_1_2;
-      if slice0window_tag_valid then
-        slice0other_winner_1_2_choice_3 := as_number(slice0other_winner_1_1);
-      else
-        slice0other_winner_1_2_choice_3 := slice0other_winner_1_2;
-      end if;
-      slice0other_cost_0_2 <= slice0other_cost_0_2_choice_3 when slice1window_centre_output_column_1 else
-        slice0other_cost_0_2_choice_4;
-      slice0other_cost_1_2 <= slice0other_cost_1_2_choice_3 when slice1window_centre_output_column_1 else
-        slice0other_cost_1_2_choice_4;
-      slice0other_winner_0_2 <= slice0other_winner_0_2_choice_2 when slice1window_centre_output_column_1 else
-        slice0other_winner_0_2_choice_3;
-      slice0other_winner_1_2 <= slice0other_winner_1_2_choice_2 when slice1window_centre_output_column_1 else
-        slice0other_winner_1_2_choice_3;
       slice0other_cost_out_0 <= slice0other_cost_0_2;
       slice0other_cost_out_1 <= slice0other_cost_1_2;
       slice0other_winner_out_0 <= slice0other_winner_0_2;
@@ -1024,9 +973,7 @@ begin
       slice1cost_column_1_2 <= as_number(slice1cost_negative_1_2) + slice1cost_pair_0_2 +
         as_number(slice1cost_negative_0_2) + slice1cost_pair_1_2;
       slice1cost_tag_output_column <= slice0cost_tag_output_column;
-      if slice0cost_tag_valid then
-        slice1cost_tag_first_column <= slice0cost_tag_first_column;
-      end if;
+      slice1cost_tag_first_column <= slice0cost_tag_first_column;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1048,7 +995,7 @@ begin
         slice1window_partial_1_2_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
         slice1window_partial_1_2_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
         slice1window_centre_output_column_0 <= slice1cost_tag_output_column;
-        slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
+        slice1window_centre_first_column_0 <= slice1cost_tag_first_column;
       end if;
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
       slice1window_centre_output_column_1 <= slice0window_centre_output_column_1;
@@ -1065,111 +1012,56 @@ begin
         slice1window_tag_first_column <= slice2window_centre_first_column_0;
       end if;
       -- slice1mask
-      slice1mask_inside_0_choice := (not slice0window_tag_first_column) or (not slice0window_tag_valid) when
-        slice0mask_left_out else not slice0window_tag_valid;
-      slice1mask_inside_0 <= slice1mask_inside_0_choice when slice1mask_inside_0 else slice0mask_left_out and (not
-        slice0window_tag_first_column) and slice0window_tag_valid;
+      slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside_0;
+      slice1mask_inside_0_choice := slice1mask_inside_0_all when slice0window_tag_first_column else
+        slice0window_tag_valid or slice1mask_inside_0;
+      slice1mask_inside_1_choice := slice1mask_inside_0 when slice0window_tag_valid else slice1mask_inside_1;
+      slice1mask_inside_2_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_2;
+      slice1mask_inside_0 <= slice1mask_inside_0_choice when slice0mask_left_out else slice1mask_inside_0_all;
+      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when slice0window_tag_first_column
+        else slice1mask_inside_1_choice;
+      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when slice0window_tag_first_column
+        else slice1mask_inside_2_choice;
       slice1mask_left_out <= slice1mask_inside_2;
-      if slice0window_tag_valid then
-        slice1mask_inside_1 <= (not slice0window_tag_first_column) and slice1mask_inside_0;
-        slice1mask_inside_2 <= (not slice0window_tag_first_column) and slice1mask_inside_1;
-      end if;
       -- slice1other
-      slice1other_cost_0_0_choice := slice1mask_inside_0 when (slice1window_sum_0_0 - slice0other_cost_out_0) < 0 else
-        slice0winner1_pair_tag_first_column and slice1mask_inside_0;
-      slice1other_cost_0_0_choice_2 := slice1window_sum_0_0 when slice1other_cost_0_0_choice else
-        slice0other_cost_out_0;
-      slice1other_cost_0_0_choice_3 := slice1other_cost_0_0_choice_2 when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_4 := slice0other_cost_out_0 when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_0;
-      slice1other_cost_0_1_all := slice0winner1_pair_tag_first_column and slice1mask_inside_1;
-      slice1other_cost_0_1_choice := slice1mask_inside_1 when (slice1window_sum_0_1 - slice1other_cost_0_0) < 0 else
-        slice1other_cost_0_1_all;
-      slice1other_cost_0_1_choice_2 := slice1window_sum_0_1 when slice1other_cost_0_1_choice else slice1other_cost_0_0;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_1_choice_2 when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_0 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
+      slice1other_cost_0_0_all := slice0winner1_pair_tag_output_column and slice1mask_inside_0;
+      slice1other_cost_0_0_all_2 := slice0winner1_pair_tag_output_column and slice0winner1_pair_tag_first_column and
+        slice1mask_inside_0;
+      slice1other_cost_0_0_choice := slice1other_cost_0_0_all when (slice1window_sum_0_0 - slice0other_cost_out_0) < 0
+        else slice1other_cost_0_0_all_2;
+      slice1other_cost_0_1_all := slice0winner1_pair_tag_output_column and slice1mask_inside_1;
+      slice1other_cost_0_1_all_2 := slice0winner1_pair_tag_output_column and slice0winner1_pair_tag_first_column and
+        slice1mask_inside_1;
+      slice1other_cost_0_1_choice := slice1other_cost_0_1_all when (slice1window_sum_0_1 - slice1other_cost_0_0) < 0
+        else slice1other_cost_0_1_all_2;
       slice1other_cost_0_2_choice := slice1mask_inside_2 when slice0winner1_pair_tag_first_column else
         ((slice1window_sum_0_2 - slice1other_cost_0_1) < 0) and slice1mask_inside_2;
-      slice1other_cost_0_2_choice_2 := slice1window_sum_0_2 when slice1other_cost_0_2_choice else slice1other_cost_0_1;
-      slice1other_cost_0_2_choice_3 := slice1other_cost_0_2_choice_2 when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_1_1_choice := slice1mask_inside_1 when (slice1window_sum_1_1 - slice1other_cost_1_0) < 0 else
-        slice1other_cost_0_1_all;
-      slice1other_cost_1_1_choice_2 := slice1window_sum_1_1 when slice1other_cost_1_1_choice else slice1other_cost_1_0;
-      slice1other_cost_1_1_choice_3 := slice1other_cost_1_1_choice_2 when slice0winner1_pair_tag_valid else
-        slice1other_cost_1_1;
-      slice1other_cost_1_1_choice_4 := slice1other_cost_1_0 when slice0winner1_pair_tag_valid else slice1other_cost_1_1;
-      slice1other_cost_1_2_choice := slice1mask_inside_2 when (slice1window_sum_1_2 - slice1other_cost_1_1) < 0 else
+      slice1other_cost_0_2_all := slice0winner1_pair_tag_output_column and slice1other_cost_0_2_choice;
+      slice1other_cost_1_0_choice := slice1other_cost_0_0_all when (slice1window_sum_1_0 - slice0other_cost_out_1) < 0
+        else slice1other_cost_0_0_all_2;
+      slice1other_cost_1_1_choice := slice1other_cost_0_1_all when (slice1window_sum_1_1 - slice1other_cost_1_0) < 0
+        else slice1other_cost_0_1_all_2;
+      slice1other_cost_1_2_choice := slice0winner1_pair_tag_output_column and slice1mask_inside_2 when
+        (slice1window_sum_1_2 - slice1other_cost_1_1) < 0 else slice0winner1_pair_tag_output_column and
         slice0winner1_pair_tag_first_column and slice1mask_inside_2;
-      slice1other_cost_1_2_choice_2 := slice1window_sum_1_2 when slice1other_cost_1_2_choice else slice1other_cost_1_1;
-      slice1other_cost_1_2_choice_3 := slice1other_cost_1_2_choice_2 when slice0winner1_pair_tag_valid else
-        slice1other_cost_1_2;
-      slice1other_cost_1_2_choice_4 := slice1other_cost_1_1 when slice0winner1_pair_tag_valid else slice1other_cost_1_2;
-      slice1other_winner_0_0_choice := 3 when slice1other_cost_0_0_choice else slice0other_winner_out_0;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_3 := slice0other_winner_out_0 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_1_choice := 4 when slice1other_cost_0_1_choice else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_1;
       if slice0winner1_pair_tag_valid then
-        slice1other_winner_0_1_choice_3 := slice1other_winner_0_0;
-      else
-        slice1other_winner_0_1_choice_3 := slice1other_winner_0_1;
+        slice1other_cost_0_0 <= slice1window_sum_0_0 when slice1other_cost_0_0_choice else slice0other_cost_out_0;
+        slice1other_cost_0_1 <= slice1window_sum_0_1 when slice1other_cost_0_1_choice else slice1other_cost_0_0;
+        slice1other_cost_0_2 <= slice1window_sum_0_2 when slice1other_cost_0_2_all else slice1other_cost_0_1;
+        slice1other_cost_1_0 <= slice1window_sum_1_0 when slice1other_cost_1_0_choice else slice0other_cost_out_1;
+        slice1other_cost_1_1 <= slice1window_sum_1_1 when slice1other_cost_1_1_choice else slice1other_cost_1_0;
+        slice1other_cost_1_2 <= slice1window_sum_1_2 when slice1other_cost_1_2_choice else slice1other_cost_1_1;
+        slice1other_winner_0_0 <= 3 when slice1other_cost_0_0_choice else slice0other_winner_out_0;
+        slice1other_winner_0_1 <= 4 when slice1other_cost_0_1_choice else slice1other_winner_0_0;
+        slice1other_winner_0_2 <= 5 when slice1other_cost_0_2_all else slice1other_winner_0_1;
+        slice1other_winner_1_0 <= 3 when slice1other_cost_1_0_choice else slice0other_winner_out_1;
+        slice1other_winner_1_1 <= 4 when slice1other_cost_1_1_choice else slice1other_winner_1_0;
+        slice1other_winner_1_2 <= 5 when slice1other_cost_1_2_choice else slice1other_winner_1_1;
       end if;
-      slice1other_winner_0_2_choice := 5 when slice1other_cost_0_2_choice else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_3 := slice1other_winner_0_1 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_1_1_choice := 4 when slice1other_cost_1_1_choice else slice1other_winner_1_0;
-      slice1other_winner_1_1_choice_2 := slice1other_winner_1_1_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_1_1;
-      if slice0winner1_pair_tag_valid then
-        slice1other_winner_1_1_choice_3 := slice1other_winner_1_0;
-      else
-        slice1other_winner_1_1_choice_3 := slice1other_winner_1_1;
-      end if;
-      slice1other_winner_1_2_choice := 5 when slice1other_cost_1_2_choice else slice1other_winner_1_1;
-      slice1other_winner_1_2_choice_2 := slice1other_winner_1_2_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_1_2;
-      slice1other_winner_1_2_choice_3 := slice1other_winner_1_1 when slice0winner1_pair_tag_valid else
-        slice1other_winner_1_2;
-      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_3 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_0_choice_4;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_3 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_1_choice_4;
-      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_3 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_2_choice_4;
-      slice1other_cost_1_1 <= slice1other_cost_1_1_choice_3 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_1_1_choice_4;
-      slice1other_cost_1_2 <= slice1other_cost_1_2_choice_3 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_1_2_choice_4;
-      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_2_choice_3;
-      slice1other_winner_1_1 <= slice1other_winner_1_1_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_1_1_choice_3;
-      slice1other_winner_1_2 <= slice1other_winner_1_2_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_1_2_choice_3;
       slice1other_cost_out_0 <= slice1other_cost_0_2;
       slice1other_cost_out_1 <= slice1other_cost_1_2;
       slice1other_winner_out_0 <= slice1other_winner_0_2;
       slice1other_winner_out_1 <= slice1other_winner_1_2;
-      slice1other_cost_1_0_choice := slice0winner1_pair_tag_output_column and slice1mask_inside_0 when
-        (slice1window_sum_1_0 - slice0other_cost_out_1) < 0 else slice0winner1_pair_tag_first_column and
-        slice0winner1_pair_tag_output_column and slice1mask_inside_0;
-      if slice0winner1_pair_tag_valid then
-        slice1other_cost_1_0 <= slice1window_sum_1_0 when slice1other_cost_1_0_choice else slice0other_cost_out_1;
-        slice1other_winner_1_0 <= 3 when slice1other_cost_1_0_choice else slice0other_winner_out_1;
-      end if;
       -- slice1winner1
       slice1winner1_of_pair_0_0_choice := 0 when slice1mask_inside_1 else 4095;
       slice1winner1_of_pair_0_0_any := to_integer(((to_unsigned(slice1window_sum_0_1, 12)) or
@@ -1288,7 +1180,7 @@ begin
       slice2cost_column_1_1 <= as_number(slice2cost_negative_1_1) + slice2cost_pair_0_1 +
         as_number(slice2cost_negative_0_1) + slice2cost_pair_1_1;
       slice2cost_tag_output_column <= slice1cost_tag_output_column;
-      slice2cost_tag_first_column <= slice0window_centre_first_column_0;
+      slice2cost_tag_first_column <= slice1cost_tag_first_column;
       -- slice2window
       if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -1313,58 +1205,37 @@ begin
       slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_2_0;
       slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_2_1;
       -- slice2mask
-      slice2mask_inside_0_choice := (not slice1window_tag_first_column) or (not slice0winner1_pair_tag_valid) when
-        slice1mask_left_out else not slice0winner1_pair_tag_valid;
-      slice2mask_inside_0 <= slice2mask_inside_0_choice when slice2mask_inside_0 else slice1mask_left_out and (not
-        slice1window_tag_first_column) and slice0winner1_pair_tag_valid;
-      if slice0winner1_pair_tag_valid then
-        slice2mask_inside_1 <= (not slice1window_tag_first_column) and slice2mask_inside_0;
-      end if;
+      slice2mask_inside_0_all := (not slice0winner1_pair_tag_valid) and slice2mask_inside_0;
+      slice2mask_inside_0_choice := slice2mask_inside_0_all when slice1window_tag_first_column else
+        slice0winner1_pair_tag_valid or slice2mask_inside_0;
+      slice2mask_inside_1_choice := slice2mask_inside_0 when slice0winner1_pair_tag_valid else slice2mask_inside_1;
+      slice2mask_inside_0 <= slice2mask_inside_0_choice when slice1mask_left_out else slice2mask_inside_0_all;
+      slice2mask_inside_1 <= (not slice0winner1_pair_tag_valid) and slice2mask_inside_1 when
+        slice1window_tag_first_column else slice2mask_inside_1_choice;
       -- slice2other
-      slice2other_cost_0_0_choice := slice2mask_inside_0 when (slice2window_sum_0_0 - slice1other_cost_out_0) < 0 else
-        slice0winner1_four_tag_first_column and slice2mask_inside_0;
-      slice2other_cost_0_0_choice_2 := slice2window_sum_0_0 when slice2other_cost_0_0_choice else
-        slice1other_cost_out_0;
-      slice2other_cost_0_0_choice_3 := slice2other_cost_0_0_choice_2 when slice0winner1_four_tag_valid else
-        slice2other_cost_0_0;
-      slice2other_cost_0_0_choice_4 := slice1other_cost_out_0 when slice0winner1_four_tag_valid else
-        slice2other_cost_0_0;
-      slice2other_winner_0_0_choice := 6 when slice2other_cost_0_0_choice else slice1other_winner_out_0;
-      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner1_four_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_3 := slice1other_winner_out_0 when slice0winner1_four_tag_valid else
-        slice2other_winner_0_0;
+      slice2other_cost_0_0_all := slice0winner1_four_tag_output_column and slice2mask_inside_0;
+      slice2other_cost_0_0_all_2 := slice0winner1_four_tag_output_column and slice0winner1_four_tag_first_column and
+        slice2mask_inside_0;
+      slice2other_cost_0_0_choice := slice2other_cost_0_0_all when (slice2window_sum_0_0 - slice1other_cost_out_0) < 0
+        else slice2other_cost_0_0_all_2;
+      slice2other_cost_1_0_choice := slice2other_cost_0_0_all when (slice2window_sum_1_0 - slice1other_cost_out_1) < 0
+        else slice2other_cost_0_0_all_2;
       slice2other_winner_0_1_choice := slice2mask_inside_1 when slice0winner1_four_tag_first_column else
         ((slice2window_sum_0_1 - slice2other_cost_0_0) < 0) and slice2mask_inside_1;
-      slice2other_winner_0_1_choice_2 := 7 when slice2other_winner_0_1_choice else slice2other_winner_0_0;
-      slice2other_winner_0_1_choice_3 := slice2other_winner_0_1_choice_2 when slice0winner1_four_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_4 := slice2other_winner_0_0 when slice0winner1_four_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_1_1_choice := slice2mask_inside_1 when (slice2window_sum_1_1 - slice2other_cost_1_0) < 0 else
+      slice2other_winner_1_1_choice := slice0winner1_four_tag_output_column and slice2mask_inside_1 when
+        (slice2window_sum_1_1 - slice2other_cost_1_0) < 0 else slice0winner1_four_tag_output_column and
         slice0winner1_four_tag_first_column and slice2mask_inside_1;
-      slice2other_winner_1_1_choice_2 := 7 when slice2other_winner_1_1_choice else slice2other_winner_1_0;
-      slice2other_winner_1_1_choice_3 := slice2other_winner_1_1_choice_2 when slice0winner1_four_tag_valid else
-        slice2other_winner_1_1;
-      slice2other_winner_1_1_choice_4 := slice2other_winner_1_0 when slice0winner1_four_tag_valid else
-        slice2other_winner_1_1;
-      slice2other_cost_0_0 <= slice2other_cost_0_0_choice_3 when slice0winner1_four_tag_output_column else
-        slice2other_cost_0_0_choice_4;
-      slice2other_winner_0_0 <= slice2other_winner_0_0_choice_2 when slice0winner1_four_tag_output_column else
-        slice2other_winner_0_0_choice_3;
-      slice2other_winner_0_1 <= slice2other_winner_0_1_choice_3 when slice0winner1_four_tag_output_column else
-        slice2other_winner_0_1_choice_4;
-      slice2other_winner_1_1 <= slice2other_winner_1_1_choice_3 when slice0winner1_four_tag_output_column else
-        slice2other_winner_1_1_choice_4;
+      if slice0winner1_four_tag_valid then
+        slice2other_cost_0_0 <= slice2window_sum_0_0 when slice2other_cost_0_0_choice else slice1other_cost_out_0;
+        slice2other_cost_1_0 <= slice2window_sum_1_0 when slice2other_cost_1_0_choice else slice1other_cost_out_1;
+        slice2other_winner_0_0 <= 6 when slice2other_cost_0_0_choice else slice1other_winner_out_0;
+        slice2other_winner_0_1 <= 7 when slice0winner1_four_tag_output_column and slice2other_winner_0_1_choice else
+          slice2other_winner_0_0;
+        slice2other_winner_1_0 <= 6 when slice2other_cost_1_0_choice else slice1other_winner_out_1;
+        slice2other_winner_1_1 <= 7 when slice2other_winner_1_1_choice else slice2other_winner_1_0;
+      end if;
       slice2other_winner_out_0 <= slice2other_winner_0_1;
       slice2other_winner_out_1 <= slice2other_winner_1_1;
-      slice2other_cost_1_0_choice := slice0winner1_four_tag_output_column and slice2mask_inside_0 when
-        (slice2window_sum_1_0 - slice1other_cost_out_1) < 0 else slice0winner1_four_tag_first_column and
-        slice0winner1_four_tag_output_column and slice2mask_inside_0;
-      if slice0winner1_four_tag_valid then
-        slice2other_cost_1_0 <= slice2window_sum_1_0 when slice2other_cost_1_0_choice else slice1other_cost_out_1;
-        slice2other_winner_1_0 <= 6 when slice2other_cost_1_0_choice else slice1other_winner_out_1;
-      end if;
       -- slice2winner1
       slice2winner1_best_cost_0_0_choice := 0 when slice2mask_inside_1 else 4095;
       slice2winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice2window_sum_0_1, 12)) or
@@ -1458,11 +1329,11 @@ begin
         leftright_ring_write_address <= leftright_ring_read_address;
       end if;
       -- other
-      other_0 <= other_1;
-      other_1 <= other_3;
-      other_2 <= to_integer(delay_delayed_0(15 downto 8)) * 256;
-      other_3 <= (in_left_pixel / 256) * 256;
-      other_4 <= raster_place_group_is_equal;
+      other_0 <= raster_place_group_is_equal;
+      other_1 <= other_2;
+      other_2 <= other_4;
+      other_3 <= to_integer(delay_delayed_0(15 downto 8)) * 256;
+      other_4 <= (in_left_pixel / 256) * 256;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

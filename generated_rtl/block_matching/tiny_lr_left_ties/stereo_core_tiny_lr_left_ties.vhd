@@ -86,8 +86,8 @@ architecture rtl of stereo_core_tiny_lr_left_ties is
     return '0';
   end function;
 
-  signal in_valid : boolean;
   signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
   signal in_right_pixel : natural range 0 to 255;
   signal in_left_pixel : natural range 0 to 255;
   -- raster
@@ -260,14 +260,14 @@ architecture rtl of stereo_core_tiny_lr_left_ties is
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 15;
   signal leftright_held_0 : unsigned(12 downto 0);
   signal leftright_found_0 : unsigned(2 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
 begin
-  in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
   in_right_pixel <= to_integer(unsigned(right_pixel));
   in_left_pixel <= to_integer(unsigned(left_pixel));
   disparity <= std_logic_vector(to_unsigned(leftright_checked_disparity_0, 8));
@@ -275,22 +275,6 @@ begin
   disparity_valid <= as_bit(leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_start_of_frame <= as_bit(leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_end_of_line <= as_bit(leftright_checked_tag_end_of_line and leftright_checked_tag_valid and leftright_checked_tag_output_column);
-
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_2_0, 3);
   leftright_found_0_memory : entity work.line_memory
@@ -308,51 +292,37 @@ begin
       read_address => leftright_ring_read_address, read_data => leftright_held_0,
       write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
     variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
     variable raster_place_next_frame_choice_2, raster_place_next_frame_choice_3 : boolean;
     variable raster_place_next_frame_choice_4, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
-    variable delay_tag_map_column_is_less, delay_tag_first_column_is_equal, slice0other_cost_0_0_is_less : boolean;
-    variable slice0other_cost_0_0_all, slice0other_cost_0_0_all_2, slice0other_cost_0_2_is_not_less : boolean;
-    variable slice0other_winner_0_1_choice, slice0winner1_of_pair_0_0_is_not_less : boolean;
-    variable slice0winner1_of_four_0_0_is_less, slice1other_cost_0_0_any, slice1other_cost_0_0_is_not_less : boolean;
-    variable slice1other_cost_0_1_is_not_less, slice1other_cost_0_2_is_not_less : boolean;
-    variable slice1winner1_of_pair_0_0_is_not_less, slice1winner1_of_four_0_0_is_less : boolean;
-    variable slice2other_cost_0_0_all, slice2other_cost_0_0_all_2, leftright_holds_winners_all : boolean;
+    variable delay_tag_map_column_is_less, delay_tag_first_column_is_equal, slice0other_cost_0_1_choice : boolean;
+    variable slice0other_cost_0_2_all, slice0winner1_of_pair_0_0_is_not_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice1other_cost_0_0_any, slice1other_cost_0_0_choice : boolean;
+    variable slice1other_cost_0_1_choice, slice1other_cost_0_2_any, slice1winner1_of_pair_0_0_is_not_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice2other_cost_0_0_choice, leftright_holds_winners_all : boolean;
     variable leftright_checked_passed_0_choice, leftright_checked_passed_0_choice_2 : boolean;
     variable leftright_checked_passed_0_choice_3 : boolean;
-    variable raster_place_group_choice, slice1other_winner_0_0_choice : natural range 0 to 3;
-    variable slice1other_winner_0_0_choice_2 : natural range 0 to 3;
+    variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
-    variable slice0other_cost_0_0_choice, slice0other_cost_0_0_choice_2 : natural range 0 to 2301;
-    variable slice0other_cost_0_1_choice, slice0other_cost_0_1_choice_2 : natural range 0 to 2301;
-    variable slice0other_cost_0_1_choice_3, slice0other_cost_0_1_choice_4 : natural range 0 to 2301;
-    variable slice0other_cost_0_2_choice, slice0other_cost_0_2_choice_2 : natural range 0 to 2301;
-    variable slice0other_cost_0_2_choice_3, slice0other_cost_0_2_choice_4 : natural range 0 to 2301;
-    variable slice0other_cost_0_2_choice_5, slice0other_cost_0_2_choice_6 : natural range 0 to 2301;
-    variable slice1other_cost_0_0_choice, slice1other_cost_0_0_choice_2 : natural range 0 to 2301;
-    variable slice1other_cost_0_1_choice, slice1other_cost_0_1_choice_2 : natural range 0 to 2301;
-    variable slice1other_cost_0_1_choice_3, slice1other_cost_0_1_choice_4 : natural range 0 to 2301;
-    variable slice1other_cost_0_1_choice_5, slice1other_cost_0_2_choice : natural range 0 to 2301;
-    variable slice1other_cost_0_2_choice_2, slice1other_cost_0_2_choice_3 : natural range 0 to 2301;
-    variable slice1other_cost_0_2_choice_4, slice1other_cost_0_2_choice_5 : natural range 0 to 2301;
-    variable slice2other_cost_0_0_choice, slice2other_cost_0_0_choice_2 : natural range 0 to 2301;
-    variable slice2other_cost_0_0_choice_3, slice2other_cost_0_0_choice_4 : natural range 0 to 2301;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 2;
-    variable slice0other_winner_0_2_choice_3, slice0other_winner_0_2_choice_4 : natural range 0 to 2;
-    variable slice0other_winner_0_2_choice_5, slice0other_winner_0_2_choice_6 : natural range 0 to 2;
-    variable slice1other_winner_0_1_choice, slice1other_winner_0_1_choice_2 : natural range 0 to 4;
-    variable slice1other_winner_0_1_choice_3, slice1other_winner_0_1_choice_4 : natural range 0 to 4;
-    variable slice1other_winner_0_1_choice_5 : natural range 0 to 4;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 5;
-    variable slice1other_winner_0_2_choice_3, slice1other_winner_0_2_choice_4 : natural range 0 to 5;
-    variable slice1other_winner_0_2_choice_5 : natural range 0 to 5;
-    variable slice2other_winner_0_1_choice, slice2other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice_3, slice2other_winner_0_1_choice_4 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice_5, slice2other_winner_0_1_choice_6 : natural range 0 to 7;
     variable leftright_address_0_value : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice, slice2other_winner_0_0_choice_2 : natural range 0 to 6;
   begin
     if rising_edge(clock) then
       -- raster
@@ -555,57 +525,17 @@ begin
         slice0window_tag_first_column <= slice1cost_tag_first_column;
       end if;
       -- slice0other
-      slice0other_cost_0_0_is_less := (slice0other_cost_0_0 - slice0window_sum_0_1) < 0;
-      slice0other_cost_0_0_all := slice0other_cost_0_0_is_less and (not slice1window_centre_first_column_0) and
-        slice1window_centre_output_column_0;
-      slice0other_cost_0_0_all_2 := ((slice0other_cost_0_0 - slice0window_sum_0_1) >= 0) and (not
-        slice1window_centre_first_column_0) and slice1window_centre_output_column_0;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice1window_centre_output_column_0 else 0;
-      slice0other_cost_0_0_choice_2 := slice0window_sum_0_0 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_0_choice;
+      slice0other_cost_0_1_choice := slice1window_centre_output_column_0 when (slice0other_cost_0_0 -
+        slice0window_sum_0_1) >= 0 else slice1window_centre_output_column_0 and slice1window_centre_first_column_0;
+      slice0other_cost_0_2_all := slice1window_centre_output_column_0 and (((slice0other_cost_0_1 -
+        slice0window_sum_0_2) >= 0) or slice1window_centre_first_column_0);
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_0_choice_2;
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice1window_centre_output_column_0 else 0;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_all else slice0other_cost_0_1;
+        slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
+        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_all else as_number(slice0other_winner_0_1);
       end if;
-      slice0other_cost_0_1_choice := slice0other_cost_0_0 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_2 := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice_2 when slice1window_centre_output_column_0 else
-        slice0other_cost_0_1_choice;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_1_choice_3;
-      slice0other_cost_0_2_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_2) >= 0;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0other_cost_0_2_is_not_less else
-        slice0other_cost_0_1;
-      slice0other_cost_0_2_choice_2 := slice0other_cost_0_2_choice when slice0window_tag_valid else
-        slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_3 := slice0window_sum_0_2 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_5 := slice0other_cost_0_2_choice_3 when slice1window_centre_output_column_0 else
-        slice0other_cost_0_2_choice_4;
-      slice0other_cost_0_2_choice_6 := slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_2_choice_5;
-      slice0other_winner_0_1_choice := slice1window_centre_output_column_0 when slice0window_tag_valid else
-        slice0other_winner_0_1;
-      slice0other_winner_0_2_choice := 2 when slice0other_cost_0_2_is_not_less else as_number(slice0other_winner_0_1);
-      slice0other_winner_0_2_choice_2 := slice0other_winner_0_2_choice when slice0window_tag_valid else
-        slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_3 := 2 when slice0window_tag_valid else slice0other_winner_0_2;
-      if slice0window_tag_valid then
-        slice0other_winner_0_2_choice_4 := as_number(slice0other_winner_0_1);
-      else
-        slice0other_winner_0_2_choice_4 := slice0other_winner_0_2;
-      end if;
-      slice0other_winner_0_2_choice_5 := slice0other_winner_0_2_choice_3 when slice1window_centre_output_column_0 else
-        slice0other_winner_0_2_choice_4;
-      slice0other_winner_0_2_choice_6 := slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_2_choice_5;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_4;
-      slice0other_cost_0_2 <= slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_2_choice_6;
-      slice0other_winner_0_1 <= slice0other_winner_0_1 and (not slice0window_tag_valid) when
-        slice0other_cost_0_0_is_less and (not slice1window_centre_first_column_0) else slice0other_winner_0_1_choice;
-      slice0other_winner_0_2 <= slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_2_choice_6;
       slice0other_cost_out_0 <= slice0other_cost_0_2;
       slice0other_winner_out_0 <= slice0other_winner_0_2;
       -- slice0winner1
@@ -720,65 +650,22 @@ begin
         slice1window_tag_first_column <= slice2cost_tag_first_column;
       end if;
       -- slice1other
-      slice1other_cost_0_0_any := (not slice0winner1_pair_tag_first_column) or (not
-        slice0winner1_pair_tag_output_column);
-      slice1other_cost_0_0_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_0) >= 0;
-      slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice1other_cost_0_0_is_not_less else
-        slice0other_cost_out_0;
-      slice1other_cost_0_0_choice_2 := slice1other_cost_0_0_choice when slice0winner1_pair_tag_output_column else
-        slice0other_cost_out_0;
-      slice1other_winner_0_0_choice := 3 when slice1other_cost_0_0_is_not_less else slice0other_winner_out_0;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_pair_tag_output_column else
-        slice0other_winner_out_0;
+      slice1other_cost_0_0_any := (not slice0winner1_pair_tag_output_column) or (not
+        slice0winner1_pair_tag_first_column);
+      slice1other_cost_0_0_choice := not slice0winner1_pair_tag_output_column when (slice0other_cost_out_0 -
+        slice1window_sum_0_0) >= 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_1_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_0 -
+        slice1window_sum_0_1) >= 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_2_any := (not slice0winner1_pair_tag_output_column) or ((not
+        slice0winner1_pair_tag_first_column) and ((slice1other_cost_0_1 - slice1window_sum_0_2) < 0));
       if slice0winner1_pair_tag_valid then
-        slice1other_cost_0_0 <= slice1other_cost_0_0_choice_2 when slice1other_cost_0_0_any else slice1window_sum_0_0;
-        slice1other_winner_0_0 <= slice1other_winner_0_0_choice_2 when slice1other_cost_0_0_any else 3;
+        slice1other_cost_0_0 <= slice0other_cost_out_0 when slice1other_cost_0_0_choice else slice1window_sum_0_0;
+        slice1other_cost_0_1 <= slice1other_cost_0_0 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice1other_cost_0_1 when slice1other_cost_0_2_any else slice1window_sum_0_2;
+        slice1other_winner_0_0 <= slice0other_winner_out_0 when slice1other_cost_0_0_choice else 3;
+        slice1other_winner_0_1 <= slice1other_winner_0_0 when slice1other_cost_0_1_choice else 4;
+        slice1other_winner_0_2 <= slice1other_winner_0_1 when slice1other_cost_0_2_any else 5;
       end if;
-      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_0 - slice1window_sum_0_1) >= 0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
-        slice1other_cost_0_0;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_0 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_2_is_not_less := (slice1other_cost_0_1 - slice1window_sum_0_2) >= 0;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice1other_cost_0_2_is_not_less else
-        slice1other_cost_0_1;
-      slice1other_cost_0_2_choice_2 := slice1other_cost_0_2_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_3 := slice1other_cost_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_cost_0_2_choice_3;
-      slice1other_cost_0_2_choice_5 := slice1window_sum_0_2 when slice0winner1_pair_tag_valid else slice1other_cost_0_2;
-      slice1other_winner_0_1_choice := 4 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_1;
-      if slice0winner1_pair_tag_valid then
-        slice1other_winner_0_1_choice_3 := slice1other_winner_0_0;
-      else
-        slice1other_winner_0_1_choice_3 := slice1other_winner_0_1;
-      end if;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 4 when slice0winner1_pair_tag_valid else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice := 5 when slice1other_cost_0_2_is_not_less else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_3 := slice1other_winner_0_1 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice_2 when slice0winner1_pair_tag_output_column else
-        slice1other_winner_0_2_choice_3;
-      slice1other_winner_0_2_choice_5 := 5 when slice0winner1_pair_tag_valid else slice1other_winner_0_2;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_1_choice_5;
-      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_2_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_1_choice_5;
-      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_2_choice_5;
       slice1other_cost_out_0 <= slice1other_cost_0_2;
       slice1other_winner_out_0 <= slice1other_winner_0_2;
       -- slice1winner1
@@ -850,38 +737,16 @@ begin
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2other
-      slice2other_cost_0_0_all := ((slice1other_cost_out_0 - slice2window_sum_0_0) < 0) and (not
-        slice0winner1_four_tag_first_column) and slice0winner1_four_tag_output_column;
-      slice2other_cost_0_0_choice := slice1other_cost_out_0 when slice0winner1_four_tag_valid else slice2other_cost_0_0;
-      slice2other_cost_0_0_all_2 := ((slice1other_cost_out_0 - slice2window_sum_0_0) >= 0) and (not
-        slice0winner1_four_tag_first_column) and slice0winner1_four_tag_output_column;
-      slice2other_cost_0_0_choice_2 := slice2window_sum_0_0 when slice0winner1_four_tag_valid else slice2other_cost_0_0;
-      slice2other_cost_0_0_choice_3 := slice2other_cost_0_0_choice_2 when slice0winner1_four_tag_output_column else
-        slice2other_cost_0_0_choice;
-      slice2other_cost_0_0_choice_4 := slice2other_cost_0_0_choice_2 when slice2other_cost_0_0_all_2 else
-        slice2other_cost_0_0_choice_3;
-      slice2other_winner_0_1_choice := 7 when (slice2other_cost_0_0 - slice2window_sum_0_1) >= 0 else
-        slice2other_winner_0_0;
-      slice2other_winner_0_1_choice_2 := slice2other_winner_0_1_choice when slice0winner1_four_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_3 := 7 when slice0winner1_four_tag_valid else slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_4 := slice2other_winner_0_0 when slice0winner1_four_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_5 := slice2other_winner_0_1_choice_3 when slice0winner1_four_tag_output_column else
-        slice2other_winner_0_1_choice_4;
-      slice2other_winner_0_1_choice_6 := slice2other_winner_0_1_choice_2 when slice2other_cost_0_0_all_2 else
-        slice2other_winner_0_1_choice_5;
-      slice2other_cost_0_0 <= slice2other_cost_0_0_choice when slice2other_cost_0_0_all else
-        slice2other_cost_0_0_choice_4;
-      slice2other_winner_0_1 <= slice2other_winner_0_1_choice_2 when slice2other_cost_0_0_all else
-        slice2other_winner_0_1_choice_6;
-      slice2other_winner_out_0 <= slice2other_winner_0_1;
-      slice2other_winner_0_0_choice := 6 when slice0winner1_four_tag_output_column else slice1other_winner_out_0;
-      slice2other_winner_0_0_choice_2 := 6 when slice2other_cost_0_0_all_2 else slice2other_winner_0_0_choice;
+      slice2other_cost_0_0_choice := not slice0winner1_four_tag_output_column when (slice1other_cost_out_0 -
+        slice2window_sum_0_0) >= 0 else (not slice0winner1_four_tag_output_column) or (not
+        slice0winner1_four_tag_first_column);
       if slice0winner1_four_tag_valid then
-        slice2other_winner_0_0 <= slice1other_winner_out_0 when slice2other_cost_0_0_all else
-          slice2other_winner_0_0_choice_2;
+        slice2other_cost_0_0 <= slice1other_cost_out_0 when slice2other_cost_0_0_choice else slice2window_sum_0_0;
+        slice2other_winner_0_0 <= slice1other_winner_out_0 when slice2other_cost_0_0_choice else 6;
+        slice2other_winner_0_1 <= slice2other_winner_0_0 when (not slice0winner1_four_tag_output_column) or ((not
+          slice0winner1_four_tag_first_column) and ((slice2other_cost_0_0 - slice2window_sum_0_1) < 0)) else 7;
       end if;
+      slice2other_winner_out_0 <= slice2other_winner_0_1;
       -- slice2winner1
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 else
         slice2window_sum_0_0;

@@ -87,10 +87,10 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
     return '0';
   end function;
 
-  signal in_right_pixel : natural range 0 to 255;
-  signal in_valid : boolean;
   signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
   signal in_left_pixel : natural range 0 to 255;
+  signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
   signal raster_features_valid : boolean;
@@ -316,6 +316,8 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
   signal leftright_checked_disparity_0 : natural range 0 to 15;
   signal leftright_held_0 : unsigned(12 downto 0);
   signal leftright_found_0 : unsigned(2 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(21 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(21 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(10 downto 0);
@@ -331,19 +333,33 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
 
 begin
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
   in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(right_pixel));
   disparity <= std_logic_vector(to_unsigned(leftright_checked_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(leftright_checked_passed_0), 1));
   disparity_valid <= as_bit(leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_start_of_frame <= as_bit(leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_end_of_line <= as_bit(leftright_checked_tag_end_of_line and leftright_checked_tag_valid and leftright_checked_tag_output_column);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_2_0, 3);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 3)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(slice2_best_index_0_0, 8) & to_unsigned(as_number(slice2_best_tag_end_of_line), 1) & to_unsigned(as_number(slice2_best_tag_start_of_frame), 1) & to_unsigned(as_number(slice2_best_tag_output_column), 1) & to_unsigned(as_number(slice2_best_tag_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 13)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 11) & to_unsigned(slice2cost_column_0_0, 11);
   slice2window_leaving_0_memory : entity work.line_memory
@@ -383,7 +399,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_1_memory_write_data);
+      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_1_memory_write_data);
 
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 22);
   slice1cost_read_words_0_memory : entity work.line_memory
@@ -391,7 +407,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
+      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_0_memory_write_data);
 
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_2, 11);
   slice0window_leaving_1_memory : entity work.line_memory
@@ -415,7 +431,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_1_memory_write_data);
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_1_memory_write_data);
 
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 22);
   slice0cost_read_words_0_memory : entity work.line_memory
@@ -423,7 +439,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_0_memory_write_data);
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -465,30 +481,13 @@ begin
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_2_0, 3);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(slice2_best_index_0_0, 8) & to_unsigned(as_number(slice2_best_tag_end_of_line), 1) & to_unsigned(as_number(slice2_best_tag_start_of_frame), 1) & to_unsigned(as_number(slice2_best_tag_output_column), 1) & to_unsigned(as_number(slice2_best_tag_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 13)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
-
   process (clock)
     variable raster_place_column_choice, delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
-    variable slice0other_cost_0_0_all, slice0other_cost_0_0_is_not_less, slice0other_cost_0_0_all_2 : boolean;
-    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_four_0_0_is_less, slice1other_cost_0_0_any : boolean;
-    variable slice1other_cost_0_0_is_not_less, slice1other_cost_0_1_is_not_less : boolean;
-    variable slice1other_cost_0_2_is_not_less, slice1winner1_of_pair_0_0_is_less : boolean;
-    variable slice1winner1_of_four_0_0_is_less, slice1_best_cost_0_0_is_less, slice2other_cost_0_1_all : boolean;
-    variable slice2other_cost_0_1_all_2, slice2winner1_best_cost_0_0_is_less, leftright_holds_winners_all : boolean;
+    variable slice0other_cost_0_0_all, slice0other_cost_0_1_choice, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice1other_cost_0_0_any, slice1other_cost_0_1_any : boolean;
+    variable slice1other_cost_0_1_choice, slice1other_cost_0_2_choice, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice1_best_cost_0_0_is_less, slice2other_cost_0_1_choice : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, leftright_holds_winners_all : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 2047;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 2047;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 2047;
@@ -502,38 +501,9 @@ begin
     variable slice2cost_column_0_1_choice, slice2cost_column_0_1_choice_2 : natural range 0 to 2047;
     variable slice2window_change_0_0_choice, slice2window_change_0_1_choice : natural range 0 to 2047;
     variable slice0window_sum_0_0_choice, slice0window_sum_0_1_choice : natural range 0 to 16383;
-    variable slice0window_sum_0_2_choice, slice0other_cost_0_0_choice : natural range 0 to 16383;
-    variable slice0other_cost_0_0_choice_2, slice0other_cost_0_0_choice_3 : natural range 0 to 16383;
-    variable slice0other_cost_0_0_choice_4, slice0other_cost_0_0_choice_5 : natural range 0 to 16383;
-    variable slice0other_cost_0_0_choice_6, slice0other_cost_0_1_choice : natural range 0 to 16383;
-    variable slice0other_cost_0_1_choice_2, slice0other_cost_0_1_choice_3 : natural range 0 to 16383;
-    variable slice0other_cost_0_1_choice_4, slice0other_cost_0_2_choice : natural range 0 to 16383;
-    variable slice0other_cost_0_2_choice_2, slice1window_sum_0_0_choice : natural range 0 to 16383;
+    variable slice0window_sum_0_2_choice, slice1window_sum_0_0_choice : natural range 0 to 16383;
     variable slice1window_sum_0_1_choice, slice1window_sum_0_2_choice : natural range 0 to 16383;
-    variable slice1other_cost_0_0_choice, slice1other_cost_0_0_choice_2 : natural range 0 to 16383;
-    variable slice1other_cost_0_0_choice_3, slice1other_cost_0_0_choice_4 : natural range 0 to 16383;
-    variable slice1other_cost_0_0_choice_5, slice1other_cost_0_1_choice : natural range 0 to 16383;
-    variable slice1other_cost_0_1_choice_2, slice1other_cost_0_1_choice_3 : natural range 0 to 16383;
-    variable slice1other_cost_0_1_choice_4, slice1other_cost_0_1_choice_5 : natural range 0 to 16383;
-    variable slice1other_cost_0_2_choice, slice1other_cost_0_2_choice_2 : natural range 0 to 16383;
     variable slice2window_sum_0_0_choice, slice2window_sum_0_1_choice : natural range 0 to 16383;
-    variable slice2other_cost_0_1_choice, slice2other_cost_0_1_choice_2 : natural range 0 to 16383;
-    variable slice2other_cost_0_1_choice_3, slice2other_cost_0_1_choice_4 : natural range 0 to 16383;
-    variable slice0other_winner_0_0_choice, slice0other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_0_0_choice_3, slice0other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_0_0_choice_5, slice0other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_0_1_choice, slice0other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice, slice1other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice_3, slice1other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice_5, slice1other_winner_0_1_choice : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_2, slice1other_winner_0_1_choice_3 : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_4, slice1other_winner_0_1_choice_5 : natural range 0 to 7;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice, slice2other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice_3, slice2other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice_5, slice2other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice, slice2other_winner_0_1_choice_2 : natural range 0 to 7;
     variable leftright_checked_passed_0_difference : integer range -6 to 16;
   begin
     if rising_edge(clock) then
@@ -789,6 +759,8 @@ begin
       slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
       slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
       slice0window_centre_map_column_0 <= slice0window_change_tag_map_column;
+      slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
+      slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
@@ -801,65 +773,26 @@ begin
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 16384;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 16384;
         slice0window_sum_0_2 <= (slice0window_sum_0_2_choice + slice0window_change_0_2) mod 16384;
-        slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
-        slice0window_centre_output_column_1 <= slice0window_centre_output_column_0;
+        slice0window_centre_output_column_1 <= slice1window_change_tag_output_column;
         slice0window_centre_output_column_2 <= slice0window_centre_output_column_1;
-        slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
-        slice0window_centre_first_column_1 <= slice0window_centre_first_column_0;
+        slice0window_centre_first_column_1 <= slice1window_change_tag_first_cost;
         slice0window_centre_first_column_2 <= slice0window_centre_first_column_1;
       end if;
       -- slice0other
-      slice0other_cost_0_0_all := ((slice0other_cost_0_2 - slice0window_sum_0_1) < 0) and (not
-        slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_0) >= 0;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0other_cost_0_0_is_not_less else
-        slice0other_cost_0_1;
-      slice0other_cost_0_0_choice_2 := slice0other_cost_0_0_choice when slice0window_tag_valid else
-        slice0other_cost_0_0;
-      slice0other_cost_0_0_all_2 := ((slice0other_cost_0_2 - slice0window_sum_0_1) >= 0) and (not
-        slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_choice_3 := slice0window_sum_0_0 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_5 := slice0other_cost_0_0_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_0_choice_4;
-      slice0other_cost_0_0_choice_6 := slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_0_choice_5;
-      slice0other_cost_0_1_choice := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_2 := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice_2 when slice0window_tag_output_column else
-        slice0other_cost_0_1_choice;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_1_choice_3;
-      slice0other_winner_0_0_choice := 5 when slice0other_cost_0_0_is_not_less else slice0other_winner_0_1;
-      slice0other_winner_0_0_choice_2 := slice0other_winner_0_0_choice when slice0window_tag_valid else
-        slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_4 := slice0other_winner_0_1 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_5 := slice0other_winner_0_0_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_0_choice_4;
-      slice0other_winner_0_0_choice_6 := slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_0_choice_5;
-      slice0other_cost_0_0 <= slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_0_choice_6;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_4;
-      slice0other_winner_0_0 <= slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_0_choice_6;
+      slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
+        0) or slice0window_tag_first_column);
+      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
+        >= 0 else slice0window_tag_output_column and slice0window_tag_first_column;
+      if slice0window_tag_valid then
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_output_column else 0;
+        slice0other_winner_0_0 <= 5 when slice0other_cost_0_0_all else slice0other_winner_0_1;
+        slice0other_winner_0_1 <= 6 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
+        slice0other_winner_0_2 <= 7 when slice0window_tag_output_column else 0;
+      end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_winner_out_0 <= slice0other_winner_0_0;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0window_tag_output_column else 0;
-      slice0other_cost_0_2_choice_2 := slice0window_sum_0_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_2_choice;
-      slice0other_winner_0_1_choice := 6 when slice0window_tag_output_column else slice0other_winner_0_2;
-      slice0other_winner_0_1_choice_2 := 6 when slice0other_cost_0_0_all_2 else slice0other_winner_0_1_choice;
-      slice0other_winner_0_2_choice := 7 when slice0window_tag_output_column else 0;
-      slice0other_winner_0_2_choice_2 := 7 when slice0other_cost_0_0_all_2 else slice0other_winner_0_2_choice;
-      if slice0window_tag_valid then
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_0_all else slice0other_cost_0_2_choice_2;
-        slice0other_winner_0_1 <= slice0other_winner_0_2 when slice0other_cost_0_0_all else
-          slice0other_winner_0_1_choice_2;
-        slice0other_winner_0_2 <= 7 when slice0other_cost_0_0_all else slice0other_winner_0_2_choice_2;
-      end if;
       -- slice0winner1
       slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
@@ -870,6 +803,8 @@ begin
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
       slice0winner1_pair_index_0_1 <= 2;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice1window_centre_output_column_2;
+      slice0winner1_pair_tag_first_column <= slice1window_centre_first_column_2;
       slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
       slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
       slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
@@ -877,8 +812,8 @@ begin
         as_number(slice0winner1_pair_index_0_0);
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
-      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
-      slice0winner1_four_tag_first_column <= slice0winner1_pair_tag_first_column;
+      slice0winner1_four_tag_output_column <= slice1window_tag_output_column;
+      slice0winner1_four_tag_first_column <= slice1window_tag_first_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
       slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
       slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 14)) or
@@ -891,8 +826,6 @@ begin
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       if slice0winner1_pair_tag_valid then
         slice0winner1_pair_tag_map_column <= slice2window_centre_map_column_1;
-        slice0winner1_pair_tag_output_column <= slice2window_centre_output_column_1;
-        slice0winner1_pair_tag_first_column <= slice2window_centre_first_column_1;
         slice0winner1_pair_tag_start_of_frame <= slice2window_centre_start_of_frame_1;
         slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_1;
       end if;
@@ -952,14 +885,12 @@ begin
       slice1cost_change_0_2 <= slice1cost_pixels_cost_1_2 - slice1cost_pixels_cost_0_2;
       slice1cost_ready_words_0 <= to_integer(slice1cost_read_words_0);
       slice1cost_ready_words_1 <= to_integer(slice1cost_read_words_1);
+      slice1cost_ready_column <= slice1cost_change_column;
       slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
       slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
       slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
-      if slice0cost_ready_tag_valid then
-        slice1cost_ready_column <= slice2cost_read_column;
-      end if;
+      slice1cost_write_column <= slice0cost_write_column;
       if slice0cost_tag_valid then
-        slice1cost_write_column <= slice2cost_change_column;
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 2048) + slice1cost_column_0_0_choice_2;
         slice1cost_write_words_1 <= slice1cost_column_0_2_choice_2;
       end if;
@@ -990,86 +921,51 @@ begin
       slice1window_change_0_0 <= slice1window_entering_0_0 - slice1window_change_0_0_choice;
       slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
       slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
-      slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
-      slice1window_change_tag_output_column <= slice0window_change_tag_output_column;
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
-      slice1window_centre_output_column_0 <= slice1window_change_tag_output_column;
-      slice1window_centre_first_column_0 <= slice1window_change_tag_first_cost;
       slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      slice1window_tag_output_column <= slice1window_centre_output_column_2;
-      slice1window_tag_first_column <= slice1window_centre_first_column_2;
-      slice1window_sum_0_0_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_2;
+      if slice0window_change_tag_valid then
+        slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
+        slice1window_change_tag_output_column <= slice0window_change_tag_output_column;
+      end if;
+      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
+      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
+      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 16384;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 16384;
         slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 16384;
-        slice1window_centre_output_column_1 <= slice2window_change_tag_output_column;
+        slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+        slice1window_centre_output_column_1 <= slice1window_centre_output_column_0;
         slice1window_centre_output_column_2 <= slice1window_centre_output_column_1;
-        slice1window_centre_first_column_1 <= slice2window_change_tag_first_cost;
+        slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
+        slice1window_centre_first_column_1 <= slice1window_centre_first_column_0;
         slice1window_centre_first_column_2 <= slice1window_centre_first_column_1;
       end if;
+      if slice0winner1_pair_tag_valid then
+        slice1window_tag_output_column <= slice2window_centre_output_column_1;
+        slice1window_tag_first_column <= slice2window_centre_first_column_1;
+      end if;
       -- slice1other
-      slice1other_cost_0_0_any := (not slice1window_tag_first_column) or (not slice1window_tag_output_column);
-      slice1other_cost_0_0_is_not_less := (slice1other_cost_0_1 - slice1window_sum_0_0) >= 0;
-      slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice1other_cost_0_0_is_not_less else
-        slice1other_cost_0_1;
-      slice1other_cost_0_0_choice_2 := slice1other_cost_0_0_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_3 := slice1other_cost_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice_2 when slice1window_tag_output_column else
-        slice1other_cost_0_0_choice_3;
-      slice1other_cost_0_0_choice_5 := slice1window_sum_0_0 when slice0winner1_pair_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
-        slice1other_cost_0_2;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_pair_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_2 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice1window_tag_output_column else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
-      slice1other_winner_0_0_choice := 2 when slice1other_cost_0_0_is_not_less else slice1other_winner_0_1;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_3 := slice1other_winner_0_1 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice_2 when slice1window_tag_output_column else
-        slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_0_choice_5 := 2 when slice0winner1_pair_tag_valid else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice := 3 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_2;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_2 when slice0winner1_pair_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice1window_tag_output_column else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 3 when slice0winner1_pair_tag_valid else slice1other_winner_0_1;
-      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_0_choice_5;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_1_choice_5;
-      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_0_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_1_choice_5;
+      slice1other_cost_0_0_any := (not slice0winner1_pair_tag_output_column) or ((not
+        slice0winner1_pair_tag_first_column) and ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0));
+      slice1other_cost_0_1_any := (not slice0winner1_pair_tag_output_column) or (not
+        slice0winner1_pair_tag_first_column);
+      slice1other_cost_0_1_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_2 -
+        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_2_choice := not slice0winner1_pair_tag_output_column when (slice0other_cost_out_0 -
+        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
+      if slice0winner1_pair_tag_valid then
+        slice1other_cost_0_0 <= slice1other_cost_0_1 when slice1other_cost_0_0_any else slice1window_sum_0_0;
+        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice0other_cost_out_0 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
+        slice1other_winner_0_0 <= slice1other_winner_0_1 when slice1other_cost_0_0_any else 2;
+        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 3;
+        slice1other_winner_0_2 <= slice0other_winner_out_0 when slice1other_cost_0_2_choice else 4;
+      end if;
       slice1other_cost_out_0 <= slice1other_cost_0_0;
       slice1other_winner_out_0 <= slice1other_winner_0_0;
-      slice1other_cost_0_2_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_2) >= 0;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice1other_cost_0_2_is_not_less else
-        slice0other_cost_out_0;
-      slice1other_cost_0_2_choice_2 := slice1other_cost_0_2_choice when slice1window_tag_output_column else
-        slice0other_cost_out_0;
-      slice1other_winner_0_2_choice := 4 when slice1other_cost_0_2_is_not_less else slice0other_winner_out_0;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice1window_tag_output_column else
-        slice0other_winner_out_0;
-      if slice0winner1_pair_tag_valid then
-        slice1other_cost_0_2 <= slice1other_cost_0_2_choice_2 when slice1other_cost_0_0_any else slice1window_sum_0_2;
-        slice1other_winner_0_2 <= slice1other_winner_0_2_choice_2 when slice1other_cost_0_0_any else 4;
-      end if;
       -- slice1winner1
       slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
@@ -1126,15 +1022,19 @@ begin
       slice2cost_pixels_cost_1_1 <= (folded(slice2cost_pixels_first_1_1) + as_number((slice2cost_pixels_first_1_1 <
         0))) mod 256;
       slice2cost_read_column <= slice1cost_read_column;
-      slice2cost_change_column <= slice1cost_change_column;
       slice2cost_change_0_0 <= slice2cost_pixels_cost_1_0 - slice2cost_pixels_cost_0_0;
       slice2cost_change_0_1 <= slice2cost_pixels_cost_1_1 - slice2cost_pixels_cost_0_1;
       slice2cost_ready_words_0 <= to_integer(slice2cost_read_words_0);
-      slice2cost_ready_column <= slice0cost_write_column;
       slice2cost_column_0_0 <= slice2cost_column_0_0_choice_2;
       slice2cost_column_0_1 <= slice2cost_column_0_1_choice_2;
+      if slice0cost_ready_tag_valid then
+        slice2cost_change_column <= slice2cost_read_column;
+      end if;
+      if slice0cost_tag_valid then
+        slice2cost_ready_column <= slice1cost_ready_column;
+      end if;
       if slice0window_entering_tag_valid then
-        slice2cost_write_column <= slice2cost_ready_column;
+        slice2cost_write_column <= slice1cost_write_column;
         slice2cost_write_words_0 <= (slice2cost_column_0_1_choice_2 * 2048) + slice2cost_column_0_0_choice_2;
       end if;
       -- slice2window
@@ -1157,20 +1057,18 @@ begin
       slice2window_entering_0_1 <= slice2cost_column_0_1;
       slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;
       slice2window_change_0_1 <= slice2window_entering_0_1 - slice2window_change_0_1_choice;
-      if slice0window_tag_valid then
-        slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
-        slice2window_change_tag_output_column <= slice1window_change_tag_output_column;
-      end if;
-      slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
+      slice2window_change_tag_first_cost <= slice0window_centre_first_column_0;
+      slice2window_change_tag_output_column <= slice0window_centre_output_column_0;
+      slice2window_sum_0_0_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_0;
+      slice2window_sum_0_1_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_1;
       if slice0winner1_pair_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 16384;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 16384;
         slice2window_centre_map_column_0 <= slice1window_centre_map_column_0;
         slice2window_centre_map_column_1 <= slice2window_centre_map_column_0;
-        slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
+        slice2window_centre_output_column_0 <= slice2window_change_tag_output_column;
         slice2window_centre_output_column_1 <= slice2window_centre_output_column_0;
-        slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
+        slice2window_centre_first_column_0 <= slice2window_change_tag_first_cost;
         slice2window_centre_first_column_1 <= slice2window_centre_first_column_0;
         slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
         slice2window_centre_start_of_frame_1 <= slice2window_centre_start_of_frame_0;
@@ -1178,38 +1076,16 @@ begin
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
       end if;
       -- slice2other
-      slice2other_cost_0_1_all := ((slice1other_cost_out_0 - slice2window_sum_0_1) < 0) and (not
-        slice0winner1_four_tag_first_column) and slice0winner1_four_tag_output_column;
-      slice2other_cost_0_1_choice := slice1other_cost_out_0 when slice0winner1_four_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_all_2 := ((slice1other_cost_out_0 - slice2window_sum_0_1) >= 0) and (not
-        slice0winner1_four_tag_first_column) and slice0winner1_four_tag_output_column;
-      slice2other_cost_0_1_choice_2 := slice2window_sum_0_1 when slice0winner1_four_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_3 := slice2other_cost_0_1_choice_2 when slice0winner1_four_tag_output_column else
-        slice2other_cost_0_1_choice;
-      slice2other_cost_0_1_choice_4 := slice2other_cost_0_1_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_1_choice_3;
-      slice2other_winner_0_0_choice := 0 when (slice2other_cost_0_1 - slice2window_sum_0_0) >= 0 else
-        slice2other_winner_0_1;
-      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner1_four_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_3 := 0 when slice0winner1_four_tag_valid else slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_4 := slice2other_winner_0_1 when slice0winner1_four_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_5 := slice2other_winner_0_0_choice_3 when slice0winner1_four_tag_output_column else
-        slice2other_winner_0_0_choice_4;
-      slice2other_winner_0_0_choice_6 := slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_0_choice_5;
-      slice2other_cost_0_1 <= slice2other_cost_0_1_choice when slice2other_cost_0_1_all else
-        slice2other_cost_0_1_choice_4;
-      slice2other_winner_0_0 <= slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_0_choice_6;
-      slice2other_winner_out_0 <= slice2other_winner_0_0;
-      slice2other_winner_0_1_choice := 1 when slice0winner1_four_tag_output_column else slice1other_winner_out_0;
-      slice2other_winner_0_1_choice_2 := 1 when slice2other_cost_0_1_all_2 else slice2other_winner_0_1_choice;
+      slice2other_cost_0_1_choice := not slice0winner1_four_tag_output_column when (slice1other_cost_out_0 -
+        slice2window_sum_0_1) >= 0 else (not slice0winner1_four_tag_output_column) or (not
+        slice0winner1_four_tag_first_column);
       if slice0winner1_four_tag_valid then
-        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_all else
-          slice2other_winner_0_1_choice_2;
+        slice2other_cost_0_1 <= slice1other_cost_out_0 when slice2other_cost_0_1_choice else slice2window_sum_0_1;
+        slice2other_winner_0_0 <= slice2other_winner_0_1 when (not slice0winner1_four_tag_output_column) or ((not
+          slice0winner1_four_tag_first_column) and ((slice2other_cost_0_1 - slice2window_sum_0_0) < 0)) else 0;
+        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_choice else 1;
       end if;
+      slice2other_winner_out_0 <= slice2other_winner_0_0;
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
@@ -1332,11 +1208,11 @@ begin
         slice0window_change_tag_output_column <= false;
         slice0window_change_tag_start_of_frame <= false;
         slice0window_change_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0winner1_pair_tag_valid <= false;
-        slice0winner1_pair_tag_output_column <= false;
         slice0winner1_pair_tag_start_of_frame <= false;
         slice0winner1_pair_tag_end_of_line <= false;
         slice0winner1_four_tag_valid <= false;
@@ -1357,10 +1233,9 @@ begin
         slice1cost_write_column <= 0;
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
-        slice1window_change_tag_output_column <= false;
-        slice1window_centre_output_column_0 <= false;
         slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
+        slice1window_tag_output_column <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
         slice1_best_tag_start_of_frame <= false;
@@ -1371,6 +1246,7 @@ begin
         slice2cost_write_column <= 0;
         slice2window_ring_read_address <= 1;
         slice2window_ring_write_address <= 0;
+        slice2window_change_tag_output_column <= false;
         slice2window_centre_output_column_0 <= false;
         slice2window_centre_output_column_1 <= false;
         slice2window_centre_start_of_frame_0 <= false;

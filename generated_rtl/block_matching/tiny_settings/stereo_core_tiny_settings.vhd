@@ -92,10 +92,10 @@ architecture rtl of stereo_core_tiny_settings is
     return '0';
   end function;
 
-  signal in_right_pixel : natural range 0 to 255;
-  signal in_valid : boolean;
   signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
   signal in_left_pixel : natural range 0 to 255;
+  signal in_right_pixel : natural range 0 to 255;
   signal in_left_right_threshold : natural range 0 to 255;
   signal in_uniqueness_percent : natural range 0 to 255;
   -- settings
@@ -303,17 +303,17 @@ architecture rtl of stereo_core_tiny_settings is
   signal leftright_held_0 : unsigned(12 downto 0);
   signal leftright_found_0 : unsigned(2 downto 0);
   signal leftright_threshold : natural range 0 to 255;
+  signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
 
 begin
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
   in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(right_pixel));
   in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
   in_uniqueness_percent <= to_integer(unsigned(uniqueness_percent));
   disparity <= std_logic_vector(to_unsigned(leftright_checked_disparity_0, 8));
@@ -321,6 +321,22 @@ begin
   disparity_valid <= as_bit(leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_start_of_frame <= as_bit(leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_end_of_line <= as_bit(leftright_checked_tag_end_of_line and leftright_checked_tag_valid and leftright_checked_tag_output_column);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_5_0, 3);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 3)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(as_number(refinement_passed_3_0), 1) & to_unsigned(refinement_disparity_3_0, 8) & to_unsigned(as_number(refinement_tag_3_end_of_line), 1) & to_unsigned(as_number(refinement_tag_3_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_3_output_column), 1) & to_unsigned(as_number(refinement_tag_3_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 13)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
   rows_search_rows_read_words_0_memory : entity work.line_memory
@@ -346,65 +362,19 @@ begin
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_5_0, 3);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(as_number(refinement_passed_3_0), 1) & to_unsigned(refinement_disparity_3_0, 8) & to_unsigned(as_number(refinement_tag_3_end_of_line), 1) & to_unsigned(as_number(refinement_tag_3_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_3_output_column), 1) & to_unsigned(as_number(refinement_tag_3_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 13)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
-
   process (clock)
     variable settings_uniqueness_percent_any, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
     variable raster_place_group_all, raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
     variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less : boolean;
     variable delay_row_inside_1_is_less, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, slice0other_cost_0_0_all, slice0other_cost_0_0_is_not_less : boolean;
-    variable slice0other_cost_0_0_all_2, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice1other_cost_0_0_any, slice1other_cost_0_0_is_not_less : boolean;
-    variable slice1other_cost_0_1_is_not_less, slice1other_cost_0_2_is_not_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice2other_cost_0_1_all, slice2other_cost_0_1_all_2 : boolean;
+    variable delay_tag_map_column_is_less, slice0other_cost_0_0_all, slice0other_cost_0_1_choice : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice1other_cost_0_0_any, slice1other_cost_0_1_any, slice1other_cost_0_1_choice : boolean;
+    variable slice1other_cost_0_2_choice, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less, slice2other_cost_0_1_choice : boolean;
     variable slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less, leftright_holds_winners_all : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
-    variable slice0other_cost_0_0_choice, slice0other_cost_0_0_choice_2 : natural range 0 to 2301;
-    variable slice0other_cost_0_0_choice_3, slice0other_cost_0_0_choice_4 : natural range 0 to 2301;
-    variable slice0other_cost_0_0_choice_5, slice0other_cost_0_0_choice_6 : natural range 0 to 2301;
-    variable slice0other_cost_0_1_choice, slice0other_cost_0_1_choice_2 : natural range 0 to 2301;
-    variable slice0other_cost_0_1_choice_3, slice0other_cost_0_1_choice_4 : natural range 0 to 2301;
-    variable slice0other_cost_0_2_choice, slice0other_cost_0_2_choice_2 : natural range 0 to 2301;
-    variable slice1other_cost_0_0_choice, slice1other_cost_0_0_choice_2 : natural range 0 to 2301;
-    variable slice1other_cost_0_0_choice_3, slice1other_cost_0_0_choice_4 : natural range 0 to 2301;
-    variable slice1other_cost_0_0_choice_5, slice1other_cost_0_1_choice : natural range 0 to 2301;
-    variable slice1other_cost_0_1_choice_2, slice1other_cost_0_1_choice_3 : natural range 0 to 2301;
-    variable slice1other_cost_0_1_choice_4, slice1other_cost_0_1_choice_5 : natural range 0 to 2301;
-    variable slice1other_cost_0_2_choice, slice1other_cost_0_2_choice_2 : natural range 0 to 2301;
-    variable slice2other_cost_0_1_choice, slice2other_cost_0_1_choice_2 : natural range 0 to 2301;
-    variable slice2other_cost_0_1_choice_3, slice2other_cost_0_1_choice_4 : natural range 0 to 2301;
-    variable slice0other_winner_0_0_choice, slice0other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_0_0_choice_3, slice0other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_0_0_choice_5, slice0other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_0_1_choice, slice0other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice, slice1other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice_3, slice1other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice_5, slice1other_winner_0_1_choice : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_2, slice1other_winner_0_1_choice_3 : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_4, slice1other_winner_0_1_choice_5 : natural range 0 to 7;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice, slice2other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice_3, slice2other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice_5, slice2other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice, slice2other_winner_0_1_choice_2 : natural range 0 to 7;
     variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 4095;
     variable slice0winner2_best_second_0_0_choice_3, slice1winner2_best_second_0_0_choice : natural range 0 to 4095;
     variable slice1winner2_best_second_0_0_choice_2, slice1winner2_best_second_0_0_choice_3 : natural range 0 to 4095;
@@ -605,10 +575,10 @@ begin
         slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
         slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
         slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
-        slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
         slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
       end if;
       slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
       slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
@@ -616,62 +586,27 @@ begin
       slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_map_column <= slice0window_centre_map_column_0;
-      slice0window_tag_output_column <= slice0window_centre_output_column_0;
-      slice0window_tag_first_column <= slice0window_centre_first_column_0;
+      slice0window_tag_output_column <= slice1cost_tag_output_column;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      if slice0window_tag_valid then
+        slice0window_tag_first_column <= slice1cost_tag_first_cost;
+      end if;
       -- slice0other
-      slice0other_cost_0_0_all := ((slice0other_cost_0_2 - slice0window_sum_0_1) < 0) and (not
-        slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_0) >= 0;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0other_cost_0_0_is_not_less else
-        slice0other_cost_0_1;
-      slice0other_cost_0_0_choice_2 := slice0other_cost_0_0_choice when slice0window_tag_valid else
-        slice0other_cost_0_0;
-      slice0other_cost_0_0_all_2 := ((slice0other_cost_0_2 - slice0window_sum_0_1) >= 0) and (not
-        slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_choice_3 := slice0window_sum_0_0 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_5 := slice0other_cost_0_0_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_0_choice_4;
-      slice0other_cost_0_0_choice_6 := slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_0_choice_5;
-      slice0other_cost_0_1_choice := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_2 := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice_2 when slice0window_tag_output_column else
-        slice0other_cost_0_1_choice;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_1_choice_3;
-      slice0other_winner_0_0_choice := 5 when slice0other_cost_0_0_is_not_less else slice0other_winner_0_1;
-      slice0other_winner_0_0_choice_2 := slice0other_winner_0_0_choice when slice0window_tag_valid else
-        slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_4 := slice0other_winner_0_1 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_5 := slice0other_winner_0_0_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_0_choice_4;
-      slice0other_winner_0_0_choice_6 := slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_0_choice_5;
-      slice0other_cost_0_0 <= slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_0_choice_6;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_4;
-      slice0other_winner_0_0 <= slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_0_choice_6;
+      slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
+        0) or slice1window_centre_first_column_0);
+      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
+        >= 0 else slice0window_tag_output_column and slice1window_centre_first_column_0;
+      if slice0window_tag_valid then
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_output_column else 0;
+        slice0other_winner_0_0 <= 5 when slice0other_cost_0_0_all else slice0other_winner_0_1;
+        slice0other_winner_0_1 <= 6 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
+        slice0other_winner_0_2 <= 7 when slice0window_tag_output_column else 0;
+      end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_winner_out_0 <= slice0other_winner_0_0;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0window_tag_output_column else 0;
-      slice0other_cost_0_2_choice_2 := slice0window_sum_0_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_2_choice;
-      slice0other_winner_0_1_choice := 6 when slice0window_tag_output_column else slice0other_winner_0_2;
-      slice0other_winner_0_1_choice_2 := 6 when slice0other_cost_0_0_all_2 else slice0other_winner_0_1_choice;
-      slice0other_winner_0_2_choice := 7 when slice0window_tag_output_column else 0;
-      slice0other_winner_0_2_choice_2 := 7 when slice0other_cost_0_0_all_2 else slice0other_winner_0_2_choice;
-      if slice0window_tag_valid then
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_0_all else slice0other_cost_0_2_choice_2;
-        slice0other_winner_0_1 <= slice0other_winner_0_2 when slice0other_cost_0_0_all else
-          slice0other_winner_0_1_choice_2;
-        slice0other_winner_0_2 <= 7 when slice0other_cost_0_0_all else slice0other_winner_0_2_choice_2;
-      end if;
       -- slice0winner1
       slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_held_0_0 <= slice0window_sum_0_0;
@@ -687,7 +622,7 @@ begin
       slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice1window_centre_output_column_0;
-      slice0winner1_tag_first_column <= slice1window_centre_first_column_0;
+      slice0winner1_tag_first_column <= slice0window_tag_first_column;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice0window_tag_map_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -696,17 +631,17 @@ begin
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_held_0_2 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1 when (not slice0winner2_best_at_end_0_0)
-        and (not slice0winner2_best_place_0_0) else 4095;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
-        4095;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
-        else slice0winner2_best_second_0_0_choice_2;
+        and (not slice0winner2_best_at_start_0_0) else 4095;
+      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_at_start_0_0
+        else 4095;
+      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_place_0_0 else
+        slice0winner2_best_second_0_0_choice_2;
       slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
         as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less;
-      slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less and refinement_passed_0_0;
+      slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less and refinement_passed_0_0;
+      slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less;
       slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_held_0_2 -
         slice0winner1_best_cost_0_0) >= 0);
       slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
@@ -778,7 +713,9 @@ begin
         slice1cost_pair_0_2 + slice1cost_single_0_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       slice1cost_tag_first_cost <= slice0cost_tag_first_cost;
-      slice1cost_tag_output_column <= slice0cost_tag_output_column;
+      if slice0cost_tag_valid then
+        slice1cost_tag_output_column <= slice0cost_tag_output_column;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -787,9 +724,9 @@ begin
         slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
         slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
         slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
-        slice1window_centre_output_column_0 <= slice1cost_tag_output_column;
-        slice1window_centre_first_column_0 <= slice1cost_tag_first_cost;
+        slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
       end if;
+      slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
@@ -798,63 +735,23 @@ begin
         slice1window_tag_first_column <= slice2cost_tag_first_cost;
       end if;
       -- slice1other
-      slice1other_cost_0_0_any := (not slice0winner1_tag_first_column) or (not slice0winner1_tag_output_column);
-      slice1other_cost_0_0_is_not_less := (slice1other_cost_0_1 - slice1window_sum_0_0) >= 0;
-      slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice1other_cost_0_0_is_not_less else
-        slice1other_cost_0_1;
-      slice1other_cost_0_0_choice_2 := slice1other_cost_0_0_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_3 := slice1other_cost_0_1 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_0_choice_3;
-      slice1other_cost_0_0_choice_5 := slice1window_sum_0_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
-        slice1other_cost_0_2;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_2 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_winner_0_0_choice := 2 when slice1other_cost_0_0_is_not_less else slice1other_winner_0_1;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_3 := slice1other_winner_0_1 when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice := 3 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_2;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_2 when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_0_1;
-      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_0_choice_5;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_1_choice_5;
-      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_0_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_1_choice_5;
+      slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or ((not slice0winner1_tag_first_column) and
+        ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0));
+      slice1other_cost_0_1_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
+      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_2 -
+        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_2_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_0 -
+        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
+      if slice0winner1_tag_valid then
+        slice1other_cost_0_0 <= slice1other_cost_0_1 when slice1other_cost_0_0_any else slice1window_sum_0_0;
+        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice0other_cost_out_0 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
+        slice1other_winner_0_0 <= slice1other_winner_0_1 when slice1other_cost_0_0_any else 2;
+        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 3;
+        slice1other_winner_0_2 <= slice0other_winner_out_0 when slice1other_cost_0_2_choice else 4;
+      end if;
       slice1other_cost_out_0 <= slice1other_cost_0_0;
       slice1other_winner_out_0 <= slice1other_winner_0_0;
-      slice1other_cost_0_2_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_2) >= 0;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice1other_cost_0_2_is_not_less else
-        slice0other_cost_out_0;
-      slice1other_cost_0_2_choice_2 := slice1other_cost_0_2_choice when slice0winner1_tag_output_column else
-        slice0other_cost_out_0;
-      slice1other_winner_0_2_choice := 4 when slice1other_cost_0_2_is_not_less else slice0other_winner_out_0;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_tag_output_column else
-        slice0other_winner_out_0;
-      if slice0winner1_tag_valid then
-        slice1other_cost_0_2 <= slice1other_cost_0_2_choice_2 when slice1other_cost_0_0_any else slice1window_sum_0_2;
-        slice1other_winner_0_2 <= slice1other_winner_0_2_choice_2 when slice1other_cost_0_0_any else 4;
-      end if;
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_held_0_0 <= slice1window_sum_0_0;
@@ -870,17 +767,17 @@ begin
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_held_0_2 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1 when (not slice1winner2_best_at_end_0_0)
-        and (not slice1winner2_best_place_0_0) else 4095;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
-        4095;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
-        else slice1winner2_best_second_0_0_choice_2;
+        and (not slice1winner2_best_at_start_0_0) else 4095;
+      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_at_start_0_0
+        else 4095;
+      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_place_0_0 else
+        slice1winner2_best_second_0_0_choice_2;
       slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
       slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
         as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_place_0_0 <= slice1winner2_best_cost_0_0_is_less;
-      slice1winner2_best_at_start_0_0 <= refinement_passed_0_0 and slice1winner2_best_cost_0_0_is_less;
+      slice1winner2_best_place_0_0 <= refinement_passed_0_0 and slice1winner2_best_cost_0_0_is_less;
+      slice1winner2_best_at_start_0_0 <= slice1winner2_best_cost_0_0_is_less;
       slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_held_0_2 -
         slice1winner1_best_cost_0_0) >= 0);
       slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
@@ -949,7 +846,7 @@ begin
       slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
         slice2cost_pair_0_1 + slice2cost_single_0_1;
       slice2cost_tag_first_cost <= slice1cost_tag_first_cost;
-      slice2cost_tag_output_column <= slice1cost_tag_output_column;
+      slice2cost_tag_output_column <= slice0window_centre_output_column_0;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -960,38 +857,15 @@ begin
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2other
-      slice2other_cost_0_1_all := ((slice1other_cost_out_0 - slice2window_sum_0_1) < 0) and (not
-        slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_choice := slice1other_cost_out_0 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_all_2 := ((slice1other_cost_out_0 - slice2window_sum_0_1) >= 0) and (not
-        slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_choice_2 := slice2window_sum_0_1 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_3 := slice2other_cost_0_1_choice_2 when slice0winner2_tag_output_column else
-        slice2other_cost_0_1_choice;
-      slice2other_cost_0_1_choice_4 := slice2other_cost_0_1_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_1_choice_3;
-      slice2other_winner_0_0_choice := 0 when (slice2other_cost_0_1 - slice2window_sum_0_0) >= 0 else
-        slice2other_winner_0_1;
-      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_3 := 0 when slice0winner2_tag_valid else slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_4 := slice2other_winner_0_1 when slice0winner2_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_5 := slice2other_winner_0_0_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_0_0_choice_4;
-      slice2other_winner_0_0_choice_6 := slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_0_choice_5;
-      slice2other_cost_0_1 <= slice2other_cost_0_1_choice when slice2other_cost_0_1_all else
-        slice2other_cost_0_1_choice_4;
-      slice2other_winner_0_0 <= slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_0_choice_6;
-      slice2other_winner_out_0 <= slice2other_winner_0_0;
-      slice2other_winner_0_1_choice := 1 when slice0winner2_tag_output_column else slice1other_winner_out_0;
-      slice2other_winner_0_1_choice_2 := 1 when slice2other_cost_0_1_all_2 else slice2other_winner_0_1_choice;
+      slice2other_cost_0_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_0 -
+        slice2window_sum_0_1) >= 0 else (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
       if slice0winner2_tag_valid then
-        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_all else
-          slice2other_winner_0_1_choice_2;
+        slice2other_cost_0_1 <= slice1other_cost_out_0 when slice2other_cost_0_1_choice else slice2window_sum_0_1;
+        slice2other_winner_0_0 <= slice2other_winner_0_1 when (not slice0winner2_tag_output_column) or ((not
+          slice0winner2_tag_first_column) and ((slice2other_cost_0_1 - slice2window_sum_0_0) < 0)) else 0;
+        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_choice else 1;
       end if;
+      slice2other_winner_out_0 <= slice2other_winner_0_0;
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_held_0_0 <= slice2window_sum_0_0;
@@ -1153,6 +1027,7 @@ begin
         slice0cost_tag_output_column <= false;
         slice0cost_tag_start_of_frame <= false;
         slice0cost_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
@@ -1169,7 +1044,6 @@ begin
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
         slice0_best_tag_end_of_line <= false;
-        slice1cost_tag_output_column <= false;
         slice1window_tag_output_column <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;

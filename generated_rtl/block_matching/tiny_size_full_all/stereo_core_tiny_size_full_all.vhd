@@ -595,26 +595,24 @@ begin
     variable delay_tag_output_column_all, delay_tag_output_column_any, delay_tag_output_column_all_2 : boolean;
     variable delay_tag_output_column_choice, delay_tag_first_column_is_equal, delay_tag_first_column_choice : boolean;
     variable delay_tag_start_of_frame_all, delay_tag_start_of_frame_is_equal, delay_tag_start_of_frame_choice : boolean;
-    variable delay_split_inside_before_0_all, slice0window_tag_first_group_all : boolean;
-    variable slice0window_tag_first_group_choice, slice0window_tag_first_group_all_2 : boolean;
-    variable slice0window_tag_first_cost_choice, slice0window_tag_first_cost_all, slice0mask_inside_0_choice : boolean;
-    variable slice0mask_inside_0_choice_2, slice0mask_inside_0_value, slice0mask_inside_0_choice_3 : boolean;
-    variable slice0mask_inside_0_value_2, slice0mask_inside_0_choice_4, slice0mask_inside_0_value_3 : boolean;
-    variable slice0mask_inside_0_choice_5, slice0mask_inside_0_choice_6, slice0mask_inside_0_choice_7 : boolean;
-    variable slice0mask_inside_1_choice, slice0mask_inside_2_choice, slice0mask_searched_0_all : boolean;
-    variable slice0mask_searched_1_is_equal, slice0mask_searched_1_choice, slice0mask_searched_2_choice : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice1mask_inside_0_choice, slice1mask_inside_1_choice, slice1mask_inside_2_choice : boolean;
-    variable slice1other_cost_0_0_all, slice1other_cost_0_0_choice, slice1other_cost_0_0_all_2 : boolean;
-    variable slice1other_cost_0_1_choice, slice1other_cost_0_1_all, slice1other_cost_0_2_choice : boolean;
+    variable delay_split_inside_before_0_all, slice0window_tag_first_group_choice : boolean;
+    variable slice0window_tag_first_group_all, slice0window_tag_first_cost_choice : boolean;
+    variable slice0window_tag_first_cost_all, slice0mask_inside_0_choice, slice0mask_inside_0_choice_2 : boolean;
+    variable slice0mask_inside_0_value, slice0mask_inside_0_choice_3, slice0mask_inside_0_value_2 : boolean;
+    variable slice0mask_inside_0_choice_4, slice0mask_inside_0_value_3, slice0mask_inside_0_choice_5 : boolean;
+    variable slice0mask_inside_0_choice_6, slice0mask_inside_0_choice_7, slice0mask_inside_1_choice : boolean;
+    variable slice0mask_inside_2_choice, slice0mask_searched_0_all, slice0mask_searched_1_is_equal : boolean;
+    variable slice0mask_searched_1_choice, slice0mask_searched_2_choice, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice1mask_inside_0_choice, slice1mask_inside_1_choice : boolean;
+    variable slice1mask_inside_2_choice, slice1other_cost_0_0_all, slice1other_cost_0_0_choice : boolean;
+    variable slice1other_cost_0_0_all_2, slice1other_cost_0_1_choice, slice1other_cost_0_1_all : boolean;
     variable slice1other_cost_0_2_all, slice1winner1_best_cost_0_0_is_less : boolean;
     variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
     variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal, slice2mask_inside_0_all : boolean;
     variable slice2mask_inside_0_choice, slice2mask_inside_1_choice, slice2mask_searched_1_any : boolean;
     variable slice2mask_searched_1_choice, slice2mask_searched_1_value, slice2mask_searched_1_is_equal : boolean;
-    variable slice2mask_searched_1_value_2, slice2mask_searched_1_all, slice2other_cost_0_0_all : boolean;
-    variable slice2other_cost_0_0_choice, slice2other_cost_0_0_all_2, slice2other_winner_0_1_choice : boolean;
-    variable slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
+    variable slice2mask_searched_1_value_2, slice2mask_searched_1_all, slice2other_cost_0_0_choice : boolean;
+    variable slice2other_cost_0_0_all, slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
     variable slice2_best_above_0_0_is_equal, refinement_below_0_differs, refinement_below_0_value : boolean;
     variable refinement_above_0_choice, refinement_divisor_0_0_is_less, leftright_holds_winners_all : boolean;
     variable leftright_checked_tag_row_start_choice, leftright_checked_tag_row_start_is_equal : boolean;
@@ -661,7 +659,7 @@ begin
     variable slice0winner1_held_0_2_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 1023;
     variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 1023;
     variable slice0winner2_best_second_0_0_choice_3, slice1other_cost_0_0_choice_2 : natural range 0 to 1023;
-    variable slice1other_cost_0_1_choice_2, slice1other_cost_0_2_choice_2 : natural range 0 to 1023;
+    variable slice1other_cost_0_1_choice_2, slice1other_cost_0_2_choice : natural range 0 to 1023;
     variable slice1winner1_held_0_0_choice, slice1winner1_held_0_0_any : natural range 0 to 1023;
     variable slice1winner1_held_0_1_choice, slice1winner1_held_0_1_any : natural range 0 to 1023;
     variable slice1winner1_held_0_2_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 1023;
@@ -1241,17 +1239,16 @@ begin
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
       slice0window_tag_first_column <= slice1cost_tag_first_column;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
-      slice0window_tag_first_group_all := slice0window_tag_first_column and slice0window_tag_output_column;
-      slice0window_tag_first_group_choice := slice0window_tag_output_column when (slice0window_sum_0_2 -
-        slice0other_cost_0_1) < 0 else slice0window_tag_first_group_all;
-      slice0window_tag_first_group_all_2 := slice0mask_searched_0 and slice0mask_inside_2 and
+      slice0window_tag_first_group_choice := slice0window_tag_output_column when slice0window_tag_first_column else
+        slice0window_tag_output_column and ((slice0window_sum_0_2 - slice0other_cost_0_1) < 0);
+      slice0window_tag_first_group_all := slice0mask_searched_0 and slice0mask_inside_2 and
         slice0window_tag_first_group_choice;
       slice0window_tag_first_cost_choice := slice0window_tag_output_column when (slice0window_sum_0_1 -
-        slice0other_cost_0_0) < 0 else slice0window_tag_first_group_all;
+        slice0other_cost_0_0) < 0 else slice0window_tag_first_column and slice0window_tag_output_column;
       slice0window_tag_first_cost_all := slice0mask_searched_1 and slice0mask_inside_1 and
         slice0window_tag_first_cost_choice;
       if slice0window_tag_valid then
-        slice0window_tag_first_group <= 2 when slice0window_tag_first_group_all_2 else
+        slice0window_tag_first_group <= 2 when slice0window_tag_first_group_all else
           as_number(slice0window_tag_first_cost);
         slice0window_tag_first_cost <= slice0window_tag_first_cost_all;
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
@@ -1313,7 +1310,7 @@ begin
           slice0mask_inside_0 else 1023;
         slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0window_tag_first_cost_all else
           slice0other_cost_0_1_choice;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_first_group_all_2 else
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_first_group_all else
           slice0other_cost_0_2_choice;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_2;
@@ -1477,7 +1474,7 @@ begin
         slice1window_centre_first_column_0 else slice1mask_inside_2_choice;
       slice1mask_left_out <= slice1mask_inside_2;
       -- slice1other
-      slice1other_cost_0_0_all := slice0winner1_tag_first_column and slice0winner1_tag_output_column;
+      slice1other_cost_0_0_all := slice0winner1_tag_output_column and slice0winner1_tag_first_column;
       slice1other_cost_0_0_choice := slice0winner1_tag_output_column when (slice1window_sum_0_0 -
         slice0other_cost_out_0) < 0 else slice1other_cost_0_0_all;
       slice1other_cost_0_0_all_2 := other_13 and slice1mask_inside_0 and slice1other_cost_0_0_choice;
@@ -1486,14 +1483,13 @@ begin
         < 0 else slice1other_cost_0_0_all;
       slice1other_cost_0_1_all := other_12 and slice1mask_inside_1 and slice1other_cost_0_1_choice;
       slice1other_cost_0_1_choice_2 := 1023 when slice0winner1_tag_first_column else slice1other_cost_0_0;
-      slice1other_cost_0_2_choice := slice0winner1_tag_output_column when (slice1window_sum_0_2 - slice1other_cost_0_1)
-        < 0 else slice1other_cost_0_0_all;
-      slice1other_cost_0_2_all := other_11 and slice1mask_inside_2 and slice1other_cost_0_2_choice;
-      slice1other_cost_0_2_choice_2 := 1023 when slice0winner1_tag_first_column else slice1other_cost_0_1;
+      slice1other_cost_0_2_all := other_11 and slice1mask_inside_2 and slice0winner1_tag_output_column and
+        (((slice1window_sum_0_2 - slice1other_cost_0_1) < 0) or slice0winner1_tag_first_column);
+      slice1other_cost_0_2_choice := 1023 when slice0winner1_tag_first_column else slice1other_cost_0_1;
       if slice0winner1_tag_valid then
         slice1other_cost_0_0 <= slice1window_sum_0_0 when slice1other_cost_0_0_all_2 else slice1other_cost_0_0_choice_2;
         slice1other_cost_0_1 <= slice1window_sum_0_1 when slice1other_cost_0_1_all else slice1other_cost_0_1_choice_2;
-        slice1other_cost_0_2 <= slice1window_sum_0_2 when slice1other_cost_0_2_all else slice1other_cost_0_2_choice_2;
+        slice1other_cost_0_2 <= slice1window_sum_0_2 when slice1other_cost_0_2_all else slice1other_cost_0_2_choice;
         slice1other_winner_0_0 <= 3 when slice1other_cost_0_0_all_2 else slice0other_winner_out;
         slice1other_winner_0_1 <= 4 when slice1other_cost_0_1_all else slice1other_winner_0_0;
         slice1other_winner_0_2 <= 5 when slice1other_cost_0_2_all else slice1other_winner_0_1;
@@ -1657,18 +1653,16 @@ begin
           slice2mask_searched_1_is_equal;
       end if;
       -- slice2other
-      slice2other_cost_0_0_all := slice0winner2_tag_first_column and slice0winner2_tag_output_column;
       slice2other_cost_0_0_choice := slice0winner2_tag_output_column when (slice2window_sum_0_0 -
-        slice1other_cost_out_0) < 0 else slice2other_cost_0_0_all;
-      slice2other_cost_0_0_all_2 := other_10 and slice2mask_inside_0 and slice2other_cost_0_0_choice;
+        slice1other_cost_out_0) < 0 else slice0winner2_tag_output_column and slice0winner2_tag_first_column;
+      slice2other_cost_0_0_all := other_10 and slice2mask_inside_0 and slice2other_cost_0_0_choice;
       slice2other_cost_0_0_choice_2 := 1023 when slice0winner2_tag_first_column else slice1other_cost_out_0;
-      slice2other_winner_0_1_choice := slice0winner2_tag_output_column when (slice2window_sum_0_1 -
-        slice2other_cost_0_0) < 0 else slice2other_cost_0_0_all;
       if slice0winner2_tag_valid then
-        slice2other_cost_0_0 <= slice2window_sum_0_0 when slice2other_cost_0_0_all_2 else slice2other_cost_0_0_choice_2;
-        slice2other_winner_0_0 <= 6 when slice2other_cost_0_0_all_2 else slice1other_winner_out_0;
+        slice2other_cost_0_0 <= slice2window_sum_0_0 when slice2other_cost_0_0_all else slice2other_cost_0_0_choice_2;
+        slice2other_winner_0_0 <= 6 when slice2other_cost_0_0_all else slice1other_winner_out_0;
         slice2other_winner_0_1 <= 7 when slice2mask_searched_1 and slice2mask_inside_1 and
-          slice2other_winner_0_1_choice else slice2other_winner_0_0;
+          slice0winner2_tag_output_column and (((slice2window_sum_0_1 - slice2other_cost_0_0) < 0) or
+          slice0winner2_tag_first_column) else slice2other_winner_0_0;
       end if;
       slice2other_winner_out_0 <= slice2other_winner_0_1;
       -- slice2winner1

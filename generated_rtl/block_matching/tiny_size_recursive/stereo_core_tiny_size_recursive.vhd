@@ -95,12 +95,12 @@ architecture rtl of stereo_core_tiny_size_recursive is
     return '0';
   end function;
 
-  signal in_image_width : natural range 0 to 65535;
-  signal in_image_height : natural range 0 to 65535;
   signal in_valid : boolean;
   signal in_start_of_frame : boolean;
   signal in_right_pixel : natural range 0 to 255;
   signal in_left_pixel : natural range 0 to 255;
+  signal in_image_width : natural range 0 to 65535;
+  signal in_image_height : natural range 0 to 65535;
   signal in_left_right_threshold : natural range 0 to 255;
   signal in_uniqueness_percent : natural range 0 to 255;
   signal in_texture_threshold : natural range 0 to 65535;
@@ -472,8 +472,8 @@ architecture rtl of stereo_core_tiny_size_recursive is
   signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
   signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
-  signal other_0, other_2 : unsigned(48 downto 0);
-  signal other_1 : natural range 0 to 8190;
+  signal other_0 : natural range 0 to 8190;
+  signal other_1, other_2 : unsigned(48 downto 0);
   signal other_3 : natural range 0 to 254;
   signal other_4 : natural range 0 to 252;
   signal other_5 : natural range 0 to 248;
@@ -481,6 +481,11 @@ architecture rtl of stereo_core_tiny_size_recursive is
   signal other_7 : natural range 0 to 224;
   signal other_8 : natural range 0 to 192;
   signal other_9 : natural range 0 to 128;
+  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal texturewindow_leaving_0_memory_write_data : unsigned(8 downto 0);
+  signal texturecost_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(17 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(17 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(26 downto 0);
@@ -494,19 +499,14 @@ architecture rtl of stereo_core_tiny_size_recursive is
   signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
-  signal texturewindow_leaving_0_memory_write_data : unsigned(8 downto 0);
-  signal texturecost_read_words_0_memory_write_data : unsigned(8 downto 0);
 
 begin
-  in_image_width <= to_integer(unsigned(image_width));
-  in_image_height <= to_integer(unsigned(image_height));
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
   in_right_pixel <= to_integer(unsigned(right_pixel));
   in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_image_width <= to_integer(unsigned(image_width));
+  in_image_height <= to_integer(unsigned(image_height));
   in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
   in_uniqueness_percent <= to_integer(unsigned(uniqueness_percent));
   in_texture_threshold <= to_integer(unsigned(texture_threshold));
@@ -515,6 +515,46 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  map_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 31, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => map_rows_read_words_0,
+      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_13_0, 3);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 3)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+
+  texturewindow_leaving_0_memory_write_data <= to_unsigned(texturecost_column_0_0, 9);
+  texturewindow_leaving_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0window_ring_read_address, read_data => texturewindow_leaving_0,
+      write_address => slice0window_ring_write_address, write_data => texturewindow_leaving_0_memory_write_data);
+
+  texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 9);
+  texturecost_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_read_column, read_data => texturecost_read_words_0,
+      write_address => slice0cost_write_column, write_data => texturecost_read_words_0_memory_write_data);
 
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 9) & to_unsigned(slice2cost_column_0_0, 9);
   slice2window_leaving_0_memory : entity work.line_memory
@@ -546,7 +586,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice1cost_read_column, read_data => slice1cost_read_words_0,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
+      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_0_memory_write_data);
 
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_2, 9) & to_unsigned(slice0cost_column_0_1, 9) & to_unsigned(slice0cost_column_0_0, 9);
   slice0window_leaving_0_memory : entity work.line_memory
@@ -620,46 +660,6 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 31, width => 26)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_13_0, 3);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
-
-  texturewindow_leaving_0_memory_write_data <= to_unsigned(texturecost_column_0_0, 9);
-  texturewindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => texturewindow_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => texturewindow_leaving_0_memory_write_data);
-
-  texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 9);
-  texturecost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => texturecost_read_words_0,
-      write_address => slice0cost_write_column, write_data => texturecost_read_words_0_memory_write_data);
-
   process (clock)
     variable settings_texture_threshold_any, transform_counter_group_value, transform_counter_group_choice : boolean;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : boolean;
@@ -699,13 +699,12 @@ begin
     variable delay_tag_map_column_differs, delay_tag_map_column_choice_6, delay_tag_end_of_line_choice : boolean;
     variable delay_tag_end_of_line_choice_2, delay_tag_end_of_line_choice_3, delay_tag_end_of_line_choice_4 : boolean;
     variable delay_tag_end_of_line_choice_5, delay_tag_end_of_line_choice_6, slice0other_cost_0_0_all : boolean;
-    variable slice0other_cost_0_0_is_not_less, slice0other_cost_0_0_all_2 : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice1other_cost_0_0_any, slice1other_cost_0_0_is_not_less, slice1other_cost_0_1_is_not_less : boolean;
-    variable slice1other_cost_0_2_is_not_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice0other_cost_0_1_choice, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice1other_cost_0_0_any, slice1other_cost_0_1_any : boolean;
+    variable slice1other_cost_0_1_choice, slice1other_cost_0_2_choice, slice1winner1_best_cost_0_0_is_less : boolean;
     variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal, slice2other_cost_0_1_all : boolean;
-    variable slice2other_cost_0_1_all_2, slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
+    variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal, slice2other_cost_0_1_choice : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
     variable slice2_best_below_0_0_is_equal, refinement_divisor_0_0_is_less, leftright_holds_winners_all : boolean;
     variable leftright_checked_tag_row_start_choice, leftright_checked_tag_row_start_is_equal : boolean;
     variable leftright_checked_tag_row_start_choice_2, leftright_checked_tag_row_start_value : boolean;
@@ -758,51 +757,21 @@ begin
     variable texturecost_column_0_0_choice, texturecost_column_0_0_choice_2 : natural range 0 to 511;
     variable texturewindow_change_0_0_choice : natural range 0 to 511;
     variable slice0window_sum_0_0_choice, slice0window_sum_0_1_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_2_choice, slice0other_cost_0_0_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_0_choice_2, slice0other_cost_0_0_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_0_choice_4, slice0other_cost_0_0_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_0_choice_6, slice0other_cost_0_1_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_1_choice_2, slice0other_cost_0_1_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_1_choice_4, slice0other_cost_0_2_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_2_choice_2, slice0winner2_best_above_0_0_choice : natural range 0 to 4095;
+    variable slice0window_sum_0_2_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 4095;
     variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 4095;
     variable slice0winner2_best_second_0_0_choice_3, slice1window_sum_0_0_choice : natural range 0 to 4095;
     variable slice1window_sum_0_1_choice, slice1window_sum_0_2_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_0_choice, slice1other_cost_0_0_choice_2 : natural range 0 to 4095;
-    variable slice1other_cost_0_0_choice_3, slice1other_cost_0_0_choice_4 : natural range 0 to 4095;
-    variable slice1other_cost_0_0_choice_5, slice1other_cost_0_1_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_1_choice_2, slice1other_cost_0_1_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_1_choice_4, slice1other_cost_0_1_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_2_choice, slice1other_cost_0_2_choice_2 : natural range 0 to 4095;
     variable slice1winner2_best_above_0_0_choice, slice1winner2_best_second_0_0_choice : natural range 0 to 4095;
     variable slice1winner2_best_second_0_0_choice_2, slice1winner2_best_second_0_0_choice_3 : natural range 0 to 4095;
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 4095;
     variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_2 : natural range 0 to 4095;
     variable slice1_best_second_0_0_choice_3, slice1_best_second_0_0_choice_4 : natural range 0 to 4095;
     variable slice2window_sum_0_0_choice, slice2window_sum_0_1_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_1_choice, slice2other_cost_0_1_choice_2 : natural range 0 to 4095;
-    variable slice2other_cost_0_1_choice_3, slice2other_cost_0_1_choice_4 : natural range 0 to 4095;
     variable slice2_best_below_0_0_choice, slice2_best_above_0_0_choice : natural range 0 to 4095;
     variable slice2_best_second_0_0_choice, slice2_best_second_0_0_choice_2 : natural range 0 to 4095;
     variable slice2_best_second_0_0_choice_3, slice2_best_second_0_0_choice_4 : natural range 0 to 4095;
     variable texturewindow_sum_0_0_choice, refinement_divisor_0_0_choice : natural range 0 to 4095;
     variable map_of_column_0_a_choice : natural range 0 to 4095;
-    variable slice0other_winner_0_0_choice, slice0other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_0_0_choice_3, slice0other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice0other_winner_0_0_choice_5, slice0other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable slice0other_winner_0_1_choice, slice0other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice, slice1other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice_3, slice1other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_0_0_choice_5, slice1other_winner_0_1_choice : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_2, slice1other_winner_0_1_choice_3 : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_4, slice1other_winner_0_1_choice_5 : natural range 0 to 7;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice, slice2other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice_3, slice2other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable slice2other_winner_0_0_choice_5, slice2other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable slice2other_winner_0_1_choice, slice2other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable slice1_best_index_0_0_sum : natural range 1 to 2;
     variable refinement_remainder_1_0_difference : natural range 4097 to 12287;
     variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 4097 to 16382;
@@ -810,6 +779,7 @@ begin
     variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 4097 to 16382;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable leftright_checked_passed_0_difference : integer range -7 to 15;
     variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
     variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
@@ -1348,12 +1318,12 @@ begin
       slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
       slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
       slice0window_centre_map_column_0 <= slice0window_change_tag_map_column;
-      slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
-      slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
       slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_output_column_2;
+      slice0window_tag_first_column <= slice0window_centre_first_column_2;
       slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
       slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
       slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
@@ -1361,71 +1331,32 @@ begin
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 4096;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 4096;
         slice0window_sum_0_2 <= (slice0window_sum_0_2_choice + slice0window_change_0_2) mod 4096;
-        slice0window_centre_output_column_1 <= slice1window_change_tag_output_column;
+        slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
+        slice0window_centre_output_column_1 <= slice0window_centre_output_column_0;
         slice0window_centre_output_column_2 <= slice0window_centre_output_column_1;
-        slice0window_centre_first_column_1 <= slice1window_change_tag_first_cost;
+        slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
+        slice0window_centre_first_column_1 <= slice0window_centre_first_column_0;
         slice0window_centre_first_column_2 <= slice0window_centre_first_column_1;
       end if;
       if slice0winner1_tag_valid then
         slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_2;
       end if;
-      if slice0window_tag_valid then
-        slice0window_tag_output_column <= slice1window_centre_output_column_1;
-        slice0window_tag_first_column <= slice1window_centre_first_column_1;
-      end if;
       -- slice0other
-      slice0other_cost_0_0_all := ((slice0other_cost_0_2 - slice0window_sum_0_1) < 0) and (not
-        slice1window_centre_first_column_2) and slice1window_centre_output_column_2;
-      slice0other_cost_0_0_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_0) >= 0;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0other_cost_0_0_is_not_less else
-        slice0other_cost_0_1;
-      slice0other_cost_0_0_choice_2 := slice0other_cost_0_0_choice when slice0window_tag_valid else
-        slice0other_cost_0_0;
-      slice0other_cost_0_0_all_2 := ((slice0other_cost_0_2 - slice0window_sum_0_1) >= 0) and (not
-        slice1window_centre_first_column_2) and slice1window_centre_output_column_2;
-      slice0other_cost_0_0_choice_3 := slice0window_sum_0_0 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_5 := slice0other_cost_0_0_choice_3 when slice1window_centre_output_column_2 else
-        slice0other_cost_0_0_choice_4;
-      slice0other_cost_0_0_choice_6 := slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_0_choice_5;
-      slice0other_cost_0_1_choice := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_2 := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice_2 when slice1window_centre_output_column_2 else
-        slice0other_cost_0_1_choice;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_1_choice_3;
-      slice0other_winner_0_0_choice := 5 when slice0other_cost_0_0_is_not_less else slice0other_winner_0_1;
-      slice0other_winner_0_0_choice_2 := slice0other_winner_0_0_choice when slice0window_tag_valid else
-        slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_4 := slice0other_winner_0_1 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_5 := slice0other_winner_0_0_choice_3 when slice1window_centre_output_column_2 else
-        slice0other_winner_0_0_choice_4;
-      slice0other_winner_0_0_choice_6 := slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_0_choice_5;
-      slice0other_cost_0_0 <= slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_0_choice_6;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_4;
-      slice0other_winner_0_0 <= slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_0_choice_6;
+      slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
+        0) or slice0window_tag_first_column);
+      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
+        >= 0 else slice0window_tag_output_column and slice0window_tag_first_column;
+      if slice0window_tag_valid then
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_output_column else 0;
+        slice0other_winner_0_0 <= 5 when slice0other_cost_0_0_all else slice0other_winner_0_1;
+        slice0other_winner_0_1 <= 6 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
+        slice0other_winner_0_2 <= 7 when slice0window_tag_output_column else 0;
+      end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_winner_out_0 <= slice0other_winner_0_0;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice1window_centre_output_column_2 else 0;
-      slice0other_cost_0_2_choice_2 := slice0window_sum_0_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_2_choice;
-      slice0other_winner_0_1_choice := 6 when slice1window_centre_output_column_2 else slice0other_winner_0_2;
-      slice0other_winner_0_1_choice_2 := 6 when slice0other_cost_0_0_all_2 else slice0other_winner_0_1_choice;
-      slice0other_winner_0_2_choice := 7 when slice1window_centre_output_column_2 else 0;
-      slice0other_winner_0_2_choice_2 := 7 when slice0other_cost_0_0_all_2 else slice0other_winner_0_2_choice;
-      if slice0window_tag_valid then
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_0_all else slice0other_cost_0_2_choice_2;
-        slice0other_winner_0_1 <= slice0other_winner_0_2 when slice0other_cost_0_0_all else
-          slice0other_winner_0_1_choice_2;
-        slice0other_winner_0_2 <= 7 when slice0other_cost_0_0_all else slice0other_winner_0_2_choice_2;
-      end if;
       -- slice0winner1
       slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_held_0_0 <= slice0window_sum_0_0;
@@ -1442,10 +1373,10 @@ begin
       slice0winner1_best_but_first_0_0 <= slice0winner1_held_0_1;
       slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
       slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_first_column <= slice0window_tag_first_column;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice2window_centre_map_column_1;
+        slice0winner1_tag_output_column <= slice2window_centre_output_column_1;
+        slice0winner1_tag_first_column <= slice2window_centre_first_column_1;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
         slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_1;
       end if;
@@ -1454,11 +1385,11 @@ begin
       slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
         slice0winner1_best_above_0_0;
       slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1 when (not slice0winner2_best_at_end_0_0)
-        and (not slice0winner2_best_place_0_0) else 4095;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
-        4095;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
-        else slice0winner2_best_second_0_0_choice_2;
+        and (not slice0winner2_best_at_start_0_0) else 4095;
+      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_at_start_0_0
+        else 4095;
+      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_place_0_0 else
+        slice0winner2_best_second_0_0_choice_2;
       slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
@@ -1468,8 +1399,8 @@ begin
       slice0winner2_best_above_0_0 <= 0 when slice0winner2_best_cost_0_0_is_less else
         slice0winner2_best_above_0_0_choice;
       slice0winner2_best_first_0_0 <= slice0winner1_held_0_0;
-      slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less;
-      slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less and transform_read_column_inside_1;
+      slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less and transform_read_column_inside_1;
+      slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less;
       slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_held_0_2 -
         slice0winner1_best_cost_0_0) >= 0);
       slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
@@ -1479,8 +1410,8 @@ begin
         slice0winner1_best_but_first_0_0) < 0 else slice0winner1_best_but_first_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_output_column <= slice1window_tag_output_column;
-      slice0winner2_tag_first_column <= slice1window_tag_first_column;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
@@ -1539,6 +1470,7 @@ begin
       slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
       slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
       slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
+      slice1cost_write_column <= slice1cost_ready_column;
       if slice0cost_pixels_first_tag_valid then
         slice1cost_read_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice1cost_read_column + 1) mod 64;
       end if;
@@ -1546,7 +1478,6 @@ begin
         slice1cost_change_column <= 0 when slice0cost_pixels_tag_row_start else (slice1cost_change_column + 1) mod 64;
       end if;
       if slice0cost_tag_valid then
-        slice1cost_write_column <= slice2cost_change_column;
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 512) + slice1cost_column_0_0_choice_2 +
           (slice1cost_column_0_2_choice_2 * 262144);
       end if;
@@ -1577,89 +1508,45 @@ begin
       slice1window_change_0_0 <= slice1window_entering_0_0 - slice1window_change_0_0_choice;
       slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
       slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
+      slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
+      slice1window_change_tag_output_column <= slice0window_change_tag_output_column;
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
-      slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
-      slice1window_centre_output_column_2 <= slice0window_centre_output_column_2;
-      slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
-      slice1window_centre_first_column_2 <= slice0window_centre_first_column_2;
+      slice1window_centre_output_column_0 <= slice1window_change_tag_output_column;
+      slice1window_centre_first_column_0 <= slice1window_change_tag_first_cost;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      if slice0window_change_tag_valid then
-        slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
-        slice1window_change_tag_output_column <= slice0window_change_tag_output_column;
-      end if;
-      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
+      slice1window_tag_output_column <= slice1window_centre_output_column_2;
+      slice1window_tag_first_column <= slice1window_centre_first_column_2;
+      slice1window_sum_0_0_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_0;
+      slice1window_sum_0_1_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_1;
+      slice1window_sum_0_2_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_2;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 4096;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 4096;
         slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 4096;
         slice1window_centre_output_column_1 <= slice2window_change_tag_output_column;
+        slice1window_centre_output_column_2 <= slice1window_centre_output_column_1;
         slice1window_centre_first_column_1 <= slice2window_change_tag_first_cost;
-      end if;
-      if slice0winner1_tag_valid then
-        slice1window_tag_output_column <= slice2window_centre_output_column_1;
-        slice1window_tag_first_column <= slice2window_centre_first_column_1;
+        slice1window_centre_first_column_2 <= slice1window_centre_first_column_1;
       end if;
       -- slice1other
-      slice1other_cost_0_0_any := (not slice0winner1_tag_first_column) or (not slice0winner1_tag_output_column);
-      slice1other_cost_0_0_is_not_less := (slice1other_cost_0_1 - slice1window_sum_0_0) >= 0;
-      slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice1other_cost_0_0_is_not_less else
-        slice1other_cost_0_1;
-      slice1other_cost_0_0_choice_2 := slice1other_cost_0_0_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_3 := slice1other_cost_0_1 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_0_choice_3;
-      slice1other_cost_0_0_choice_5 := slice1window_sum_0_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
-        slice1other_cost_0_2;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_2 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_winner_0_0_choice := 2 when slice1other_cost_0_0_is_not_less else slice1other_winner_0_1;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_3 := slice1other_winner_0_1 when slice0winner1_tag_valid else
-        slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice := 3 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_2;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_2 when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_0_1;
-      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_0_choice_5;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_1_choice_5;
-      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_0_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_1_choice_5;
+      slice1other_cost_0_0_any := (not slice1window_tag_output_column) or ((not slice1window_tag_first_column) and
+        ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0));
+      slice1other_cost_0_1_any := (not slice1window_tag_output_column) or (not slice1window_tag_first_column);
+      slice1other_cost_0_1_choice := not slice1window_tag_output_column when (slice1other_cost_0_2 -
+        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
+      slice1other_cost_0_2_choice := not slice1window_tag_output_column when (slice0other_cost_out_0 -
+        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
+      if slice0winner1_tag_valid then
+        slice1other_cost_0_0 <= slice1other_cost_0_1 when slice1other_cost_0_0_any else slice1window_sum_0_0;
+        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice0other_cost_out_0 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
+        slice1other_winner_0_0 <= slice1other_winner_0_1 when slice1other_cost_0_0_any else 2;
+        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 3;
+        slice1other_winner_0_2 <= slice0other_winner_out_0 when slice1other_cost_0_2_choice else 4;
+      end if;
       slice1other_cost_out_0 <= slice1other_cost_0_0;
       slice1other_winner_out_0 <= slice1other_winner_0_0;
-      slice1other_cost_0_2_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_2) >= 0;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice1other_cost_0_2_is_not_less else
-        slice0other_cost_out_0;
-      slice1other_cost_0_2_choice_2 := slice1other_cost_0_2_choice when slice0winner1_tag_output_column else
-        slice0other_cost_out_0;
-      slice1other_winner_0_2_choice := 4 when slice1other_cost_0_2_is_not_less else slice0other_winner_out_0;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_tag_output_column else
-        slice0other_winner_out_0;
-      if slice0winner1_tag_valid then
-        slice1other_cost_0_2 <= slice1other_cost_0_2_choice_2 when slice1other_cost_0_0_any else slice1window_sum_0_2;
-        slice1other_winner_0_2 <= slice1other_winner_0_2_choice_2 when slice1other_cost_0_0_any else 4;
-      end if;
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_held_0_0 <= slice1window_sum_0_0;
@@ -1679,11 +1566,11 @@ begin
       slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
         slice1winner1_best_above_0_0;
       slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1 when (not slice1winner2_best_at_end_0_0)
-        and (not slice1winner2_best_place_0_0) else 4095;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
-        4095;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
-        else slice1winner2_best_second_0_0_choice_2;
+        and (not slice1winner2_best_at_start_0_0) else 4095;
+      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_at_start_0_0
+        else 4095;
+      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_place_0_0 else
+        slice1winner2_best_second_0_0_choice_2;
       slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
       slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
@@ -1693,8 +1580,8 @@ begin
       slice1winner2_best_above_0_0 <= 0 when slice1winner2_best_cost_0_0_is_less else
         slice1winner2_best_above_0_0_choice;
       slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
-      slice1winner2_best_place_0_0 <= slice1winner2_best_cost_0_0_is_less;
-      slice1winner2_best_at_start_0_0 <= transform_read_column_inside_1 and slice1winner2_best_cost_0_0_is_less;
+      slice1winner2_best_place_0_0 <= transform_read_column_inside_1 and slice1winner2_best_cost_0_0_is_less;
+      slice1winner2_best_at_start_0_0 <= slice1winner2_best_cost_0_0_is_less;
       slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_held_0_2 -
         slice1winner1_best_cost_0_0) >= 0);
       slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
@@ -1773,11 +1660,13 @@ begin
       slice2cost_change_0_0 <= slice2cost_pixels_cost_1_0 - slice2cost_pixels_cost_0_0;
       slice2cost_change_0_1 <= slice2cost_pixels_cost_1_1 - slice2cost_pixels_cost_0_1;
       slice2cost_ready_words_0 <= to_integer(slice2cost_read_words_0);
-      slice2cost_ready_column <= slice1cost_ready_column;
       slice2cost_column_0_0 <= slice2cost_column_0_0_choice_2;
       slice2cost_column_0_1 <= slice2cost_column_0_1_choice_2;
+      if slice0cost_tag_valid then
+        slice2cost_ready_column <= slice2cost_change_column;
+      end if;
       if slice0window_entering_tag_valid then
-        slice2cost_write_column <= slice2cost_ready_column;
+        slice2cost_write_column <= slice1cost_write_column;
         slice2cost_write_words_0 <= (slice2cost_column_0_1_choice_2 * 512) + slice2cost_column_0_0_choice_2;
       end if;
       -- slice2window
@@ -1801,8 +1690,8 @@ begin
       slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;
       slice2window_change_0_1 <= slice2window_entering_0_1 - slice2window_change_0_1_choice;
       if slice0window_tag_valid then
-        slice2window_change_tag_first_cost <= slice0window_centre_first_column_0;
-        slice2window_change_tag_output_column <= slice0window_centre_output_column_0;
+        slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
+        slice2window_change_tag_output_column <= slice1window_change_tag_output_column;
       end if;
       slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
       slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
@@ -1819,38 +1708,15 @@ begin
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
       end if;
       -- slice2other
-      slice2other_cost_0_1_all := ((slice1other_cost_out_0 - slice2window_sum_0_1) < 0) and (not
-        slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_choice := slice1other_cost_out_0 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_all_2 := ((slice1other_cost_out_0 - slice2window_sum_0_1) >= 0) and (not
-        slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_choice_2 := slice2window_sum_0_1 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_3 := slice2other_cost_0_1_choice_2 when slice0winner2_tag_output_column else
-        slice2other_cost_0_1_choice;
-      slice2other_cost_0_1_choice_4 := slice2other_cost_0_1_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_1_choice_3;
-      slice2other_winner_0_0_choice := 0 when (slice2other_cost_0_1 - slice2window_sum_0_0) >= 0 else
-        slice2other_winner_0_1;
-      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_3 := 0 when slice0winner2_tag_valid else slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_4 := slice2other_winner_0_1 when slice0winner2_tag_valid else
-        slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_5 := slice2other_winner_0_0_choice_3 when slice0winner2_tag_output_column else
-        slice2other_winner_0_0_choice_4;
-      slice2other_winner_0_0_choice_6 := slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_0_choice_5;
-      slice2other_cost_0_1 <= slice2other_cost_0_1_choice when slice2other_cost_0_1_all else
-        slice2other_cost_0_1_choice_4;
-      slice2other_winner_0_0 <= slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_0_choice_6;
-      slice2other_winner_out_0 <= slice2other_winner_0_0;
-      slice2other_winner_0_1_choice := 1 when slice0winner2_tag_output_column else slice1other_winner_out_0;
-      slice2other_winner_0_1_choice_2 := 1 when slice2other_cost_0_1_all_2 else slice2other_winner_0_1_choice;
+      slice2other_cost_0_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_0 -
+        slice2window_sum_0_1) >= 0 else (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
       if slice0winner2_tag_valid then
-        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_all else
-          slice2other_winner_0_1_choice_2;
+        slice2other_cost_0_1 <= slice1other_cost_out_0 when slice2other_cost_0_1_choice else slice2window_sum_0_1;
+        slice2other_winner_0_0 <= slice2other_winner_0_1 when (not slice0winner2_tag_output_column) or ((not
+          slice0winner2_tag_first_column) and ((slice2other_cost_0_1 - slice2window_sum_0_0) < 0)) else 0;
+        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_choice else 1;
       end if;
+      slice2other_winner_out_0 <= slice2other_winner_0_0;
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_held_0_0 <= slice2window_sum_0_0;
@@ -2084,7 +1950,7 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((8192 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 4096) +
+      refinement_quotient_8_0 <= (((((8192 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 8192) +
         ((other_3 / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -2256,11 +2122,11 @@ begin
       map_counter_group_choice_3 := map_counter_group_choice_2 when leftright_checked_tag_row_start_choice_11 and
         leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group;
       map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
-      map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
+      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_of_column_0_a_choice := other_1 / 2;
+        map_of_column_0_a_choice := other_0 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c_choice := map_column_1 / 2;
@@ -2309,7 +2175,7 @@ begin
       map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
       map_counter_group <= map_counter_group_choice when leftright_checked_tag_start_of_frame and
         leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_3;
-      map_counter_next_frame <= to_integer(other_0(40 downto 40)) = 1;
+      map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_arrives <= leftright_checked_tag_row_start_all_3;
@@ -2319,13 +2185,13 @@ begin
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_write_column <= to_integer(other_0(4 downto 0));
+      map_write_column <= to_integer(other_1(4 downto 0));
       map_column_1 <= map_rows_ready_words_0 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= to_integer(other_0(24 downto 24)) = 1;
-      map_at_top <= to_integer(other_0(32 downto 32)) = 1;
-      map_at_output <= to_integer(other_0(48 downto 48)) = 1;
+      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
       map_of_column_0_a <= map_of_column_0_a_choice;
       map_of_column_0_b <= map_column_1 / 2;
       map_of_column_0_c <= map_of_column_0_c_choice;
@@ -2400,7 +2266,7 @@ begin
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= to_integer(other_0(4 downto 0));
+        map_at_column <= to_integer(other_1(4 downto 0));
       end if;
       map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
@@ -2421,8 +2287,8 @@ begin
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= other_2;
-      other_1 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
+      other_0 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
+      other_1 <= other_2;
       other_2 <= to_unsigned(as_number(((((map_counter_group + 65535) mod 65536) - size_windows_groups) < 0)), 1) &
         to_unsigned(as_number(leftright_checked_tag_row_start_all), 8) & to_unsigned(as_number((map_counter_group =
         1)), 8) & to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
@@ -2539,7 +2405,6 @@ begin
         slice0window_change_tag_start_of_frame <= false;
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
-        slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_start_of_frame_2 <= false;
@@ -2548,6 +2413,7 @@ begin
         slice0window_tag_start_of_frame <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_map_column <= false;
+        slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
@@ -2566,10 +2432,10 @@ begin
         slice1cost_write_column <= 0;
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
+        slice1window_change_tag_output_column <= false;
         slice1window_centre_map_column_0 <= false;
         slice1window_centre_output_column_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
-        slice1window_tag_output_column <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_map_column <= false;
         slice1_best_tag_output_column <= false;
@@ -2706,7 +2572,7 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= to_unsigned(0, 49);
+        other_1 <= to_unsigned(0, 49);
         other_2 <= to_unsigned(0, 49);
       end if;
     end if;

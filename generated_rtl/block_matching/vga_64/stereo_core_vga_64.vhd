@@ -1680,6 +1680,11 @@ architecture rtl of stereo_core_vga_64 is
   signal other_7 : natural range 0 to 224;
   signal other_8 : natural range 0 to 192;
   signal other_9 : natural range 0 to 128;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(5 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal slice3window_leaving_3_memory_write_data : unsigned(31 downto 0);
   signal slice3window_leaving_2_memory_write_data : unsigned(31 downto 0);
   signal slice3window_leaving_1_memory_write_data : unsigned(31 downto 0);
@@ -1730,11 +1735,6 @@ architecture rtl of stereo_core_vga_64 is
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(25 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(5 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -1746,6 +1746,46 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 640, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 640, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  map_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 576, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => map_rows_read_words_0,
+      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 6);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 128, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 64, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0_15, 8) & to_unsigned(slice3cost_column_0_14, 8) & to_unsigned(slice3cost_column_0_13, 8) & to_unsigned(slice3cost_column_0_12, 8);
   slice3window_leaving_3_memory : entity work.line_memory
@@ -1913,7 +1953,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_3_memory_write_data);
+      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_3_memory_write_data);
 
   slice1cost_read_words_2_memory_write_data <= slice1cost_write_words_2;
   slice1cost_read_words_2_memory : entity work.line_memory
@@ -1921,7 +1961,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_2_memory_write_data);
+      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_2_memory_write_data);
 
   slice1cost_read_words_1_memory_write_data <= slice1cost_write_words_1;
   slice1cost_read_words_1_memory : entity work.line_memory
@@ -1929,7 +1969,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_1_memory_write_data);
+      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_1_memory_write_data);
 
   slice1cost_read_words_0_memory_write_data <= slice1cost_write_words_0;
   slice1cost_read_words_0_memory : entity work.line_memory
@@ -1937,7 +1977,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_0_memory_write_data);
+      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_0_memory_write_data);
 
   slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_15, 8) & to_unsigned(slice0cost_column_0_14, 8) & to_unsigned(slice0cost_column_0_13, 8) & to_unsigned(slice0cost_column_0_12, 8);
   slice0window_leaving_3_memory : entity work.line_memory
@@ -1977,7 +2017,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_3_memory_write_data);
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_3_memory_write_data);
 
   slice0cost_read_words_2_memory_write_data <= slice0cost_write_words_2;
   slice0cost_read_words_2_memory : entity work.line_memory
@@ -1985,7 +2025,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_2_memory_write_data);
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_2_memory_write_data);
 
   slice0cost_read_words_1_memory_write_data <= slice0cost_write_words_1;
   slice0cost_read_words_1_memory : entity work.line_memory
@@ -1993,7 +2033,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_1_memory_write_data);
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_1_memory_write_data);
 
   slice0cost_read_words_0_memory_write_data <= slice0cost_write_words_0;
   slice0cost_read_words_0_memory : entity work.line_memory
@@ -2001,7 +2041,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_0_memory_write_data);
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_8_memory_write_data <= to_unsigned(rows_search_rows_write_words_8, 26);
   rows_search_rows_read_words_8_memory : entity work.line_memory
@@ -2146,46 +2186,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 16)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 16)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 576, width => 26)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 6);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 128, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -2436,69 +2436,66 @@ begin
     variable slice0cost_pixels_first_1_0_count_6_value, slice0cost_pixels_first_1_0_count_6_value_2 : boolean;
     variable slice0cost_pixels_first_1_0_count_6_value_3, slice0cost_pixels_first_1_0_count_7_value : boolean;
     variable slice0cost_pixels_first_1_0_count_7_value_2, slice0cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_8_value, slice0other_cost_0_0_all : boolean;
-    variable slice0other_cost_0_0_is_less, slice0other_cost_0_0_all_2, slice0other_cost_0_2_is_less : boolean;
-    variable slice0other_cost_0_3_is_less, slice0other_cost_0_4_is_less, slice0other_cost_0_5_is_less : boolean;
-    variable slice0other_cost_0_6_is_less, slice0other_cost_0_7_is_less, slice0other_cost_0_8_is_less : boolean;
-    variable slice0other_cost_0_9_is_less, slice0other_cost_0_10_is_less, slice0other_cost_0_11_is_less : boolean;
-    variable slice0other_cost_0_12_is_less, slice0other_cost_0_13_is_less, slice0other_cost_0_14_is_less : boolean;
-    variable slice0other_cost_0_15_is_less, slice0other_winner_0_1_choice : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
-    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
-    variable slice0winner1_best_cost_0_4_is_less, slice0winner1_best_cost_0_5_is_less : boolean;
-    variable slice0winner1_best_cost_0_6_is_less, slice0winner1_best_cost_0_7_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
-    variable slice0winner2_best_cost_0_2_is_less, slice0winner2_best_cost_0_3_is_less : boolean;
-    variable slice0winner2_best_below_0_0_is_equal, slice0winner2_best_below_0_1_is_equal : boolean;
-    variable slice0winner2_best_below_0_2_is_equal, slice0winner2_best_below_0_3_is_equal : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_cost_0_1_is_less : boolean;
-    variable slice0winner3_best_below_0_0_is_equal, slice0winner3_best_below_0_1_is_equal : boolean;
-    variable slice0winner3_best_above_0_0_is_equal, slice0winner3_best_above_0_1_is_equal : boolean;
-    variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_below_0_0_is_equal : boolean;
-    variable slice0winner4_best_above_0_0_is_equal, slice1cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value, slice1cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value, slice1cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value, slice1cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_8_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value, slice1cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value, slice1cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value_2, slice1cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_2, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value, slice1cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_2, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value, slice1cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_8_value, slice1other_cost_0_0_is_less : boolean;
-    variable slice1other_cost_0_0_choice, slice1other_cost_0_1_all, slice1other_cost_0_1_is_less : boolean;
-    variable slice1other_cost_0_1_all_2, slice1other_cost_0_2_is_less, slice1other_cost_0_3_is_less : boolean;
-    variable slice1other_cost_0_4_is_less, slice1other_cost_0_5_is_less, slice1other_cost_0_6_is_less : boolean;
-    variable slice1other_cost_0_7_is_less, slice1other_cost_0_8_is_less, slice1other_cost_0_9_is_less : boolean;
-    variable slice1other_cost_0_10_is_less, slice1other_cost_0_11_is_less, slice1other_cost_0_12_is_less : boolean;
-    variable slice1other_cost_0_13_is_less, slice1other_cost_0_14_is_less, slice1other_cost_0_15_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_1_is_less : boolean;
-    variable slice1winner1_best_cost_0_2_is_less, slice1winner1_best_cost_0_3_is_less : boolean;
-    variable slice1winner1_best_cost_0_4_is_less, slice1winner1_best_cost_0_5_is_less : boolean;
-    variable slice1winner1_best_cost_0_6_is_less, slice1winner1_best_cost_0_7_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_0_1_is_less : boolean;
-    variable slice1winner2_best_cost_0_2_is_less, slice1winner2_best_cost_0_3_is_less : boolean;
-    variable slice1winner2_best_below_0_0_is_equal, slice1winner2_best_below_0_1_is_equal : boolean;
-    variable slice1winner2_best_below_0_2_is_equal, slice1winner2_best_below_0_3_is_equal : boolean;
-    variable slice1winner3_best_cost_0_0_is_less, slice1winner3_best_cost_0_1_is_less : boolean;
-    variable slice1winner3_best_below_0_0_is_equal, slice1winner3_best_below_0_1_is_equal : boolean;
-    variable slice1winner3_best_above_0_0_is_equal, slice1winner3_best_above_0_1_is_equal : boolean;
-    variable slice1winner4_best_cost_0_0_is_less, slice1winner4_best_below_0_0_is_equal : boolean;
-    variable slice1winner4_best_above_0_0_is_equal, slice1_best_cost_0_0_is_less : boolean;
-    variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal : boolean;
+    variable slice0cost_pixels_first_1_0_count_8_value, slice0other_cost_0_1_all, slice0other_cost_0_1_choice : boolean;
+    variable slice0other_cost_0_2_choice, slice0other_cost_0_3_choice, slice0other_cost_0_4_choice : boolean;
+    variable slice0other_cost_0_5_choice, slice0other_cost_0_6_choice, slice0other_cost_0_7_choice : boolean;
+    variable slice0other_cost_0_8_choice, slice0other_cost_0_9_choice, slice0other_cost_0_10_choice : boolean;
+    variable slice0other_cost_0_11_choice, slice0other_cost_0_12_choice, slice0other_cost_0_13_choice : boolean;
+    variable slice0other_cost_0_14_choice, slice0other_cost_0_15_all, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
+    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
+    variable slice0winner1_best_cost_0_7_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
+    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_below_0_0_is_equal : boolean;
+    variable slice0winner2_best_below_0_1_is_equal, slice0winner2_best_below_0_2_is_equal : boolean;
+    variable slice0winner2_best_below_0_3_is_equal, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_0_1_is_less, slice0winner3_best_below_0_0_is_equal : boolean;
+    variable slice0winner3_best_below_0_1_is_equal, slice0winner3_best_above_0_0_is_equal : boolean;
+    variable slice0winner3_best_above_0_1_is_equal, slice0winner4_best_cost_0_0_is_less : boolean;
+    variable slice0winner4_best_below_0_0_is_equal, slice0winner4_best_above_0_0_is_equal : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value, slice1cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value, slice1cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value_2, slice1cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_2, slice1cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value, slice1cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_3, slice1cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_2, slice1cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value, slice1cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_3, slice1cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value_2, slice1cost_pixels_first_0_0_count_7_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_8_value, slice1cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_value_2, slice1cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_2, slice1cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value, slice1cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value, slice1cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_3, slice1cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_2, slice1cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value, slice1cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_3, slice1cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value_2, slice1cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value, slice1cost_pixels_first_1_0_count_7_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value_3, slice1cost_pixels_first_1_0_count_8_value : boolean;
+    variable slice1other_cost_0_0_any, slice1other_cost_0_0_choice, slice1other_cost_0_1_choice : boolean;
+    variable slice1other_cost_0_2_choice, slice1other_cost_0_3_choice, slice1other_cost_0_4_choice : boolean;
+    variable slice1other_cost_0_5_choice, slice1other_cost_0_6_choice, slice1other_cost_0_7_choice : boolean;
+    variable slice1other_cost_0_8_choice, slice1other_cost_0_9_choice, slice1other_cost_0_10_choice : boolean;
+    variable slice1other_cost_0_11_choice, slice1other_cost_0_12_choice, slice1other_cost_0_13_choice : boolean;
+    variable slice1other_cost_0_14_choice, slice1other_cost_0_15_any, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
+    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
+    variable slice1winner1_best_cost_0_7_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_3_is_less, slice1winner2_best_below_0_0_is_equal : boolean;
+    variable slice1winner2_best_below_0_1_is_equal, slice1winner2_best_below_0_2_is_equal : boolean;
+    variable slice1winner2_best_below_0_3_is_equal, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_0_1_is_less, slice1winner3_best_below_0_0_is_equal : boolean;
+    variable slice1winner3_best_below_0_1_is_equal, slice1winner3_best_above_0_0_is_equal : boolean;
+    variable slice1winner3_best_above_0_1_is_equal, slice1winner4_best_cost_0_0_is_less : boolean;
+    variable slice1winner4_best_below_0_0_is_equal, slice1winner4_best_above_0_0_is_equal : boolean;
+    variable slice1_best_cost_0_0_is_less, slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal : boolean;
     variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
@@ -2522,13 +2519,12 @@ begin
     variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_7_value, slice2cost_pixels_first_1_0_count_7_value_2 : boolean;
     variable slice2cost_pixels_first_1_0_count_7_value_3, slice2cost_pixels_first_1_0_count_8_value : boolean;
-    variable slice2other_cost_0_0_is_less, slice2other_cost_0_0_choice, slice2other_cost_0_1_all : boolean;
-    variable slice2other_cost_0_1_is_less, slice2other_cost_0_1_all_2, slice2other_cost_0_2_is_less : boolean;
-    variable slice2other_cost_0_3_is_less, slice2other_cost_0_4_is_less, slice2other_cost_0_5_is_less : boolean;
-    variable slice2other_cost_0_6_is_less, slice2other_cost_0_7_is_less, slice2other_cost_0_8_is_less : boolean;
-    variable slice2other_cost_0_9_is_less, slice2other_cost_0_10_is_less, slice2other_cost_0_11_is_less : boolean;
-    variable slice2other_cost_0_12_is_less, slice2other_cost_0_13_is_less, slice2other_cost_0_14_is_less : boolean;
-    variable slice2other_cost_0_15_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
+    variable slice2other_cost_0_0_any, slice2other_cost_0_0_choice, slice2other_cost_0_1_choice : boolean;
+    variable slice2other_cost_0_2_choice, slice2other_cost_0_3_choice, slice2other_cost_0_4_choice : boolean;
+    variable slice2other_cost_0_5_choice, slice2other_cost_0_6_choice, slice2other_cost_0_7_choice : boolean;
+    variable slice2other_cost_0_8_choice, slice2other_cost_0_9_choice, slice2other_cost_0_10_choice : boolean;
+    variable slice2other_cost_0_11_choice, slice2other_cost_0_12_choice, slice2other_cost_0_13_choice : boolean;
+    variable slice2other_cost_0_14_choice, slice2other_cost_0_15_any, slice2winner1_best_cost_0_0_is_less : boolean;
     variable slice2winner1_best_cost_0_1_is_less, slice2winner1_best_cost_0_2_is_less : boolean;
     variable slice2winner1_best_cost_0_3_is_less, slice2winner1_best_cost_0_4_is_less : boolean;
     variable slice2winner1_best_cost_0_5_is_less, slice2winner1_best_cost_0_6_is_less : boolean;
@@ -2565,12 +2561,12 @@ begin
     variable slice3cost_pixels_first_1_0_count_6_value_2, slice3cost_pixels_first_1_0_count_6_value_3 : boolean;
     variable slice3cost_pixels_first_1_0_count_7_value, slice3cost_pixels_first_1_0_count_7_value_2 : boolean;
     variable slice3cost_pixels_first_1_0_count_7_value_3, slice3cost_pixels_first_1_0_count_8_value : boolean;
-    variable slice3other_cost_0_0_all, slice3other_cost_0_0_all_2, slice3other_cost_0_1_is_less : boolean;
-    variable slice3other_cost_0_2_is_less, slice3other_cost_0_3_is_less, slice3other_cost_0_4_is_less : boolean;
-    variable slice3other_cost_0_5_is_less, slice3other_cost_0_6_is_less, slice3other_cost_0_7_is_less : boolean;
-    variable slice3other_cost_0_8_is_less, slice3other_cost_0_9_is_less, slice3other_cost_0_10_is_less : boolean;
-    variable slice3other_cost_0_11_is_less, slice3other_cost_0_12_is_less, slice3other_cost_0_13_is_less : boolean;
-    variable slice3other_cost_0_14_is_less, slice3winner1_best_cost_0_0_is_less : boolean;
+    variable slice3other_cost_0_0_any, slice3other_cost_0_0_choice, slice3other_cost_0_1_choice : boolean;
+    variable slice3other_cost_0_2_choice, slice3other_cost_0_3_choice, slice3other_cost_0_4_choice : boolean;
+    variable slice3other_cost_0_5_choice, slice3other_cost_0_6_choice, slice3other_cost_0_7_choice : boolean;
+    variable slice3other_cost_0_8_choice, slice3other_cost_0_9_choice, slice3other_cost_0_10_choice : boolean;
+    variable slice3other_cost_0_11_choice, slice3other_cost_0_12_choice, slice3other_cost_0_13_choice : boolean;
+    variable slice3other_cost_0_14_choice, slice3winner1_best_cost_0_0_is_less : boolean;
     variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
     variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
     variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
@@ -2591,24 +2587,15 @@ begin
     variable leftright_checked_tag_row_start_choice_3, leftright_checked_tag_row_start_all_2 : boolean;
     variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
     variable map_window_complete_is_equal, map_window_complete_choice, map_low_1_0_all, map_low_0_0_all : boolean;
-    variable transform_counter_group_choice, slice0other_winner_0_15_choice : natural range 0 to 15;
-    variable slice0other_winner_0_15_choice_2, slice0other_winner_0_15_choice_3 : natural range 0 to 15;
-    variable slice0other_winner_0_15_choice_4, slice0other_winner_0_15_choice_5 : natural range 0 to 15;
-    variable slice0other_winner_0_15_choice_6, map_counter_group_choice : natural range 0 to 15;
+    variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 511;
     variable transform_left_filter_feature_0_choice_203 : natural range 0 to 511;
     variable transform_right_filter_feature_0_choice_203, map_counter_group_choice_2 : natural range 0 to 511;
     variable map_counter_group_choice_3 : natural range 0 to 511;
     variable transform_left_filter_feature_0_choice_201 : natural range 0 to 7;
-    variable transform_right_filter_feature_0_choice_201, slice0other_winner_0_7_choice : natural range 0 to 7;
-    variable slice0other_winner_0_7_choice_2, slice0other_winner_0_7_choice_3 : natural range 0 to 7;
-    variable slice0other_winner_0_7_choice_4, slice0other_winner_0_7_choice_5 : natural range 0 to 7;
-    variable slice0other_winner_0_7_choice_6, refinement_fraction_0_choice_2 : natural range 0 to 7;
+    variable transform_right_filter_feature_0_choice_201, refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable transform_left_filter_feature_0_choice_202 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_202, slice3other_winner_0_15_choice : natural range 0 to 63;
-    variable slice3other_winner_0_15_choice_2, slice3other_winner_0_15_choice_3 : natural range 0 to 63;
-    variable slice3other_winner_0_15_choice_4, slice3other_winner_0_15_choice_5 : natural range 0 to 63;
-    variable slice3other_winner_0_15_choice_6, leftright_address_0_value : natural range 0 to 63;
+    variable transform_right_filter_feature_0_choice_202, leftright_address_0_value : natural range 0 to 63;
     variable transform_left_filter_feature_0_choice_204 : natural range 0 to 4095;
     variable transform_right_filter_feature_0_choice_204, slice0window_sum_0_0_choice : natural range 0 to 4095;
     variable slice0window_sum_0_1_choice, slice0window_sum_0_2_choice : natural range 0 to 4095;
@@ -2618,52 +2605,7 @@ begin
     variable slice0window_sum_0_9_choice, slice0window_sum_0_10_choice : natural range 0 to 4095;
     variable slice0window_sum_0_11_choice, slice0window_sum_0_12_choice : natural range 0 to 4095;
     variable slice0window_sum_0_13_choice, slice0window_sum_0_14_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_15_choice, slice0other_cost_0_0_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_0_choice_2, slice0other_cost_0_1_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_1_choice_2, slice0other_cost_0_1_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_1_choice_4, slice0other_cost_0_2_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_2_choice_2, slice0other_cost_0_2_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_2_choice_4, slice0other_cost_0_2_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_2_choice_6, slice0other_cost_0_3_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_3_choice_2, slice0other_cost_0_3_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_3_choice_4, slice0other_cost_0_3_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_3_choice_6, slice0other_cost_0_4_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_4_choice_2, slice0other_cost_0_4_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_4_choice_4, slice0other_cost_0_4_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_4_choice_6, slice0other_cost_0_5_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_5_choice_2, slice0other_cost_0_5_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_5_choice_4, slice0other_cost_0_5_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_5_choice_6, slice0other_cost_0_6_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_6_choice_2, slice0other_cost_0_6_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_6_choice_4, slice0other_cost_0_6_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_6_choice_6, slice0other_cost_0_7_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_7_choice_2, slice0other_cost_0_7_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_7_choice_4, slice0other_cost_0_7_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_7_choice_6, slice0other_cost_0_8_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_8_choice_2, slice0other_cost_0_8_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_8_choice_4, slice0other_cost_0_8_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_8_choice_6, slice0other_cost_0_9_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_9_choice_2, slice0other_cost_0_9_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_9_choice_4, slice0other_cost_0_9_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_9_choice_6, slice0other_cost_0_10_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_10_choice_2, slice0other_cost_0_10_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_10_choice_4, slice0other_cost_0_10_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_10_choice_6, slice0other_cost_0_11_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_11_choice_2, slice0other_cost_0_11_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_11_choice_4, slice0other_cost_0_11_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_11_choice_6, slice0other_cost_0_12_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_12_choice_2, slice0other_cost_0_12_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_12_choice_4, slice0other_cost_0_12_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_12_choice_6, slice0other_cost_0_13_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_13_choice_2, slice0other_cost_0_13_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_13_choice_4, slice0other_cost_0_13_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_13_choice_6, slice0other_cost_0_14_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_14_choice_2, slice0other_cost_0_14_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_14_choice_4, slice0other_cost_0_14_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_14_choice_6, slice0other_cost_0_15_choice : natural range 0 to 4095;
-    variable slice0other_cost_0_15_choice_2, slice0other_cost_0_15_choice_3 : natural range 0 to 4095;
-    variable slice0other_cost_0_15_choice_4, slice0other_cost_0_15_choice_5 : natural range 0 to 4095;
-    variable slice0other_cost_0_15_choice_6, slice0winner2_best_below_0_0_choice : natural range 0 to 4095;
+    variable slice0window_sum_0_15_choice, slice0winner2_best_below_0_0_choice : natural range 0 to 4095;
     variable slice0winner2_best_below_0_1_choice, slice0winner2_best_below_0_2_choice : natural range 0 to 4095;
     variable slice0winner2_best_below_0_3_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 4095;
     variable slice0winner2_best_above_0_1_choice, slice0winner2_best_above_0_2_choice : natural range 0 to 4095;
@@ -2692,53 +2634,7 @@ begin
     variable slice1window_sum_0_9_choice, slice1window_sum_0_10_choice : natural range 0 to 4095;
     variable slice1window_sum_0_11_choice, slice1window_sum_0_12_choice : natural range 0 to 4095;
     variable slice1window_sum_0_13_choice, slice1window_sum_0_14_choice : natural range 0 to 4095;
-    variable slice1window_sum_0_15_choice, slice1other_cost_0_0_choice_2 : natural range 0 to 4095;
-    variable slice1other_cost_0_0_choice_3, slice1other_cost_0_1_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_1_choice_2, slice1other_cost_0_1_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_1_choice_4, slice1other_cost_0_1_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_1_choice_6, slice1other_cost_0_2_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_2_choice_2, slice1other_cost_0_2_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_2_choice_4, slice1other_cost_0_2_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_2_choice_6, slice1other_cost_0_3_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_3_choice_2, slice1other_cost_0_3_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_3_choice_4, slice1other_cost_0_3_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_3_choice_6, slice1other_cost_0_4_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_4_choice_2, slice1other_cost_0_4_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_4_choice_4, slice1other_cost_0_4_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_4_choice_6, slice1other_cost_0_5_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_5_choice_2, slice1other_cost_0_5_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_5_choice_4, slice1other_cost_0_5_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_5_choice_6, slice1other_cost_0_6_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_6_choice_2, slice1other_cost_0_6_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_6_choice_4, slice1other_cost_0_6_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_6_choice_6, slice1other_cost_0_7_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_7_choice_2, slice1other_cost_0_7_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_7_choice_4, slice1other_cost_0_7_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_7_choice_6, slice1other_cost_0_8_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_8_choice_2, slice1other_cost_0_8_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_8_choice_4, slice1other_cost_0_8_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_8_choice_6, slice1other_cost_0_9_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_9_choice_2, slice1other_cost_0_9_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_9_choice_4, slice1other_cost_0_9_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_9_choice_6, slice1other_cost_0_10_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_10_choice_2, slice1other_cost_0_10_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_10_choice_4, slice1other_cost_0_10_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_10_choice_6, slice1other_cost_0_11_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_11_choice_2, slice1other_cost_0_11_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_11_choice_4, slice1other_cost_0_11_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_11_choice_6, slice1other_cost_0_12_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_12_choice_2, slice1other_cost_0_12_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_12_choice_4, slice1other_cost_0_12_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_12_choice_6, slice1other_cost_0_13_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_13_choice_2, slice1other_cost_0_13_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_13_choice_4, slice1other_cost_0_13_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_13_choice_6, slice1other_cost_0_14_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_14_choice_2, slice1other_cost_0_14_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_14_choice_4, slice1other_cost_0_14_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_14_choice_6, slice1other_cost_0_15_choice : natural range 0 to 4095;
-    variable slice1other_cost_0_15_choice_2, slice1other_cost_0_15_choice_3 : natural range 0 to 4095;
-    variable slice1other_cost_0_15_choice_4, slice1other_cost_0_15_choice_5 : natural range 0 to 4095;
-    variable slice1other_cost_0_15_choice_6, slice1winner2_best_below_0_0_choice : natural range 0 to 4095;
+    variable slice1window_sum_0_15_choice, slice1winner2_best_below_0_0_choice : natural range 0 to 4095;
     variable slice1winner2_best_below_0_1_choice, slice1winner2_best_below_0_2_choice : natural range 0 to 4095;
     variable slice1winner2_best_below_0_3_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 4095;
     variable slice1winner2_best_above_0_1_choice, slice1winner2_best_above_0_2_choice : natural range 0 to 4095;
@@ -2770,53 +2666,7 @@ begin
     variable slice2window_sum_0_9_choice, slice2window_sum_0_10_choice : natural range 0 to 4095;
     variable slice2window_sum_0_11_choice, slice2window_sum_0_12_choice : natural range 0 to 4095;
     variable slice2window_sum_0_13_choice, slice2window_sum_0_14_choice : natural range 0 to 4095;
-    variable slice2window_sum_0_15_choice, slice2other_cost_0_0_choice_2 : natural range 0 to 4095;
-    variable slice2other_cost_0_0_choice_3, slice2other_cost_0_1_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_1_choice_2, slice2other_cost_0_1_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_1_choice_4, slice2other_cost_0_1_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_1_choice_6, slice2other_cost_0_2_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_2_choice_2, slice2other_cost_0_2_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_2_choice_4, slice2other_cost_0_2_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_2_choice_6, slice2other_cost_0_3_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_3_choice_2, slice2other_cost_0_3_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_3_choice_4, slice2other_cost_0_3_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_3_choice_6, slice2other_cost_0_4_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_4_choice_2, slice2other_cost_0_4_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_4_choice_4, slice2other_cost_0_4_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_4_choice_6, slice2other_cost_0_5_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_5_choice_2, slice2other_cost_0_5_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_5_choice_4, slice2other_cost_0_5_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_5_choice_6, slice2other_cost_0_6_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_6_choice_2, slice2other_cost_0_6_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_6_choice_4, slice2other_cost_0_6_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_6_choice_6, slice2other_cost_0_7_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_7_choice_2, slice2other_cost_0_7_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_7_choice_4, slice2other_cost_0_7_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_7_choice_6, slice2other_cost_0_8_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_8_choice_2, slice2other_cost_0_8_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_8_choice_4, slice2other_cost_0_8_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_8_choice_6, slice2other_cost_0_9_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_9_choice_2, slice2other_cost_0_9_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_9_choice_4, slice2other_cost_0_9_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_9_choice_6, slice2other_cost_0_10_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_10_choice_2, slice2other_cost_0_10_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_10_choice_4, slice2other_cost_0_10_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_10_choice_6, slice2other_cost_0_11_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_11_choice_2, slice2other_cost_0_11_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_11_choice_4, slice2other_cost_0_11_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_11_choice_6, slice2other_cost_0_12_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_12_choice_2, slice2other_cost_0_12_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_12_choice_4, slice2other_cost_0_12_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_12_choice_6, slice2other_cost_0_13_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_13_choice_2, slice2other_cost_0_13_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_13_choice_4, slice2other_cost_0_13_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_13_choice_6, slice2other_cost_0_14_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_14_choice_2, slice2other_cost_0_14_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_14_choice_4, slice2other_cost_0_14_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_14_choice_6, slice2other_cost_0_15_choice : natural range 0 to 4095;
-    variable slice2other_cost_0_15_choice_2, slice2other_cost_0_15_choice_3 : natural range 0 to 4095;
-    variable slice2other_cost_0_15_choice_4, slice2other_cost_0_15_choice_5 : natural range 0 to 4095;
-    variable slice2other_cost_0_15_choice_6, slice2winner2_best_below_0_0_choice : natural range 0 to 4095;
+    variable slice2window_sum_0_15_choice, slice2winner2_best_below_0_0_choice : natural range 0 to 4095;
     variable slice2winner2_best_below_0_1_choice, slice2winner2_best_below_0_2_choice : natural range 0 to 4095;
     variable slice2winner2_best_below_0_3_choice, slice2winner2_best_above_0_0_choice : natural range 0 to 4095;
     variable slice2winner2_best_above_0_1_choice, slice2winner2_best_above_0_2_choice : natural range 0 to 4095;
@@ -2848,51 +2698,7 @@ begin
     variable slice3window_sum_0_9_choice, slice3window_sum_0_10_choice : natural range 0 to 4095;
     variable slice3window_sum_0_11_choice, slice3window_sum_0_12_choice : natural range 0 to 4095;
     variable slice3window_sum_0_13_choice, slice3window_sum_0_14_choice : natural range 0 to 4095;
-    variable slice3window_sum_0_15_choice, slice3other_cost_0_0_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_0_choice_2, slice3other_cost_0_0_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_0_choice_4, slice3other_cost_0_1_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_1_choice_2, slice3other_cost_0_1_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_1_choice_4, slice3other_cost_0_1_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_1_choice_6, slice3other_cost_0_2_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_2_choice_2, slice3other_cost_0_2_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_2_choice_4, slice3other_cost_0_2_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_2_choice_6, slice3other_cost_0_3_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_3_choice_2, slice3other_cost_0_3_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_3_choice_4, slice3other_cost_0_3_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_3_choice_6, slice3other_cost_0_4_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_4_choice_2, slice3other_cost_0_4_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_4_choice_4, slice3other_cost_0_4_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_4_choice_6, slice3other_cost_0_5_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_5_choice_2, slice3other_cost_0_5_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_5_choice_4, slice3other_cost_0_5_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_5_choice_6, slice3other_cost_0_6_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_6_choice_2, slice3other_cost_0_6_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_6_choice_4, slice3other_cost_0_6_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_6_choice_6, slice3other_cost_0_7_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_7_choice_2, slice3other_cost_0_7_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_7_choice_4, slice3other_cost_0_7_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_7_choice_6, slice3other_cost_0_8_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_8_choice_2, slice3other_cost_0_8_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_8_choice_4, slice3other_cost_0_8_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_8_choice_6, slice3other_cost_0_9_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_9_choice_2, slice3other_cost_0_9_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_9_choice_4, slice3other_cost_0_9_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_9_choice_6, slice3other_cost_0_10_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_10_choice_2, slice3other_cost_0_10_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_10_choice_4, slice3other_cost_0_10_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_10_choice_6, slice3other_cost_0_11_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_11_choice_2, slice3other_cost_0_11_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_11_choice_4, slice3other_cost_0_11_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_11_choice_6, slice3other_cost_0_12_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_12_choice_2, slice3other_cost_0_12_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_12_choice_4, slice3other_cost_0_12_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_12_choice_6, slice3other_cost_0_13_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_13_choice_2, slice3other_cost_0_13_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_13_choice_4, slice3other_cost_0_13_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_13_choice_6, slice3other_cost_0_14_choice : natural range 0 to 4095;
-    variable slice3other_cost_0_14_choice_2, slice3other_cost_0_14_choice_3 : natural range 0 to 4095;
-    variable slice3other_cost_0_14_choice_4, slice3other_cost_0_14_choice_5 : natural range 0 to 4095;
-    variable slice3other_cost_0_14_choice_6, slice3winner2_best_below_0_0_choice : natural range 0 to 4095;
+    variable slice3window_sum_0_15_choice, slice3winner2_best_below_0_0_choice : natural range 0 to 4095;
     variable slice3winner2_best_below_0_1_choice, slice3winner2_best_below_0_2_choice : natural range 0 to 4095;
     variable slice3winner2_best_below_0_3_choice, slice3winner2_best_above_0_0_choice : natural range 0 to 4095;
     variable slice3winner2_best_above_0_1_choice, slice3winner2_best_above_0_2_choice : natural range 0 to 4095;
@@ -3023,175 +2829,6 @@ begin
     variable slice3window_change_0_12_choice, slice3window_change_0_13_choice : natural range 0 to 255;
     variable slice3window_change_0_14_choice, slice3window_change_0_15_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice : natural range 0 to 255;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 2;
-    variable slice0other_winner_0_2_choice_3, slice0other_winner_0_2_choice_4 : natural range 0 to 2;
-    variable slice0other_winner_0_2_choice_5, slice0other_winner_0_2_choice_6 : natural range 0 to 2;
-    variable slice0other_winner_0_3_choice, slice0other_winner_0_3_choice_2 : natural range 0 to 3;
-    variable slice0other_winner_0_3_choice_3, slice0other_winner_0_3_choice_4 : natural range 0 to 3;
-    variable slice0other_winner_0_3_choice_5, slice0other_winner_0_3_choice_6 : natural range 0 to 3;
-    variable slice0other_winner_0_4_choice, slice0other_winner_0_4_choice_2 : natural range 0 to 4;
-    variable slice0other_winner_0_4_choice_3, slice0other_winner_0_4_choice_4 : natural range 0 to 4;
-    variable slice0other_winner_0_4_choice_5, slice0other_winner_0_4_choice_6 : natural range 0 to 4;
-    variable slice0other_winner_0_5_choice, slice0other_winner_0_5_choice_2 : natural range 0 to 5;
-    variable slice0other_winner_0_5_choice_3, slice0other_winner_0_5_choice_4 : natural range 0 to 5;
-    variable slice0other_winner_0_5_choice_5, slice0other_winner_0_5_choice_6 : natural range 0 to 5;
-    variable slice0other_winner_0_6_choice, slice0other_winner_0_6_choice_2 : natural range 0 to 6;
-    variable slice0other_winner_0_6_choice_3, slice0other_winner_0_6_choice_4 : natural range 0 to 6;
-    variable slice0other_winner_0_6_choice_5, slice0other_winner_0_6_choice_6 : natural range 0 to 6;
-    variable slice0other_winner_0_8_choice, slice0other_winner_0_8_choice_2 : natural range 0 to 8;
-    variable slice0other_winner_0_8_choice_3, slice0other_winner_0_8_choice_4 : natural range 0 to 8;
-    variable slice0other_winner_0_8_choice_5, slice0other_winner_0_8_choice_6 : natural range 0 to 8;
-    variable slice0other_winner_0_9_choice, slice0other_winner_0_9_choice_2 : natural range 0 to 9;
-    variable slice0other_winner_0_9_choice_3, slice0other_winner_0_9_choice_4 : natural range 0 to 9;
-    variable slice0other_winner_0_9_choice_5, slice0other_winner_0_9_choice_6 : natural range 0 to 9;
-    variable slice0other_winner_0_10_choice, slice0other_winner_0_10_choice_2 : natural range 0 to 10;
-    variable slice0other_winner_0_10_choice_3, slice0other_winner_0_10_choice_4 : natural range 0 to 10;
-    variable slice0other_winner_0_10_choice_5, slice0other_winner_0_10_choice_6 : natural range 0 to 10;
-    variable slice0other_winner_0_11_choice, slice0other_winner_0_11_choice_2 : natural range 0 to 11;
-    variable slice0other_winner_0_11_choice_3, slice0other_winner_0_11_choice_4 : natural range 0 to 11;
-    variable slice0other_winner_0_11_choice_5, slice0other_winner_0_11_choice_6 : natural range 0 to 11;
-    variable slice0other_winner_0_12_choice, slice0other_winner_0_12_choice_2 : natural range 0 to 12;
-    variable slice0other_winner_0_12_choice_3, slice0other_winner_0_12_choice_4 : natural range 0 to 12;
-    variable slice0other_winner_0_12_choice_5, slice0other_winner_0_12_choice_6 : natural range 0 to 12;
-    variable slice0other_winner_0_13_choice, slice0other_winner_0_13_choice_2 : natural range 0 to 13;
-    variable slice0other_winner_0_13_choice_3, slice0other_winner_0_13_choice_4 : natural range 0 to 13;
-    variable slice0other_winner_0_13_choice_5, slice0other_winner_0_13_choice_6 : natural range 0 to 13;
-    variable slice0other_winner_0_14_choice, slice0other_winner_0_14_choice_2 : natural range 0 to 14;
-    variable slice0other_winner_0_14_choice_3, slice0other_winner_0_14_choice_4 : natural range 0 to 14;
-    variable slice0other_winner_0_14_choice_5, slice0other_winner_0_14_choice_6 : natural range 0 to 14;
-    variable slice1other_winner_0_1_choice, slice1other_winner_0_1_choice_2 : natural range 0 to 17;
-    variable slice1other_winner_0_1_choice_3, slice1other_winner_0_1_choice_4 : natural range 0 to 17;
-    variable slice1other_winner_0_1_choice_5, slice1other_winner_0_1_choice_6 : natural range 0 to 17;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 18;
-    variable slice1other_winner_0_2_choice_3, slice1other_winner_0_2_choice_4 : natural range 0 to 18;
-    variable slice1other_winner_0_2_choice_5, slice1other_winner_0_2_choice_6 : natural range 0 to 18;
-    variable slice1other_winner_0_3_choice, slice1other_winner_0_3_choice_2 : natural range 0 to 19;
-    variable slice1other_winner_0_3_choice_3, slice1other_winner_0_3_choice_4 : natural range 0 to 19;
-    variable slice1other_winner_0_3_choice_5, slice1other_winner_0_3_choice_6 : natural range 0 to 19;
-    variable slice1other_winner_0_4_choice, slice1other_winner_0_4_choice_2 : natural range 0 to 20;
-    variable slice1other_winner_0_4_choice_3, slice1other_winner_0_4_choice_4 : natural range 0 to 20;
-    variable slice1other_winner_0_4_choice_5, slice1other_winner_0_4_choice_6 : natural range 0 to 20;
-    variable slice1other_winner_0_5_choice, slice1other_winner_0_5_choice_2 : natural range 0 to 21;
-    variable slice1other_winner_0_5_choice_3, slice1other_winner_0_5_choice_4 : natural range 0 to 21;
-    variable slice1other_winner_0_5_choice_5, slice1other_winner_0_5_choice_6 : natural range 0 to 21;
-    variable slice1other_winner_0_6_choice, slice1other_winner_0_6_choice_2 : natural range 0 to 22;
-    variable slice1other_winner_0_6_choice_3, slice1other_winner_0_6_choice_4 : natural range 0 to 22;
-    variable slice1other_winner_0_6_choice_5, slice1other_winner_0_6_choice_6 : natural range 0 to 22;
-    variable slice1other_winner_0_7_choice, slice1other_winner_0_7_choice_2 : natural range 0 to 23;
-    variable slice1other_winner_0_7_choice_3, slice1other_winner_0_7_choice_4 : natural range 0 to 23;
-    variable slice1other_winner_0_7_choice_5, slice1other_winner_0_7_choice_6 : natural range 0 to 23;
-    variable slice1other_winner_0_8_choice, slice1other_winner_0_8_choice_2 : natural range 0 to 24;
-    variable slice1other_winner_0_8_choice_3, slice1other_winner_0_8_choice_4 : natural range 0 to 24;
-    variable slice1other_winner_0_8_choice_5, slice1other_winner_0_8_choice_6 : natural range 0 to 24;
-    variable slice1other_winner_0_9_choice, slice1other_winner_0_9_choice_2 : natural range 0 to 25;
-    variable slice1other_winner_0_9_choice_3, slice1other_winner_0_9_choice_4 : natural range 0 to 25;
-    variable slice1other_winner_0_9_choice_5, slice1other_winner_0_9_choice_6 : natural range 0 to 25;
-    variable slice1other_winner_0_10_choice, slice1other_winner_0_10_choice_2 : natural range 0 to 26;
-    variable slice1other_winner_0_10_choice_3, slice1other_winner_0_10_choice_4 : natural range 0 to 26;
-    variable slice1other_winner_0_10_choice_5, slice1other_winner_0_10_choice_6 : natural range 0 to 26;
-    variable slice1other_winner_0_11_choice, slice1other_winner_0_11_choice_2 : natural range 0 to 27;
-    variable slice1other_winner_0_11_choice_3, slice1other_winner_0_11_choice_4 : natural range 0 to 27;
-    variable slice1other_winner_0_11_choice_5, slice1other_winner_0_11_choice_6 : natural range 0 to 27;
-    variable slice1other_winner_0_12_choice, slice1other_winner_0_12_choice_2 : natural range 0 to 28;
-    variable slice1other_winner_0_12_choice_3, slice1other_winner_0_12_choice_4 : natural range 0 to 28;
-    variable slice1other_winner_0_12_choice_5, slice1other_winner_0_12_choice_6 : natural range 0 to 28;
-    variable slice1other_winner_0_13_choice, slice1other_winner_0_13_choice_2 : natural range 0 to 29;
-    variable slice1other_winner_0_13_choice_3, slice1other_winner_0_13_choice_4 : natural range 0 to 29;
-    variable slice1other_winner_0_13_choice_5, slice1other_winner_0_13_choice_6 : natural range 0 to 29;
-    variable slice1other_winner_0_14_choice, slice1other_winner_0_14_choice_2 : natural range 0 to 30;
-    variable slice1other_winner_0_14_choice_3, slice1other_winner_0_14_choice_4 : natural range 0 to 30;
-    variable slice1other_winner_0_14_choice_5, slice1other_winner_0_14_choice_6 : natural range 0 to 30;
-    variable slice1other_winner_0_15_choice, slice1other_winner_0_15_choice_2 : natural range 0 to 31;
-    variable slice1other_winner_0_15_choice_3, slice1other_winner_0_15_choice_4 : natural range 0 to 31;
-    variable slice1other_winner_0_15_choice_5, slice1other_winner_0_15_choice_6 : natural range 0 to 31;
-    variable slice2other_winner_0_1_choice, slice2other_winner_0_1_choice_2 : natural range 0 to 33;
-    variable slice2other_winner_0_1_choice_3, slice2other_winner_0_1_choice_4 : natural range 0 to 33;
-    variable slice2other_winner_0_1_choice_5, slice2other_winner_0_1_choice_6 : natural range 0 to 33;
-    variable slice2other_winner_0_2_choice, slice2other_winner_0_2_choice_2 : natural range 0 to 34;
-    variable slice2other_winner_0_2_choice_3, slice2other_winner_0_2_choice_4 : natural range 0 to 34;
-    variable slice2other_winner_0_2_choice_5, slice2other_winner_0_2_choice_6 : natural range 0 to 34;
-    variable slice2other_winner_0_3_choice, slice2other_winner_0_3_choice_2 : natural range 0 to 35;
-    variable slice2other_winner_0_3_choice_3, slice2other_winner_0_3_choice_4 : natural range 0 to 35;
-    variable slice2other_winner_0_3_choice_5, slice2other_winner_0_3_choice_6 : natural range 0 to 35;
-    variable slice2other_winner_0_4_choice, slice2other_winner_0_4_choice_2 : natural range 0 to 36;
-    variable slice2other_winner_0_4_choice_3, slice2other_winner_0_4_choice_4 : natural range 0 to 36;
-    variable slice2other_winner_0_4_choice_5, slice2other_winner_0_4_choice_6 : natural range 0 to 36;
-    variable slice2other_winner_0_5_choice, slice2other_winner_0_5_choice_2 : natural range 0 to 37;
-    variable slice2other_winner_0_5_choice_3, slice2other_winner_0_5_choice_4 : natural range 0 to 37;
-    variable slice2other_winner_0_5_choice_5, slice2other_winner_0_5_choice_6 : natural range 0 to 37;
-    variable slice2other_winner_0_6_choice, slice2other_winner_0_6_choice_2 : natural range 0 to 38;
-    variable slice2other_winner_0_6_choice_3, slice2other_winner_0_6_choice_4 : natural range 0 to 38;
-    variable slice2other_winner_0_6_choice_5, slice2other_winner_0_6_choice_6 : natural range 0 to 38;
-    variable slice2other_winner_0_7_choice, slice2other_winner_0_7_choice_2 : natural range 0 to 39;
-    variable slice2other_winner_0_7_choice_3, slice2other_winner_0_7_choice_4 : natural range 0 to 39;
-    variable slice2other_winner_0_7_choice_5, slice2other_winner_0_7_choice_6 : natural range 0 to 39;
-    variable slice2other_winner_0_8_choice, slice2other_winner_0_8_choice_2 : natural range 0 to 40;
-    variable slice2other_winner_0_8_choice_3, slice2other_winner_0_8_choice_4 : natural range 0 to 40;
-    variable slice2other_winner_0_8_choice_5, slice2other_winner_0_8_choice_6 : natural range 0 to 40;
-    variable slice2other_winner_0_9_choice, slice2other_winner_0_9_choice_2 : natural range 0 to 41;
-    variable slice2other_winner_0_9_choice_3, slice2other_winner_0_9_choice_4 : natural range 0 to 41;
-    variable slice2other_winner_0_9_choice_5, slice2other_winner_0_9_choice_6 : natural range 0 to 41;
-    variable slice2other_winner_0_10_choice, slice2other_winner_0_10_choice_2 : natural range 0 to 42;
-    variable slice2other_winner_0_10_choice_3, slice2other_winner_0_10_choice_4 : natural range 0 to 42;
-    variable slice2other_winner_0_10_choice_5, slice2other_winner_0_10_choice_6 : natural range 0 to 42;
-    variable slice2other_winner_0_11_choice, slice2other_winner_0_11_choice_2 : natural range 0 to 43;
-    variable slice2other_winner_0_11_choice_3, slice2other_winner_0_11_choice_4 : natural range 0 to 43;
-    variable slice2other_winner_0_11_choice_5, slice2other_winner_0_11_choice_6 : natural range 0 to 43;
-    variable slice2other_winner_0_12_choice, slice2other_winner_0_12_choice_2 : natural range 0 to 44;
-    variable slice2other_winner_0_12_choice_3, slice2other_winner_0_12_choice_4 : natural range 0 to 44;
-    variable slice2other_winner_0_12_choice_5, slice2other_winner_0_12_choice_6 : natural range 0 to 44;
-    variable slice2other_winner_0_13_choice, slice2other_winner_0_13_choice_2 : natural range 0 to 45;
-    variable slice2other_winner_0_13_choice_3, slice2other_winner_0_13_choice_4 : natural range 0 to 45;
-    variable slice2other_winner_0_13_choice_5, slice2other_winner_0_13_choice_6 : natural range 0 to 45;
-    variable slice2other_winner_0_14_choice, slice2other_winner_0_14_choice_2 : natural range 0 to 46;
-    variable slice2other_winner_0_14_choice_3, slice2other_winner_0_14_choice_4 : natural range 0 to 46;
-    variable slice2other_winner_0_14_choice_5, slice2other_winner_0_14_choice_6 : natural range 0 to 46;
-    variable slice2other_winner_0_15_choice, slice2other_winner_0_15_choice_2 : natural range 0 to 47;
-    variable slice2other_winner_0_15_choice_3, slice2other_winner_0_15_choice_4 : natural range 0 to 47;
-    variable slice2other_winner_0_15_choice_5, slice2other_winner_0_15_choice_6 : natural range 0 to 47;
-    variable slice3other_winner_0_1_choice, slice3other_winner_0_1_choice_2 : natural range 0 to 49;
-    variable slice3other_winner_0_1_choice_3, slice3other_winner_0_1_choice_4 : natural range 0 to 49;
-    variable slice3other_winner_0_1_choice_5, slice3other_winner_0_1_choice_6 : natural range 0 to 49;
-    variable slice3other_winner_0_2_choice, slice3other_winner_0_2_choice_2 : natural range 0 to 50;
-    variable slice3other_winner_0_2_choice_3, slice3other_winner_0_2_choice_4 : natural range 0 to 50;
-    variable slice3other_winner_0_2_choice_5, slice3other_winner_0_2_choice_6 : natural range 0 to 50;
-    variable slice3other_winner_0_3_choice, slice3other_winner_0_3_choice_2 : natural range 0 to 51;
-    variable slice3other_winner_0_3_choice_3, slice3other_winner_0_3_choice_4 : natural range 0 to 51;
-    variable slice3other_winner_0_3_choice_5, slice3other_winner_0_3_choice_6 : natural range 0 to 51;
-    variable slice3other_winner_0_4_choice, slice3other_winner_0_4_choice_2 : natural range 0 to 52;
-    variable slice3other_winner_0_4_choice_3, slice3other_winner_0_4_choice_4 : natural range 0 to 52;
-    variable slice3other_winner_0_4_choice_5, slice3other_winner_0_4_choice_6 : natural range 0 to 52;
-    variable slice3other_winner_0_5_choice, slice3other_winner_0_5_choice_2 : natural range 0 to 53;
-    variable slice3other_winner_0_5_choice_3, slice3other_winner_0_5_choice_4 : natural range 0 to 53;
-    variable slice3other_winner_0_5_choice_5, slice3other_winner_0_5_choice_6 : natural range 0 to 53;
-    variable slice3other_winner_0_6_choice, slice3other_winner_0_6_choice_2 : natural range 0 to 54;
-    variable slice3other_winner_0_6_choice_3, slice3other_winner_0_6_choice_4 : natural range 0 to 54;
-    variable slice3other_winner_0_6_choice_5, slice3other_winner_0_6_choice_6 : natural range 0 to 54;
-    variable slice3other_winner_0_7_choice, slice3other_winner_0_7_choice_2 : natural range 0 to 55;
-    variable slice3other_winner_0_7_choice_3, slice3other_winner_0_7_choice_4 : natural range 0 to 55;
-    variable slice3other_winner_0_7_choice_5, slice3other_winner_0_7_choice_6 : natural range 0 to 55;
-    variable slice3other_winner_0_8_choice, slice3other_winner_0_8_choice_2 : natural range 0 to 56;
-    variable slice3other_winner_0_8_choice_3, slice3other_winner_0_8_choice_4 : natural range 0 to 56;
-    variable slice3other_winner_0_8_choice_5, slice3other_winner_0_8_choice_6 : natural range 0 to 56;
-    variable slice3other_winner_0_9_choice, slice3other_winner_0_9_choice_2 : natural range 0 to 57;
-    variable slice3other_winner_0_9_choice_3, slice3other_winner_0_9_choice_4 : natural range 0 to 57;
-    variable slice3other_winner_0_9_choice_5, slice3other_winner_0_9_choice_6 : natural range 0 to 57;
-    variable slice3other_winner_0_10_choice, slice3other_winner_0_10_choice_2 : natural range 0 to 58;
-    variable slice3other_winner_0_10_choice_3, slice3other_winner_0_10_choice_4 : natural range 0 to 58;
-    variable slice3other_winner_0_10_choice_5, slice3other_winner_0_10_choice_6 : natural range 0 to 58;
-    variable slice3other_winner_0_11_choice, slice3other_winner_0_11_choice_2 : natural range 0 to 59;
-    variable slice3other_winner_0_11_choice_3, slice3other_winner_0_11_choice_4 : natural range 0 to 59;
-    variable slice3other_winner_0_11_choice_5, slice3other_winner_0_11_choice_6 : natural range 0 to 59;
-    variable slice3other_winner_0_12_choice, slice3other_winner_0_12_choice_2 : natural range 0 to 60;
-    variable slice3other_winner_0_12_choice_3, slice3other_winner_0_12_choice_4 : natural range 0 to 60;
-    variable slice3other_winner_0_12_choice_5, slice3other_winner_0_12_choice_6 : natural range 0 to 60;
-    variable slice3other_winner_0_13_choice, slice3other_winner_0_13_choice_2 : natural range 0 to 61;
-    variable slice3other_winner_0_13_choice_3, slice3other_winner_0_13_choice_4 : natural range 0 to 61;
-    variable slice3other_winner_0_13_choice_5, slice3other_winner_0_13_choice_6 : natural range 0 to 61;
-    variable slice3other_winner_0_14_choice, slice3other_winner_0_14_choice_2 : natural range 0 to 62;
-    variable slice3other_winner_0_14_choice_3, slice3other_winner_0_14_choice_4 : natural range 0 to 62;
-    variable slice3other_winner_0_14_choice_5, slice3other_winner_0_14_choice_6 : natural range 0 to 62;
-    variable slice3other_winner_0_0_choice, slice3other_winner_0_0_choice_2 : natural range 0 to 48;
     variable refinement_remainder_1_0_difference : natural range 4097 to 12287;
     variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 4097 to 16382;
     variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 4097 to 16382;
@@ -6333,6 +5970,7 @@ begin
       slice0cost_column_0_13 <= slice0cost_column_0_13_choice_2;
       slice0cost_column_0_14 <= slice0cost_column_0_14_choice_2;
       slice0cost_column_0_15 <= slice0cost_column_0_15_choice_2;
+      slice0cost_write_column <= slice0cost_ready_column;
       slice0cost_tag_valid <= slice0cost_ready_tag_valid;
       slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
       slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
@@ -6354,7 +5992,6 @@ begin
         slice0cost_ready_column <= 0 when slice0cost_pixels_tag_row_start else (slice0cost_ready_column + 1) mod 1024;
       end if;
       if slice0cost_ready_tag_valid then
-        slice0cost_write_column <= slice2cost_read_column;
         slice0cost_write_words_0 <= to_unsigned(slice0cost_column_0_3_choice_2, 8) &
           to_unsigned(slice0cost_column_0_2_choice_2, 8) & to_unsigned(slice0cost_column_0_1_choice_2, 8) &
           to_unsigned(slice0cost_column_0_0_choice_2, 8);
@@ -6563,375 +6200,70 @@ begin
         slice0window_tag_first_column <= slice1window_centre_first_column_2;
       end if;
       -- slice0other
-      slice0other_cost_0_0_all := ((slice0window_sum_0_1 - slice0other_cost_0_0) >= 0) and (not
-        slice1window_centre_first_column_3) and slice1window_centre_output_column_3;
-      slice0other_cost_0_0_is_less := (slice0window_sum_0_1 - slice0other_cost_0_0) < 0;
-      slice0other_cost_0_0_all_2 := slice0other_cost_0_0_is_less and (not slice1window_centre_first_column_3) and
-        slice1window_centre_output_column_3;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice1window_centre_output_column_3 else 0;
-      slice0other_cost_0_0_choice_2 := slice0window_sum_0_0 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_0_choice;
+      slice0other_cost_0_1_all := slice1window_centre_output_column_3 and slice1window_centre_first_column_3;
+      slice0other_cost_0_1_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_1 -
+        slice0other_cost_0_0) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_2_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_2 -
+        slice0other_cost_0_1) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_3_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_3 -
+        slice0other_cost_0_2) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_4_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_4 -
+        slice0other_cost_0_3) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_5_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_5 -
+        slice0other_cost_0_4) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_6_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_6 -
+        slice0other_cost_0_5) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_7_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_7 -
+        slice0other_cost_0_6) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_8_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_8 -
+        slice0other_cost_0_7) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_9_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_9 -
+        slice0other_cost_0_8) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_10_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_10 -
+        slice0other_cost_0_9) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_11_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_11 -
+        slice0other_cost_0_10) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_12_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_12 -
+        slice0other_cost_0_11) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_13_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_13 -
+        slice0other_cost_0_12) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_14_choice := slice1window_centre_output_column_3 when (slice0window_sum_0_14 -
+        slice0other_cost_0_13) < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_15_all := slice1window_centre_output_column_3 and (((slice0window_sum_0_15 -
+        slice0other_cost_0_14) < 0) or slice1window_centre_first_column_3);
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_0_choice_2;
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice1window_centre_output_column_3 else 0;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_1;
+        slice0other_cost_0_3 <= slice0window_sum_0_3 when slice0other_cost_0_3_choice else slice0other_cost_0_2;
+        slice0other_cost_0_4 <= slice0window_sum_0_4 when slice0other_cost_0_4_choice else slice0other_cost_0_3;
+        slice0other_cost_0_5 <= slice0window_sum_0_5 when slice0other_cost_0_5_choice else slice0other_cost_0_4;
+        slice0other_cost_0_6 <= slice0window_sum_0_6 when slice0other_cost_0_6_choice else slice0other_cost_0_5;
+        slice0other_cost_0_7 <= slice0window_sum_0_7 when slice0other_cost_0_7_choice else slice0other_cost_0_6;
+        slice0other_cost_0_8 <= slice0window_sum_0_8 when slice0other_cost_0_8_choice else slice0other_cost_0_7;
+        slice0other_cost_0_9 <= slice0window_sum_0_9 when slice0other_cost_0_9_choice else slice0other_cost_0_8;
+        slice0other_cost_0_10 <= slice0window_sum_0_10 when slice0other_cost_0_10_choice else slice0other_cost_0_9;
+        slice0other_cost_0_11 <= slice0window_sum_0_11 when slice0other_cost_0_11_choice else slice0other_cost_0_10;
+        slice0other_cost_0_12 <= slice0window_sum_0_12 when slice0other_cost_0_12_choice else slice0other_cost_0_11;
+        slice0other_cost_0_13 <= slice0window_sum_0_13 when slice0other_cost_0_13_choice else slice0other_cost_0_12;
+        slice0other_cost_0_14 <= slice0window_sum_0_14 when slice0other_cost_0_14_choice else slice0other_cost_0_13;
+        slice0other_cost_0_15 <= slice0window_sum_0_15 when slice0other_cost_0_15_all else slice0other_cost_0_14;
+        slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
+        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_choice else as_number(slice0other_winner_0_1);
+        slice0other_winner_0_3 <= 3 when slice0other_cost_0_3_choice else slice0other_winner_0_2;
+        slice0other_winner_0_4 <= 4 when slice0other_cost_0_4_choice else slice0other_winner_0_3;
+        slice0other_winner_0_5 <= 5 when slice0other_cost_0_5_choice else slice0other_winner_0_4;
+        slice0other_winner_0_6 <= 6 when slice0other_cost_0_6_choice else slice0other_winner_0_5;
+        slice0other_winner_0_7 <= 7 when slice0other_cost_0_7_choice else slice0other_winner_0_6;
+        slice0other_winner_0_8 <= 8 when slice0other_cost_0_8_choice else slice0other_winner_0_7;
+        slice0other_winner_0_9 <= 9 when slice0other_cost_0_9_choice else slice0other_winner_0_8;
+        slice0other_winner_0_10 <= 10 when slice0other_cost_0_10_choice else slice0other_winner_0_9;
+        slice0other_winner_0_11 <= 11 when slice0other_cost_0_11_choice else slice0other_winner_0_10;
+        slice0other_winner_0_12 <= 12 when slice0other_cost_0_12_choice else slice0other_winner_0_11;
+        slice0other_winner_0_13 <= 13 when slice0other_cost_0_13_choice else slice0other_winner_0_12;
+        slice0other_winner_0_14 <= 14 when slice0other_cost_0_14_choice else slice0other_winner_0_13;
+        slice0other_winner_0_15 <= 15 when slice0other_cost_0_15_all else slice0other_winner_0_14;
       end if;
-      slice0other_cost_0_1_choice := slice0other_cost_0_0 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_2 := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice_2 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_1_choice;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_1_choice_3;
-      slice0other_cost_0_2_is_less := (slice0window_sum_0_2 - slice0other_cost_0_1) < 0;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0other_cost_0_2_is_less else slice0other_cost_0_1;
-      slice0other_cost_0_2_choice_2 := slice0other_cost_0_2_choice when slice0window_tag_valid else
-        slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_3 := slice0window_sum_0_2 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_5 := slice0other_cost_0_2_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_2_choice_4;
-      slice0other_cost_0_2_choice_6 := slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_2_choice_5;
-      slice0other_cost_0_3_is_less := (slice0window_sum_0_3 - slice0other_cost_0_2) < 0;
-      slice0other_cost_0_3_choice := slice0window_sum_0_3 when slice0other_cost_0_3_is_less else slice0other_cost_0_2;
-      slice0other_cost_0_3_choice_2 := slice0other_cost_0_3_choice when slice0window_tag_valid else
-        slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_3 := slice0window_sum_0_3 when slice0window_tag_valid else slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_4 := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_5 := slice0other_cost_0_3_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_3_choice_4;
-      slice0other_cost_0_3_choice_6 := slice0other_cost_0_3_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_3_choice_5;
-      slice0other_cost_0_4_is_less := (slice0window_sum_0_4 - slice0other_cost_0_3) < 0;
-      slice0other_cost_0_4_choice := slice0window_sum_0_4 when slice0other_cost_0_4_is_less else slice0other_cost_0_3;
-      slice0other_cost_0_4_choice_2 := slice0other_cost_0_4_choice when slice0window_tag_valid else
-        slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_3 := slice0window_sum_0_4 when slice0window_tag_valid else slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_4 := slice0other_cost_0_3 when slice0window_tag_valid else slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_5 := slice0other_cost_0_4_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_4_choice_4;
-      slice0other_cost_0_4_choice_6 := slice0other_cost_0_4_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_4_choice_5;
-      slice0other_cost_0_5_is_less := (slice0window_sum_0_5 - slice0other_cost_0_4) < 0;
-      slice0other_cost_0_5_choice := slice0window_sum_0_5 when slice0other_cost_0_5_is_less else slice0other_cost_0_4;
-      slice0other_cost_0_5_choice_2 := slice0other_cost_0_5_choice when slice0window_tag_valid else
-        slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_3 := slice0window_sum_0_5 when slice0window_tag_valid else slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_4 := slice0other_cost_0_4 when slice0window_tag_valid else slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_5 := slice0other_cost_0_5_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_5_choice_4;
-      slice0other_cost_0_5_choice_6 := slice0other_cost_0_5_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_5_choice_5;
-      slice0other_cost_0_6_is_less := (slice0window_sum_0_6 - slice0other_cost_0_5) < 0;
-      slice0other_cost_0_6_choice := slice0window_sum_0_6 when slice0other_cost_0_6_is_less else slice0other_cost_0_5;
-      slice0other_cost_0_6_choice_2 := slice0other_cost_0_6_choice when slice0window_tag_valid else
-        slice0other_cost_0_6;
-      slice0other_cost_0_6_choice_3 := slice0window_sum_0_6 when slice0window_tag_valid else slice0other_cost_0_6;
-      slice0other_cost_0_6_choice_4 := slice0other_cost_0_5 when slice0window_tag_valid else slice0other_cost_0_6;
-      slice0other_cost_0_6_choice_5 := slice0other_cost_0_6_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_6_choice_4;
-      slice0other_cost_0_6_choice_6 := slice0other_cost_0_6_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_6_choice_5;
-      slice0other_cost_0_7_is_less := (slice0window_sum_0_7 - slice0other_cost_0_6) < 0;
-      slice0other_cost_0_7_choice := slice0window_sum_0_7 when slice0other_cost_0_7_is_less else slice0other_cost_0_6;
-      slice0other_cost_0_7_choice_2 := slice0other_cost_0_7_choice when slice0window_tag_valid else
-        slice0other_cost_0_7;
-      slice0other_cost_0_7_choice_3 := slice0window_sum_0_7 when slice0window_tag_valid else slice0other_cost_0_7;
-      slice0other_cost_0_7_choice_4 := slice0other_cost_0_6 when slice0window_tag_valid else slice0other_cost_0_7;
-      slice0other_cost_0_7_choice_5 := slice0other_cost_0_7_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_7_choice_4;
-      slice0other_cost_0_7_choice_6 := slice0other_cost_0_7_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_7_choice_5;
-      slice0other_cost_0_8_is_less := (slice0window_sum_0_8 - slice0other_cost_0_7) < 0;
-      slice0other_cost_0_8_choice := slice0window_sum_0_8 when slice0other_cost_0_8_is_less else slice0other_cost_0_7;
-      slice0other_cost_0_8_choice_2 := slice0other_cost_0_8_choice when slice0window_tag_valid else
-        slice0other_cost_0_8;
-      slice0other_cost_0_8_choice_3 := slice0window_sum_0_8 when slice0window_tag_valid else slice0other_cost_0_8;
-      slice0other_cost_0_8_choice_4 := slice0other_cost_0_7 when slice0window_tag_valid else slice0other_cost_0_8;
-      slice0other_cost_0_8_choice_5 := slice0other_cost_0_8_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_8_choice_4;
-      slice0other_cost_0_8_choice_6 := slice0other_cost_0_8_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_8_choice_5;
-      slice0other_cost_0_9_is_less := (slice0window_sum_0_9 - slice0other_cost_0_8) < 0;
-      slice0other_cost_0_9_choice := slice0window_sum_0_9 when slice0other_cost_0_9_is_less else slice0other_cost_0_8;
-      slice0other_cost_0_9_choice_2 := slice0other_cost_0_9_choice when slice0window_tag_valid else
-        slice0other_cost_0_9;
-      slice0other_cost_0_9_choice_3 := slice0window_sum_0_9 when slice0window_tag_valid else slice0other_cost_0_9;
-      slice0other_cost_0_9_choice_4 := slice0other_cost_0_8 when slice0window_tag_valid else slice0other_cost_0_9;
-      slice0other_cost_0_9_choice_5 := slice0other_cost_0_9_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_9_choice_4;
-      slice0other_cost_0_9_choice_6 := slice0other_cost_0_9_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_9_choice_5;
-      slice0other_cost_0_10_is_less := (slice0window_sum_0_10 - slice0other_cost_0_9) < 0;
-      slice0other_cost_0_10_choice := slice0window_sum_0_10 when slice0other_cost_0_10_is_less else
-        slice0other_cost_0_9;
-      slice0other_cost_0_10_choice_2 := slice0other_cost_0_10_choice when slice0window_tag_valid else
-        slice0other_cost_0_10;
-      slice0other_cost_0_10_choice_3 := slice0window_sum_0_10 when slice0window_tag_valid else slice0other_cost_0_10;
-      slice0other_cost_0_10_choice_4 := slice0other_cost_0_9 when slice0window_tag_valid else slice0other_cost_0_10;
-      slice0other_cost_0_10_choice_5 := slice0other_cost_0_10_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_10_choice_4;
-      slice0other_cost_0_10_choice_6 := slice0other_cost_0_10_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_10_choice_5;
-      slice0other_cost_0_11_is_less := (slice0window_sum_0_11 - slice0other_cost_0_10) < 0;
-      slice0other_cost_0_11_choice := slice0window_sum_0_11 when slice0other_cost_0_11_is_less else
-        slice0other_cost_0_10;
-      slice0other_cost_0_11_choice_2 := slice0other_cost_0_11_choice when slice0window_tag_valid else
-        slice0other_cost_0_11;
-      slice0other_cost_0_11_choice_3 := slice0window_sum_0_11 when slice0window_tag_valid else slice0other_cost_0_11;
-      slice0other_cost_0_11_choice_4 := slice0other_cost_0_10 when slice0window_tag_valid else slice0other_cost_0_11;
-      slice0other_cost_0_11_choice_5 := slice0other_cost_0_11_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_11_choice_4;
-      slice0other_cost_0_11_choice_6 := slice0other_cost_0_11_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_11_choice_5;
-      slice0other_cost_0_12_is_less := (slice0window_sum_0_12 - slice0other_cost_0_11) < 0;
-      slice0other_cost_0_12_choice := slice0window_sum_0_12 when slice0other_cost_0_12_is_less else
-        slice0other_cost_0_11;
-      slice0other_cost_0_12_choice_2 := slice0other_cost_0_12_choice when slice0window_tag_valid else
-        slice0other_cost_0_12;
-      slice0other_cost_0_12_choice_3 := slice0window_sum_0_12 when slice0window_tag_valid else slice0other_cost_0_12;
-      slice0other_cost_0_12_choice_4 := slice0other_cost_0_11 when slice0window_tag_valid else slice0other_cost_0_12;
-      slice0other_cost_0_12_choice_5 := slice0other_cost_0_12_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_12_choice_4;
-      slice0other_cost_0_12_choice_6 := slice0other_cost_0_12_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_12_choice_5;
-      slice0other_cost_0_13_is_less := (slice0window_sum_0_13 - slice0other_cost_0_12) < 0;
-      slice0other_cost_0_13_choice := slice0window_sum_0_13 when slice0other_cost_0_13_is_less else
-        slice0other_cost_0_12;
-      slice0other_cost_0_13_choice_2 := slice0other_cost_0_13_choice when slice0window_tag_valid else
-        slice0other_cost_0_13;
-      slice0other_cost_0_13_choice_3 := slice0window_sum_0_13 when slice0window_tag_valid else slice0other_cost_0_13;
-      slice0other_cost_0_13_choice_4 := slice0other_cost_0_12 when slice0window_tag_valid else slice0other_cost_0_13;
-      slice0other_cost_0_13_choice_5 := slice0other_cost_0_13_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_13_choice_4;
-      slice0other_cost_0_13_choice_6 := slice0other_cost_0_13_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_13_choice_5;
-      slice0other_cost_0_14_is_less := (slice0window_sum_0_14 - slice0other_cost_0_13) < 0;
-      slice0other_cost_0_14_choice := slice0window_sum_0_14 when slice0other_cost_0_14_is_less else
-        slice0other_cost_0_13;
-      slice0other_cost_0_14_choice_2 := slice0other_cost_0_14_choice when slice0window_tag_valid else
-        slice0other_cost_0_14;
-      slice0other_cost_0_14_choice_3 := slice0window_sum_0_14 when slice0window_tag_valid else slice0other_cost_0_14;
-      slice0other_cost_0_14_choice_4 := slice0other_cost_0_13 when slice0window_tag_valid else slice0other_cost_0_14;
-      slice0other_cost_0_14_choice_5 := slice0other_cost_0_14_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_14_choice_4;
-      slice0other_cost_0_14_choice_6 := slice0other_cost_0_14_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_14_choice_5;
-      slice0other_cost_0_15_is_less := (slice0window_sum_0_15 - slice0other_cost_0_14) < 0;
-      slice0other_cost_0_15_choice := slice0window_sum_0_15 when slice0other_cost_0_15_is_less else
-        slice0other_cost_0_14;
-      slice0other_cost_0_15_choice_2 := slice0other_cost_0_15_choice when slice0window_tag_valid else
-        slice0other_cost_0_15;
-      slice0other_cost_0_15_choice_3 := slice0window_sum_0_15 when slice0window_tag_valid else slice0other_cost_0_15;
-      slice0other_cost_0_15_choice_4 := slice0other_cost_0_14 when slice0window_tag_valid else slice0other_cost_0_15;
-      slice0other_cost_0_15_choice_5 := slice0other_cost_0_15_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_cost_0_15_choice_4;
-      slice0other_cost_0_15_choice_6 := slice0other_cost_0_15_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_15_choice_5;
-      slice0other_winner_0_1_choice := slice1window_centre_output_column_3 when slice0other_cost_0_0_is_less else
-        slice1window_centre_first_column_3 and slice1window_centre_output_column_3;
-      slice0other_winner_0_2_choice := 2 when slice0other_cost_0_2_is_less else as_number(slice0other_winner_0_1);
-      slice0other_winner_0_2_choice_2 := slice0other_winner_0_2_choice when slice0window_tag_valid else
-        slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_3 := 2 when slice0window_tag_valid else slice0other_winner_0_2;
-      if slice0window_tag_valid then
-        slice0other_winner_0_2_choice_4 := as_number(slice0other_winner_0_1);
-      else
-        slice0other_winner_0_2_choice_4 := slice0other_winner_0_2;
-      end if;
-      slice0other_winner_0_2_choice_5 := slice0other_winner_0_2_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_winner_0_2_choice_4;
-      slice0other_winner_0_2_choice_6 := slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_2_choice_5;
-      slice0other_winner_0_3_choice := 3 when slice0other_cost_0_3_is_less else slice0other_winner_0_2;
-      slice0other_winner_0_3_choice_2 := slice0other_winner_0_3_choice when slice0window_tag_valid else
-        slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_3 := 3 when slice0window_tag_valid else slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_4 := slice0other_winner_0_2 when slice0window_tag_valid else slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_5 := slice0other_winner_0_3_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_winner_0_3_choice_4;
-      slice0other_winner_0_3_choice_6 := slice0other_winner_0_3_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_3_choice_5;
-      slice0other_winner_0_4_choice := 4 when slice0other_cost_0_4_is_less else slice0other_winner_0_3;
-      slice0other_winner_0_4_choice_2 := slice0other_winner_0_4_choice when slice0window_tag_valid else
-        slice0other_winner_0_4;
-      slice0other_winner_0_4_choice_3 := 4 when slice0window_tag_valid else slice0other_winner_0_4;
-      if slice0window_tag_valid then
-        slice0other_winner_0_4_choice_4 := slice0other_winner_0_3;
-      else
-        slice0other_winner_0_4_choice_4 := slice0other_winner_0_4;
-      end if;
-      slice0other_winner_0_4_choice_5 := slice0other_winner_0_4_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_winner_0_4_choice_4;
-      slice0other_winner_0_4_choice_6 := slice0other_winner_0_4_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_4_choice_5;
-      slice0other_winner_0_5_choice := 5 when slice0other_cost_0_5_is_less else slice0other_winner_0_4;
-      slice0other_winner_0_5_choice_2 := slice0other_winner_0_5_choice when slice0window_tag_valid else
-        slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_4 := slice0other_winner_0_4 when slice0window_tag_valid else slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_5 := slice0other_winner_0_5_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_winner_0_5_choice_4;
-      slice0other_winner_0_5_choice_6 := slice0other_winner_0_5_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_5_choice_5;
-      slice0other_winner_0_6_choice := 6 when slice0other_cost_0_6_is_less else slice0other_winner_0_5;
-      slice0other_winner_0_6_choice_2 := slice0other_winner_0_6_choice when slice0window_tag_valid else
-        slice0other_winner_0_6;
-      slice0other_winner_0_6_choice_3 := 6 when slice0window_tag_valid else slice0other_winner_0_6;
-      slice0other_winner_0_6_choice_4 := slice0other_winner_0_5 when slice0window_tag_valid else slice0other_winner_0_6;
-      slice0other_winner_0_6_choice_5 := slice0other_winner_0_6_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_winner_0_6_choice_4;
-      slice0other_winner_0_6_choice_6 := slice0other_winner_0_6_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_6_choice_5;
-      slice0other_winner_0_7_choice := 7 when slice0other_cost_0_7_is_less else slice0other_winner_0_6;
-      slice0other_winner_0_7_choice_2 := slice0other_winner_0_7_choice when slice0window_tag_valid else
-        slice0other_winner_0_7;
-      slice0other_winner_0_7_choice_3 := 7 when slice0window_tag_valid else slice0other_winner_0_7;
-      slice0other_winner_0_7_choice_4 := slice0other_winner_0_6 when slice0window_tag_valid else slice0other_winner_0_7;
-      slice0other_winner_0_7_choice_5 := slice0other_winner_0_7_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_winner_0_7_choice_4;
-      slice0other_winner_0_7_choice_6 := slice0other_winner_0_7_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_7_choice_5;
-      slice0other_winner_0_8_choice := 8 when slice0other_cost_0_8_is_less else slice0other_winner_0_7;
-      slice0other_winner_0_8_choice_2 := slice0other_winner_0_8_choice when slice0window_tag_valid else
-        slice0other_winner_0_8;
-      slice0other_winner_0_8_choice_3 := 8 when slice0window_tag_valid else slice0other_winner_0_8;
-      if slice0window_tag_valid then
-        slice0other_winner_0_8_choice_4 := slice0other_winner_0_7;
-      else
-        slice0other_winner_0_8_choice_4 := slice0other_winner_0_8;
-      end if;
-      slice0other_winner_0_8_choice_5 := slice0other_winner_0_8_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_winner_0_8_choice_4;
-      slice0other_winner_0_8_choice_6 := slice0other_winner_0_8_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_8_choice_5;
-      slice0other_winner_0_9_choice := 9 when slice0other_cost_0_9_is_less else slice0other_winner_0_8;
-      slice0other_winner_0_9_choice_2 := slice0other_winner_0_9_choice when slice0window_tag_valid else
-        slice0other_winner_0_9;
-      slice0other_winner_0_9_choice_3 := 9 when slice0window_tag_valid else slice0other_winner_0_9;
-      slice0other_winner_0_9_choice_4 := slice0other_winner_0_8 when slice0window_tag_valid else slice0other_winner_0_9;
-      slice0other_winner_0_9_choice_5 := slice0other_winner_0_9_choice_3 when slice1window_centre_output_column_3 else
-        slice0other_winner_0_9_choice_4;
-      slice0other_winner_0_9_choice_6 := slice0other_winner_0_9_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_9_choice_5;
-      slice0other_winner_0_10_choice := 10 when slice0other_cost_0_10_is_less else slice0other_winner_0_9;
-      slice0other_winner_0_10_choice_2 := slice0other_winner_0_10_choice when slice0window_tag_valid else
-        slice0other_winner_0_10;
-      slice0other_winner_0_10_choice_3 := 10 when slice0window_tag_valid else slice0other_winner_0_10;
-      slice0other_winner_0_10_choice_4 := slice0other_winner_0_9 when slice0window_tag_valid else
-        slice0other_winner_0_10;
-      slice0other_winner_0_10_choice_5 := slice0other_winner_0_10_choice_3 when slice1window_centre_output_column_3
-        else slice0other_winner_0_10_choice_4;
-      slice0other_winner_0_10_choice_6 := slice0other_winner_0_10_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_10_choice_5;
-      slice0other_winner_0_11_choice := 11 when slice0other_cost_0_11_is_less else slice0other_winner_0_10;
-      slice0other_winner_0_11_choice_2 := slice0other_winner_0_11_choice when slice0window_tag_valid else
-        slice0other_winner_0_11;
-      slice0other_winner_0_11_choice_3 := 11 when slice0window_tag_valid else slice0other_winner_0_11;
-      slice0other_winner_0_11_choice_4 := slice0other_winner_0_10 when slice0window_tag_valid else
-        slice0other_winner_0_11;
-      slice0other_winner_0_11_choice_5 := slice0other_winner_0_11_choice_3 when slice1window_centre_output_column_3
-        else slice0other_winner_0_11_choice_4;
-      slice0other_winner_0_11_choice_6 := slice0other_winner_0_11_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_11_choice_5;
-      slice0other_winner_0_12_choice := 12 when slice0other_cost_0_12_is_less else slice0other_winner_0_11;
-      slice0other_winner_0_12_choice_2 := slice0other_winner_0_12_choice when slice0window_tag_valid else
-        slice0other_winner_0_12;
-      slice0other_winner_0_12_choice_3 := 12 when slice0window_tag_valid else slice0other_winner_0_12;
-      slice0other_winner_0_12_choice_4 := slice0other_winner_0_11 when slice0window_tag_valid else
-        slice0other_winner_0_12;
-      slice0other_winner_0_12_choice_5 := slice0other_winner_0_12_choice_3 when slice1window_centre_output_column_3
-        else slice0other_winner_0_12_choice_4;
-      slice0other_winner_0_12_choice_6 := slice0other_winner_0_12_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_12_choice_5;
-      slice0other_winner_0_13_choice := 13 when slice0other_cost_0_13_is_less else slice0other_winner_0_12;
-      slice0other_winner_0_13_choice_2 := slice0other_winner_0_13_choice when slice0window_tag_valid else
-        slice0other_winner_0_13;
-      slice0other_winner_0_13_choice_3 := 13 when slice0window_tag_valid else slice0other_winner_0_13;
-      slice0other_winner_0_13_choice_4 := slice0other_winner_0_12 when slice0window_tag_valid else
-        slice0other_winner_0_13;
-      slice0other_winner_0_13_choice_5 := slice0other_winner_0_13_choice_3 when slice1window_centre_output_column_3
-        else slice0other_winner_0_13_choice_4;
-      slice0other_winner_0_13_choice_6 := slice0other_winner_0_13_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_13_choice_5;
-      slice0other_winner_0_14_choice := 14 when slice0other_cost_0_14_is_less else slice0other_winner_0_13;
-      slice0other_winner_0_14_choice_2 := slice0other_winner_0_14_choice when slice0window_tag_valid else
-        slice0other_winner_0_14;
-      slice0other_winner_0_14_choice_3 := 14 when slice0window_tag_valid else slice0other_winner_0_14;
-      slice0other_winner_0_14_choice_4 := slice0other_winner_0_13 when slice0window_tag_valid else
-        slice0other_winner_0_14;
-      slice0other_winner_0_14_choice_5 := slice0other_winner_0_14_choice_3 when slice1window_centre_output_column_3
-        else slice0other_winner_0_14_choice_4;
-      slice0other_winner_0_14_choice_6 := slice0other_winner_0_14_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_14_choice_5;
-      slice0other_winner_0_15_choice := 15 when slice0other_cost_0_15_is_less else slice0other_winner_0_14;
-      slice0other_winner_0_15_choice_2 := slice0other_winner_0_15_choice when slice0window_tag_valid else
-        slice0other_winner_0_15;
-      slice0other_winner_0_15_choice_3 := 15 when slice0window_tag_valid else slice0other_winner_0_15;
-      slice0other_winner_0_15_choice_4 := slice0other_winner_0_14 when slice0window_tag_valid else
-        slice0other_winner_0_15;
-      slice0other_winner_0_15_choice_5 := slice0other_winner_0_15_choice_3 when slice1window_centre_output_column_3
-        else slice0other_winner_0_15_choice_4;
-      slice0other_winner_0_15_choice_6 := slice0other_winner_0_15_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_15_choice_5;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_4;
-      slice0other_cost_0_2 <= slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_2_choice_6;
-      slice0other_cost_0_3 <= slice0other_cost_0_3_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_3_choice_6;
-      slice0other_cost_0_4 <= slice0other_cost_0_4_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_4_choice_6;
-      slice0other_cost_0_5 <= slice0other_cost_0_5_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_5_choice_6;
-      slice0other_cost_0_6 <= slice0other_cost_0_6_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_6_choice_6;
-      slice0other_cost_0_7 <= slice0other_cost_0_7_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_7_choice_6;
-      slice0other_cost_0_8 <= slice0other_cost_0_8_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_8_choice_6;
-      slice0other_cost_0_9 <= slice0other_cost_0_9_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_9_choice_6;
-      slice0other_cost_0_10 <= slice0other_cost_0_10_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_10_choice_6;
-      slice0other_cost_0_11 <= slice0other_cost_0_11_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_11_choice_6;
-      slice0other_cost_0_12 <= slice0other_cost_0_12_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_12_choice_6;
-      slice0other_cost_0_13 <= slice0other_cost_0_13_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_13_choice_6;
-      slice0other_cost_0_14 <= slice0other_cost_0_14_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_14_choice_6;
-      slice0other_cost_0_15 <= slice0other_cost_0_15_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_15_choice_6;
-      slice0other_winner_0_1 <= (slice0window_tag_valid and slice0other_winner_0_1_choice) or (slice0other_winner_0_1
-        and (not slice0window_tag_valid));
-      slice0other_winner_0_2 <= slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_2_choice_6;
-      slice0other_winner_0_3 <= slice0other_winner_0_3_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_3_choice_6;
-      slice0other_winner_0_4 <= slice0other_winner_0_4_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_4_choice_6;
-      slice0other_winner_0_5 <= slice0other_winner_0_5_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_5_choice_6;
-      slice0other_winner_0_6 <= slice0other_winner_0_6_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_6_choice_6;
-      slice0other_winner_0_7 <= slice0other_winner_0_7_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_7_choice_6;
-      slice0other_winner_0_8 <= slice0other_winner_0_8_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_8_choice_6;
-      slice0other_winner_0_9 <= slice0other_winner_0_9_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_9_choice_6;
-      slice0other_winner_0_10 <= slice0other_winner_0_10_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_10_choice_6;
-      slice0other_winner_0_11 <= slice0other_winner_0_11_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_11_choice_6;
-      slice0other_winner_0_12 <= slice0other_winner_0_12_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_12_choice_6;
-      slice0other_winner_0_13 <= slice0other_winner_0_13_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_13_choice_6;
-      slice0other_winner_0_14 <= slice0other_winner_0_14_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_14_choice_6;
-      slice0other_winner_0_15 <= slice0other_winner_0_15_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_15_choice_6;
       slice0other_cost_out_0 <= slice0other_cost_0_15;
       slice0other_winner_out_0 <= slice0other_winner_0_15;
       -- slice0winner1
@@ -8745,7 +8077,7 @@ begin
       slice1cost_ready_words_1 <= slice1cost_read_words_1;
       slice1cost_ready_words_2 <= slice1cost_read_words_2;
       slice1cost_ready_words_3 <= slice1cost_read_words_3;
-      slice1cost_ready_column <= slice0cost_ready_column;
+      slice1cost_ready_column <= slice1cost_change_column;
       slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
       slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
       slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
@@ -8762,7 +8094,7 @@ begin
       slice1cost_column_0_13 <= slice1cost_column_0_13_choice_2;
       slice1cost_column_0_14 <= slice1cost_column_0_14_choice_2;
       slice1cost_column_0_15 <= slice1cost_column_0_15_choice_2;
-      slice1cost_write_column <= slice1cost_ready_column;
+      slice1cost_write_column <= slice0cost_write_column;
       if slice0cost_tag_valid then
         slice1cost_write_words_0 <= to_unsigned(slice1cost_column_0_3_choice_2, 8) &
           to_unsigned(slice1cost_column_0_2_choice_2, 8) & to_unsigned(slice1cost_column_0_1_choice_2, 8) &
@@ -8898,7 +8230,9 @@ begin
       slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
+      slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
       slice1window_centre_output_column_3 <= slice0window_centre_output_column_3;
+      slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       slice1window_centre_first_column_3 <= slice0window_centre_first_column_3;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       if slice0window_change_tag_valid then
@@ -8938,11 +8272,9 @@ begin
         slice1window_sum_0_13 <= (slice1window_sum_0_13_choice + slice1window_change_0_13) mod 4096;
         slice1window_sum_0_14 <= (slice1window_sum_0_14_choice + slice1window_change_0_14) mod 4096;
         slice1window_sum_0_15 <= (slice1window_sum_0_15_choice + slice1window_change_0_15) mod 4096;
-        slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
-        slice1window_centre_output_column_1 <= slice1window_centre_output_column_0;
+        slice1window_centre_output_column_1 <= slice2window_change_tag_output_column;
         slice1window_centre_output_column_2 <= slice1window_centre_output_column_1;
-        slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
-        slice1window_centre_first_column_1 <= slice1window_centre_first_column_0;
+        slice1window_centre_first_column_1 <= slice2window_change_tag_first_column;
         slice1window_centre_first_column_2 <= slice1window_centre_first_column_1;
       end if;
       if slice0winner1_tag_valid then
@@ -8950,388 +8282,75 @@ begin
         slice1window_tag_first_column <= slice2window_centre_first_column_2;
       end if;
       -- slice1other
-      slice1other_cost_0_0_is_less := (slice1window_sum_0_0 - slice0other_cost_out_0) < 0;
-      slice1other_cost_0_0_choice := not slice0winner1_tag_output_column when slice1other_cost_0_0_is_less else (not
-        slice0winner1_tag_first_column) or (not slice0winner1_tag_output_column);
-      slice1other_cost_0_0_choice_2 := slice0other_cost_out_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_3 := slice1window_sum_0_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_1_all := ((slice1window_sum_0_0 - slice0other_cost_out_0) >= 0) and (not
-        slice0winner1_tag_first_column) and slice0winner1_tag_output_column;
-      slice1other_cost_0_1_is_less := (slice1window_sum_0_1 - slice1other_cost_0_0) < 0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_less else slice1other_cost_0_0;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_0 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_all_2 := slice1other_cost_0_0_is_less and (not slice0winner1_tag_first_column) and
-        slice0winner1_tag_output_column;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_6 := slice1other_cost_0_1_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_1_choice_5;
-      slice1other_cost_0_2_is_less := (slice1window_sum_0_2 - slice1other_cost_0_1) < 0;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice1other_cost_0_2_is_less else slice1other_cost_0_1;
-      slice1other_cost_0_2_choice_2 := slice1other_cost_0_2_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_3 := slice1other_cost_0_1 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_2_choice_3;
-      slice1other_cost_0_2_choice_5 := slice1window_sum_0_2 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_6 := slice1other_cost_0_2_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_2_choice_5;
-      slice1other_cost_0_3_is_less := (slice1window_sum_0_3 - slice1other_cost_0_2) < 0;
-      slice1other_cost_0_3_choice := slice1window_sum_0_3 when slice1other_cost_0_3_is_less else slice1other_cost_0_2;
-      slice1other_cost_0_3_choice_2 := slice1other_cost_0_3_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_3;
-      slice1other_cost_0_3_choice_3 := slice1other_cost_0_2 when slice0winner1_tag_valid else slice1other_cost_0_3;
-      slice1other_cost_0_3_choice_4 := slice1other_cost_0_3_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_3_choice_3;
-      slice1other_cost_0_3_choice_5 := slice1window_sum_0_3 when slice0winner1_tag_valid else slice1other_cost_0_3;
-      slice1other_cost_0_3_choice_6 := slice1other_cost_0_3_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_3_choice_5;
-      slice1other_cost_0_4_is_less := (slice1window_sum_0_4 - slice1other_cost_0_3) < 0;
-      slice1other_cost_0_4_choice := slice1window_sum_0_4 when slice1other_cost_0_4_is_less else slice1other_cost_0_3;
-      slice1other_cost_0_4_choice_2 := slice1other_cost_0_4_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_4;
-      slice1other_cost_0_4_choice_3 := slice1other_cost_0_3 when slice0winner1_tag_valid else slice1other_cost_0_4;
-      slice1other_cost_0_4_choice_4 := slice1other_cost_0_4_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_4_choice_3;
-      slice1other_cost_0_4_choice_5 := slice1window_sum_0_4 when slice0winner1_tag_valid else slice1other_cost_0_4;
-      slice1other_cost_0_4_choice_6 := slice1other_cost_0_4_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_4_choice_5;
-      slice1other_cost_0_5_is_less := (slice1window_sum_0_5 - slice1other_cost_0_4) < 0;
-      slice1other_cost_0_5_choice := slice1window_sum_0_5 when slice1other_cost_0_5_is_less else slice1other_cost_0_4;
-      slice1other_cost_0_5_choice_2 := slice1other_cost_0_5_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_5;
-      slice1other_cost_0_5_choice_3 := slice1other_cost_0_4 when slice0winner1_tag_valid else slice1other_cost_0_5;
-      slice1other_cost_0_5_choice_4 := slice1other_cost_0_5_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_5_choice_3;
-      slice1other_cost_0_5_choice_5 := slice1window_sum_0_5 when slice0winner1_tag_valid else slice1other_cost_0_5;
-      slice1other_cost_0_5_choice_6 := slice1other_cost_0_5_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_5_choice_5;
-      slice1other_cost_0_6_is_less := (slice1window_sum_0_6 - slice1other_cost_0_5) < 0;
-      slice1other_cost_0_6_choice := slice1window_sum_0_6 when slice1other_cost_0_6_is_less else slice1other_cost_0_5;
-      slice1other_cost_0_6_choice_2 := slice1other_cost_0_6_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_6;
-      slice1other_cost_0_6_choice_3 := slice1other_cost_0_5 when slice0winner1_tag_valid else slice1other_cost_0_6;
-      slice1other_cost_0_6_choice_4 := slice1other_cost_0_6_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_6_choice_3;
-      slice1other_cost_0_6_choice_5 := slice1window_sum_0_6 when slice0winner1_tag_valid else slice1other_cost_0_6;
-      slice1other_cost_0_6_choice_6 := slice1other_cost_0_6_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_6_choice_5;
-      slice1other_cost_0_7_is_less := (slice1window_sum_0_7 - slice1other_cost_0_6) < 0;
-      slice1other_cost_0_7_choice := slice1window_sum_0_7 when slice1other_cost_0_7_is_less else slice1other_cost_0_6;
-      slice1other_cost_0_7_choice_2 := slice1other_cost_0_7_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_7;
-      slice1other_cost_0_7_choice_3 := slice1other_cost_0_6 when slice0winner1_tag_valid else slice1other_cost_0_7;
-      slice1other_cost_0_7_choice_4 := slice1other_cost_0_7_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_7_choice_3;
-      slice1other_cost_0_7_choice_5 := slice1window_sum_0_7 when slice0winner1_tag_valid else slice1other_cost_0_7;
-      slice1other_cost_0_7_choice_6 := slice1other_cost_0_7_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_7_choice_5;
-      slice1other_cost_0_8_is_less := (slice1window_sum_0_8 - slice1other_cost_0_7) < 0;
-      slice1other_cost_0_8_choice := slice1window_sum_0_8 when slice1other_cost_0_8_is_less else slice1other_cost_0_7;
-      slice1other_cost_0_8_choice_2 := slice1other_cost_0_8_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_8;
-      slice1other_cost_0_8_choice_3 := slice1other_cost_0_7 when slice0winner1_tag_valid else slice1other_cost_0_8;
-      slice1other_cost_0_8_choice_4 := slice1other_cost_0_8_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_8_choice_3;
-      slice1other_cost_0_8_choice_5 := slice1window_sum_0_8 when slice0winner1_tag_valid else slice1other_cost_0_8;
-      slice1other_cost_0_8_choice_6 := slice1other_cost_0_8_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_8_choice_5;
-      slice1other_cost_0_9_is_less := (slice1window_sum_0_9 - slice1other_cost_0_8) < 0;
-      slice1other_cost_0_9_choice := slice1window_sum_0_9 when slice1other_cost_0_9_is_less else slice1other_cost_0_8;
-      slice1other_cost_0_9_choice_2 := slice1other_cost_0_9_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_9;
-      slice1other_cost_0_9_choice_3 := slice1other_cost_0_8 when slice0winner1_tag_valid else slice1other_cost_0_9;
-      slice1other_cost_0_9_choice_4 := slice1other_cost_0_9_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_9_choice_3;
-      slice1other_cost_0_9_choice_5 := slice1window_sum_0_9 when slice0winner1_tag_valid else slice1other_cost_0_9;
-      slice1other_cost_0_9_choice_6 := slice1other_cost_0_9_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_9_choice_5;
-      slice1other_cost_0_10_is_less := (slice1window_sum_0_10 - slice1other_cost_0_9) < 0;
-      slice1other_cost_0_10_choice := slice1window_sum_0_10 when slice1other_cost_0_10_is_less else
-        slice1other_cost_0_9;
-      slice1other_cost_0_10_choice_2 := slice1other_cost_0_10_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_10;
-      slice1other_cost_0_10_choice_3 := slice1other_cost_0_9 when slice0winner1_tag_valid else slice1other_cost_0_10;
-      slice1other_cost_0_10_choice_4 := slice1other_cost_0_10_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_10_choice_3;
-      slice1other_cost_0_10_choice_5 := slice1window_sum_0_10 when slice0winner1_tag_valid else slice1other_cost_0_10;
-      slice1other_cost_0_10_choice_6 := slice1other_cost_0_10_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_10_choice_5;
-      slice1other_cost_0_11_is_less := (slice1window_sum_0_11 - slice1other_cost_0_10) < 0;
-      slice1other_cost_0_11_choice := slice1window_sum_0_11 when slice1other_cost_0_11_is_less else
-        slice1other_cost_0_10;
-      slice1other_cost_0_11_choice_2 := slice1other_cost_0_11_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_11;
-      slice1other_cost_0_11_choice_3 := slice1other_cost_0_10 when slice0winner1_tag_valid else slice1other_cost_0_11;
-      slice1other_cost_0_11_choice_4 := slice1other_cost_0_11_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_11_choice_3;
-      slice1other_cost_0_11_choice_5 := slice1window_sum_0_11 when slice0winner1_tag_valid else slice1other_cost_0_11;
-      slice1other_cost_0_11_choice_6 := slice1other_cost_0_11_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_11_choice_5;
-      slice1other_cost_0_12_is_less := (slice1window_sum_0_12 - slice1other_cost_0_11) < 0;
-      slice1other_cost_0_12_choice := slice1window_sum_0_12 when slice1other_cost_0_12_is_less else
-        slice1other_cost_0_11;
-      slice1other_cost_0_12_choice_2 := slice1other_cost_0_12_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_12;
-      slice1other_cost_0_12_choice_3 := slice1other_cost_0_11 when slice0winner1_tag_valid else slice1other_cost_0_12;
-      slice1other_cost_0_12_choice_4 := slice1other_cost_0_12_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_12_choice_3;
-      slice1other_cost_0_12_choice_5 := slice1window_sum_0_12 when slice0winner1_tag_valid else slice1other_cost_0_12;
-      slice1other_cost_0_12_choice_6 := slice1other_cost_0_12_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_12_choice_5;
-      slice1other_cost_0_13_is_less := (slice1window_sum_0_13 - slice1other_cost_0_12) < 0;
-      slice1other_cost_0_13_choice := slice1window_sum_0_13 when slice1other_cost_0_13_is_less else
-        slice1other_cost_0_12;
-      slice1other_cost_0_13_choice_2 := slice1other_cost_0_13_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_13;
-      slice1other_cost_0_13_choice_3 := slice1other_cost_0_12 when slice0winner1_tag_valid else slice1other_cost_0_13;
-      slice1other_cost_0_13_choice_4 := slice1other_cost_0_13_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_13_choice_3;
-      slice1other_cost_0_13_choice_5 := slice1window_sum_0_13 when slice0winner1_tag_valid else slice1other_cost_0_13;
-      slice1other_cost_0_13_choice_6 := slice1other_cost_0_13_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_13_choice_5;
-      slice1other_cost_0_14_is_less := (slice1window_sum_0_14 - slice1other_cost_0_13) < 0;
-      slice1other_cost_0_14_choice := slice1window_sum_0_14 when slice1other_cost_0_14_is_less else
-        slice1other_cost_0_13;
-      slice1other_cost_0_14_choice_2 := slice1other_cost_0_14_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_14;
-      slice1other_cost_0_14_choice_3 := slice1other_cost_0_13 when slice0winner1_tag_valid else slice1other_cost_0_14;
-      slice1other_cost_0_14_choice_4 := slice1other_cost_0_14_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_14_choice_3;
-      slice1other_cost_0_14_choice_5 := slice1window_sum_0_14 when slice0winner1_tag_valid else slice1other_cost_0_14;
-      slice1other_cost_0_14_choice_6 := slice1other_cost_0_14_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_14_choice_5;
-      slice1other_cost_0_15_is_less := (slice1window_sum_0_15 - slice1other_cost_0_14) < 0;
-      slice1other_cost_0_15_choice := slice1window_sum_0_15 when slice1other_cost_0_15_is_less else
-        slice1other_cost_0_14;
-      slice1other_cost_0_15_choice_2 := slice1other_cost_0_15_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_15;
-      slice1other_cost_0_15_choice_3 := slice1other_cost_0_14 when slice0winner1_tag_valid else slice1other_cost_0_15;
-      slice1other_cost_0_15_choice_4 := slice1other_cost_0_15_choice_2 when slice1other_cost_0_1_all else
-        slice1other_cost_0_15_choice_3;
-      slice1other_cost_0_15_choice_5 := slice1window_sum_0_15 when slice0winner1_tag_valid else slice1other_cost_0_15;
-      slice1other_cost_0_15_choice_6 := slice1other_cost_0_15_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_cost_0_15_choice_5;
-      slice1other_winner_0_1_choice := 17 when slice1other_cost_0_1_is_less else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_0 when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 17 when slice0winner1_tag_valid else slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_6 := slice1other_winner_0_1_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_1_choice_5;
-      slice1other_winner_0_2_choice := 18 when slice1other_cost_0_2_is_less else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_3 := slice1other_winner_0_1 when slice0winner1_tag_valid else
-        slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_2_choice_3;
-      slice1other_winner_0_2_choice_5 := 18 when slice0winner1_tag_valid else slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_6 := slice1other_winner_0_2_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_2_choice_5;
-      slice1other_winner_0_3_choice := 19 when slice1other_cost_0_3_is_less else slice1other_winner_0_2;
-      slice1other_winner_0_3_choice_2 := slice1other_winner_0_3_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_3;
-      slice1other_winner_0_3_choice_3 := slice1other_winner_0_2 when slice0winner1_tag_valid else
-        slice1other_winner_0_3;
-      slice1other_winner_0_3_choice_4 := slice1other_winner_0_3_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_3_choice_3;
-      slice1other_winner_0_3_choice_5 := 19 when slice0winner1_tag_valid else slice1other_winner_0_3;
-      slice1other_winner_0_3_choice_6 := slice1other_winner_0_3_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_3_choice_5;
-      slice1other_winner_0_4_choice := 20 when slice1other_cost_0_4_is_less else slice1other_winner_0_3;
-      slice1other_winner_0_4_choice_2 := slice1other_winner_0_4_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_4;
-      slice1other_winner_0_4_choice_3 := slice1other_winner_0_3 when slice0winner1_tag_valid else
-        slice1other_winner_0_4;
-      slice1other_winner_0_4_choice_4 := slice1other_winner_0_4_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_4_choice_3;
-      slice1other_winner_0_4_choice_5 := 20 when slice0winner1_tag_valid else slice1other_winner_0_4;
-      slice1other_winner_0_4_choice_6 := slice1other_winner_0_4_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_4_choice_5;
-      slice1other_winner_0_5_choice := 21 when slice1other_cost_0_5_is_less else slice1other_winner_0_4;
-      slice1other_winner_0_5_choice_2 := slice1other_winner_0_5_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_5;
-      slice1other_winner_0_5_choice_3 := slice1other_winner_0_4 when slice0winner1_tag_valid else
-        slice1other_winner_0_5;
-      slice1other_winner_0_5_choice_4 := slice1other_winner_0_5_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_5_choice_3;
-      slice1other_winner_0_5_choice_5 := 21 when slice0winner1_tag_valid else slice1other_winner_0_5;
-      slice1other_winner_0_5_choice_6 := slice1other_winner_0_5_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_5_choice_5;
-      slice1other_winner_0_6_choice := 22 when slice1other_cost_0_6_is_less else slice1other_winner_0_5;
-      slice1other_winner_0_6_choice_2 := slice1other_winner_0_6_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_6;
-      slice1other_winner_0_6_choice_3 := slice1other_winner_0_5 when slice0winner1_tag_valid else
-        slice1other_winner_0_6;
-      slice1other_winner_0_6_choice_4 := slice1other_winner_0_6_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_6_choice_3;
-      slice1other_winner_0_6_choice_5 := 22 when slice0winner1_tag_valid else slice1other_winner_0_6;
-      slice1other_winner_0_6_choice_6 := slice1other_winner_0_6_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_6_choice_5;
-      slice1other_winner_0_7_choice := 23 when slice1other_cost_0_7_is_less else slice1other_winner_0_6;
-      slice1other_winner_0_7_choice_2 := slice1other_winner_0_7_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_7;
-      slice1other_winner_0_7_choice_3 := slice1other_winner_0_6 when slice0winner1_tag_valid else
-        slice1other_winner_0_7;
-      slice1other_winner_0_7_choice_4 := slice1other_winner_0_7_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_7_choice_3;
-      slice1other_winner_0_7_choice_5 := 23 when slice0winner1_tag_valid else slice1other_winner_0_7;
-      slice1other_winner_0_7_choice_6 := slice1other_winner_0_7_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_7_choice_5;
-      slice1other_winner_0_8_choice := 24 when slice1other_cost_0_8_is_less else slice1other_winner_0_7;
-      slice1other_winner_0_8_choice_2 := slice1other_winner_0_8_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_8;
-      slice1other_winner_0_8_choice_3 := slice1other_winner_0_7 when slice0winner1_tag_valid else
-        slice1other_winner_0_8;
-      slice1other_winner_0_8_choice_4 := slice1other_winner_0_8_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_8_choice_3;
-      slice1other_winner_0_8_choice_5 := 24 when slice0winner1_tag_valid else slice1other_winner_0_8;
-      slice1other_winner_0_8_choice_6 := slice1other_winner_0_8_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_8_choice_5;
-      slice1other_winner_0_9_choice := 25 when slice1other_cost_0_9_is_less else slice1other_winner_0_8;
-      slice1other_winner_0_9_choice_2 := slice1other_winner_0_9_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_9;
-      slice1other_winner_0_9_choice_3 := slice1other_winner_0_8 when slice0winner1_tag_valid else
-        slice1other_winner_0_9;
-      slice1other_winner_0_9_choice_4 := slice1other_winner_0_9_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_9_choice_3;
-      slice1other_winner_0_9_choice_5 := 25 when slice0winner1_tag_valid else slice1other_winner_0_9;
-      slice1other_winner_0_9_choice_6 := slice1other_winner_0_9_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_9_choice_5;
-      slice1other_winner_0_10_choice := 26 when slice1other_cost_0_10_is_less else slice1other_winner_0_9;
-      slice1other_winner_0_10_choice_2 := slice1other_winner_0_10_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_10;
-      slice1other_winner_0_10_choice_3 := slice1other_winner_0_9 when slice0winner1_tag_valid else
-        slice1other_winner_0_10;
-      slice1other_winner_0_10_choice_4 := slice1other_winner_0_10_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_10_choice_3;
-      slice1other_winner_0_10_choice_5 := 26 when slice0winner1_tag_valid else slice1other_winner_0_10;
-      slice1other_winner_0_10_choice_6 := slice1other_winner_0_10_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_10_choice_5;
-      slice1other_winner_0_11_choice := 27 when slice1other_cost_0_11_is_less else slice1other_winner_0_10;
-      slice1other_winner_0_11_choice_2 := slice1other_winner_0_11_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_11;
-      slice1other_winner_0_11_choice_3 := slice1other_winner_0_10 when slice0winner1_tag_valid else
-        slice1other_winner_0_11;
-      slice1other_winner_0_11_choice_4 := slice1other_winner_0_11_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_11_choice_3;
-      slice1other_winner_0_11_choice_5 := 27 when slice0winner1_tag_valid else slice1other_winner_0_11;
-      slice1other_winner_0_11_choice_6 := slice1other_winner_0_11_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_11_choice_5;
-      slice1other_winner_0_12_choice := 28 when slice1other_cost_0_12_is_less else slice1other_winner_0_11;
-      slice1other_winner_0_12_choice_2 := slice1other_winner_0_12_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_12;
-      slice1other_winner_0_12_choice_3 := slice1other_winner_0_11 when slice0winner1_tag_valid else
-        slice1other_winner_0_12;
-      slice1other_winner_0_12_choice_4 := slice1other_winner_0_12_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_12_choice_3;
-      slice1other_winner_0_12_choice_5 := 28 when slice0winner1_tag_valid else slice1other_winner_0_12;
-      slice1other_winner_0_12_choice_6 := slice1other_winner_0_12_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_12_choice_5;
-      slice1other_winner_0_13_choice := 29 when slice1other_cost_0_13_is_less else slice1other_winner_0_12;
-      slice1other_winner_0_13_choice_2 := slice1other_winner_0_13_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_13;
-      slice1other_winner_0_13_choice_3 := slice1other_winner_0_12 when slice0winner1_tag_valid else
-        slice1other_winner_0_13;
-      slice1other_winner_0_13_choice_4 := slice1other_winner_0_13_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_13_choice_3;
-      slice1other_winner_0_13_choice_5 := 29 when slice0winner1_tag_valid else slice1other_winner_0_13;
-      slice1other_winner_0_13_choice_6 := slice1other_winner_0_13_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_13_choice_5;
-      slice1other_winner_0_14_choice := 30 when slice1other_cost_0_14_is_less else slice1other_winner_0_13;
-      slice1other_winner_0_14_choice_2 := slice1other_winner_0_14_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_14;
-      slice1other_winner_0_14_choice_3 := slice1other_winner_0_13 when slice0winner1_tag_valid else
-        slice1other_winner_0_14;
-      slice1other_winner_0_14_choice_4 := slice1other_winner_0_14_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_14_choice_3;
-      slice1other_winner_0_14_choice_5 := 30 when slice0winner1_tag_valid else slice1other_winner_0_14;
-      slice1other_winner_0_14_choice_6 := slice1other_winner_0_14_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_14_choice_5;
-      slice1other_winner_0_15_choice := 31 when slice1other_cost_0_15_is_less else slice1other_winner_0_14;
-      slice1other_winner_0_15_choice_2 := slice1other_winner_0_15_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_15;
-      slice1other_winner_0_15_choice_3 := slice1other_winner_0_14 when slice0winner1_tag_valid else
-        slice1other_winner_0_15;
-      slice1other_winner_0_15_choice_4 := slice1other_winner_0_15_choice_2 when slice1other_cost_0_1_all else
-        slice1other_winner_0_15_choice_3;
-      slice1other_winner_0_15_choice_5 := 31 when slice0winner1_tag_valid else slice1other_winner_0_15;
-      slice1other_winner_0_15_choice_6 := slice1other_winner_0_15_choice_2 when slice1other_cost_0_1_all_2 else
-        slice1other_winner_0_15_choice_5;
-      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_2 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_0_choice_3;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_1_choice_6;
-      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_2_choice_6;
-      slice1other_cost_0_3 <= slice1other_cost_0_3_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_3_choice_6;
-      slice1other_cost_0_4 <= slice1other_cost_0_4_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_4_choice_6;
-      slice1other_cost_0_5 <= slice1other_cost_0_5_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_5_choice_6;
-      slice1other_cost_0_6 <= slice1other_cost_0_6_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_6_choice_6;
-      slice1other_cost_0_7 <= slice1other_cost_0_7_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_7_choice_6;
-      slice1other_cost_0_8 <= slice1other_cost_0_8_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_8_choice_6;
-      slice1other_cost_0_9 <= slice1other_cost_0_9_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_9_choice_6;
-      slice1other_cost_0_10 <= slice1other_cost_0_10_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_10_choice_6;
-      slice1other_cost_0_11 <= slice1other_cost_0_11_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_11_choice_6;
-      slice1other_cost_0_12 <= slice1other_cost_0_12_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_12_choice_6;
-      slice1other_cost_0_13 <= slice1other_cost_0_13_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_13_choice_6;
-      slice1other_cost_0_14 <= slice1other_cost_0_14_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_14_choice_6;
-      slice1other_cost_0_15 <= slice1other_cost_0_15_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_cost_0_15_choice_6;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_1_choice_6;
-      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_2_choice_6;
-      slice1other_winner_0_3 <= slice1other_winner_0_3_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_3_choice_6;
-      slice1other_winner_0_4 <= slice1other_winner_0_4_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_4_choice_6;
-      slice1other_winner_0_5 <= slice1other_winner_0_5_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_5_choice_6;
-      slice1other_winner_0_6 <= slice1other_winner_0_6_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_6_choice_6;
-      slice1other_winner_0_7 <= slice1other_winner_0_7_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_7_choice_6;
-      slice1other_winner_0_8 <= slice1other_winner_0_8_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_8_choice_6;
-      slice1other_winner_0_9 <= slice1other_winner_0_9_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_9_choice_6;
-      slice1other_winner_0_10 <= slice1other_winner_0_10_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_10_choice_6;
-      slice1other_winner_0_11 <= slice1other_winner_0_11_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_11_choice_6;
-      slice1other_winner_0_12 <= slice1other_winner_0_12_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_12_choice_6;
-      slice1other_winner_0_13 <= slice1other_winner_0_13_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_13_choice_6;
-      slice1other_winner_0_14 <= slice1other_winner_0_14_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_14_choice_6;
-      slice1other_winner_0_15 <= slice1other_winner_0_15_choice_4 when slice1other_cost_0_0_choice else
-        slice1other_winner_0_15_choice_6;
+      slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
+      slice1other_cost_0_0_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_0 -
+        slice0other_cost_out_0) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_1 -
+        slice1other_cost_0_0) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_2_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_2 -
+        slice1other_cost_0_1) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_3_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_3 -
+        slice1other_cost_0_2) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_4_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_4 -
+        slice1other_cost_0_3) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_5_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_5 -
+        slice1other_cost_0_4) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_6_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_6 -
+        slice1other_cost_0_5) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_7_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_7 -
+        slice1other_cost_0_6) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_8_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_8 -
+        slice1other_cost_0_7) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_9_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_9 -
+        slice1other_cost_0_8) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_10_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_10 -
+        slice1other_cost_0_9) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_11_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_11 -
+        slice1other_cost_0_10) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_12_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_12 -
+        slice1other_cost_0_11) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_13_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_13 -
+        slice1other_cost_0_12) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_14_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_14 -
+        slice1other_cost_0_13) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_15_any := (not slice0winner1_tag_output_column) or ((not slice0winner1_tag_first_column) and
+        ((slice1window_sum_0_15 - slice1other_cost_0_14) >= 0));
+      if slice0winner1_tag_valid then
+        slice1other_cost_0_0 <= slice0other_cost_out_0 when slice1other_cost_0_0_choice else slice1window_sum_0_0;
+        slice1other_cost_0_1 <= slice1other_cost_0_0 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice1other_cost_0_1 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
+        slice1other_cost_0_3 <= slice1other_cost_0_2 when slice1other_cost_0_3_choice else slice1window_sum_0_3;
+        slice1other_cost_0_4 <= slice1other_cost_0_3 when slice1other_cost_0_4_choice else slice1window_sum_0_4;
+        slice1other_cost_0_5 <= slice1other_cost_0_4 when slice1other_cost_0_5_choice else slice1window_sum_0_5;
+        slice1other_cost_0_6 <= slice1other_cost_0_5 when slice1other_cost_0_6_choice else slice1window_sum_0_6;
+        slice1other_cost_0_7 <= slice1other_cost_0_6 when slice1other_cost_0_7_choice else slice1window_sum_0_7;
+        slice1other_cost_0_8 <= slice1other_cost_0_7 when slice1other_cost_0_8_choice else slice1window_sum_0_8;
+        slice1other_cost_0_9 <= slice1other_cost_0_8 when slice1other_cost_0_9_choice else slice1window_sum_0_9;
+        slice1other_cost_0_10 <= slice1other_cost_0_9 when slice1other_cost_0_10_choice else slice1window_sum_0_10;
+        slice1other_cost_0_11 <= slice1other_cost_0_10 when slice1other_cost_0_11_choice else slice1window_sum_0_11;
+        slice1other_cost_0_12 <= slice1other_cost_0_11 when slice1other_cost_0_12_choice else slice1window_sum_0_12;
+        slice1other_cost_0_13 <= slice1other_cost_0_12 when slice1other_cost_0_13_choice else slice1window_sum_0_13;
+        slice1other_cost_0_14 <= slice1other_cost_0_13 when slice1other_cost_0_14_choice else slice1window_sum_0_14;
+        slice1other_cost_0_15 <= slice1other_cost_0_14 when slice1other_cost_0_15_any else slice1window_sum_0_15;
+        slice1other_winner_0_0 <= slice0other_winner_out_0 when slice1other_cost_0_0_choice else 16;
+        slice1other_winner_0_1 <= slice1other_winner_0_0 when slice1other_cost_0_1_choice else 17;
+        slice1other_winner_0_2 <= slice1other_winner_0_1 when slice1other_cost_0_2_choice else 18;
+        slice1other_winner_0_3 <= slice1other_winner_0_2 when slice1other_cost_0_3_choice else 19;
+        slice1other_winner_0_4 <= slice1other_winner_0_3 when slice1other_cost_0_4_choice else 20;
+        slice1other_winner_0_5 <= slice1other_winner_0_4 when slice1other_cost_0_5_choice else 21;
+        slice1other_winner_0_6 <= slice1other_winner_0_5 when slice1other_cost_0_6_choice else 22;
+        slice1other_winner_0_7 <= slice1other_winner_0_6 when slice1other_cost_0_7_choice else 23;
+        slice1other_winner_0_8 <= slice1other_winner_0_7 when slice1other_cost_0_8_choice else 24;
+        slice1other_winner_0_9 <= slice1other_winner_0_8 when slice1other_cost_0_9_choice else 25;
+        slice1other_winner_0_10 <= slice1other_winner_0_9 when slice1other_cost_0_10_choice else 26;
+        slice1other_winner_0_11 <= slice1other_winner_0_10 when slice1other_cost_0_11_choice else 27;
+        slice1other_winner_0_12 <= slice1other_winner_0_11 when slice1other_cost_0_12_choice else 28;
+        slice1other_winner_0_13 <= slice1other_winner_0_12 when slice1other_cost_0_13_choice else 29;
+        slice1other_winner_0_14 <= slice1other_winner_0_13 when slice1other_cost_0_14_choice else 30;
+        slice1other_winner_0_15 <= slice1other_winner_0_14 when slice1other_cost_0_15_any else 31;
+      end if;
       slice1other_cost_out_0 <= slice1other_cost_0_15;
       slice1other_winner_out_0 <= slice1other_winner_0_15;
-      if slice0winner1_tag_valid then
-        slice1other_winner_0_0 <= slice0other_winner_out_0 when slice1other_cost_0_0_choice else 16;
-      end if;
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
@@ -11137,7 +10156,6 @@ begin
         slice2cost_pixels_first_1_15_count_5 + slice2cost_pixels_first_1_15_count_7 +
         slice2cost_pixels_first_1_15_count_2;
       slice2cost_read_column <= slice1cost_read_column;
-      slice2cost_change_column <= slice1cost_change_column;
       slice2cost_change_0_0 <= slice2cost_pixels_cost_1_0 - slice2cost_pixels_cost_0_0;
       slice2cost_change_0_1 <= slice2cost_pixels_cost_1_1 - slice2cost_pixels_cost_0_1;
       slice2cost_change_0_2 <= slice2cost_pixels_cost_1_2 - slice2cost_pixels_cost_0_2;
@@ -11158,7 +10176,6 @@ begin
       slice2cost_ready_words_1 <= slice2cost_read_words_1;
       slice2cost_ready_words_2 <= slice2cost_read_words_2;
       slice2cost_ready_words_3 <= slice2cost_read_words_3;
-      slice2cost_ready_column <= slice3cost_read_column;
       slice2cost_column_0_0 <= slice2cost_column_0_0_choice_2;
       slice2cost_column_0_1 <= slice2cost_column_0_1_choice_2;
       slice2cost_column_0_2 <= slice2cost_column_0_2_choice_2;
@@ -11175,6 +10192,12 @@ begin
       slice2cost_column_0_13 <= slice2cost_column_0_13_choice_2;
       slice2cost_column_0_14 <= slice2cost_column_0_14_choice_2;
       slice2cost_column_0_15 <= slice2cost_column_0_15_choice_2;
+      if slice0cost_ready_tag_valid then
+        slice2cost_change_column <= slice2cost_read_column;
+      end if;
+      if slice0cost_tag_valid then
+        slice2cost_ready_column <= slice1cost_ready_column;
+      end if;
       if slice0window_entering_tag_valid then
         slice2cost_write_column <= slice1cost_write_column;
         slice2cost_write_words_0 <= to_unsigned(slice2cost_column_0_3_choice_2, 8) &
@@ -11310,10 +10333,12 @@ begin
       slice2window_change_0_15 <= slice2window_entering_0_15 - slice2window_change_0_15_choice;
       slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
       slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
-      slice2window_change_tag_output_column <= slice0window_centre_output_column_0;
-      slice2window_change_tag_first_column <= slice0window_centre_first_column_0;
       slice2window_centre_map_column_0 <= slice1window_centre_map_column_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
+      if slice0window_tag_valid then
+        slice2window_change_tag_output_column <= slice0window_centre_output_column_0;
+        slice2window_change_tag_first_column <= slice0window_centre_first_column_0;
+      end if;
       slice2window_sum_0_0_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_0;
       slice2window_sum_0_1_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_1;
       slice2window_sum_0_2_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_2;
@@ -11347,396 +10372,83 @@ begin
         slice2window_sum_0_13 <= (slice2window_sum_0_13_choice + slice2window_change_0_13) mod 4096;
         slice2window_sum_0_14 <= (slice2window_sum_0_14_choice + slice2window_change_0_14) mod 4096;
         slice2window_sum_0_15 <= (slice2window_sum_0_15_choice + slice2window_change_0_15) mod 4096;
-        slice2window_centre_output_column_0 <= slice2window_change_tag_output_column;
+        slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
         slice2window_centre_output_column_1 <= slice2window_centre_output_column_0;
         slice2window_centre_output_column_2 <= slice2window_centre_output_column_1;
-        slice2window_centre_first_column_0 <= slice2window_change_tag_first_column;
+        slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
         slice2window_centre_first_column_1 <= slice2window_centre_first_column_0;
         slice2window_centre_first_column_2 <= slice2window_centre_first_column_1;
       end if;
       -- slice2other
-      slice2other_cost_0_0_is_less := (slice2window_sum_0_0 - slice1other_cost_out_0) < 0;
-      slice2other_cost_0_0_choice := not slice0winner2_tag_output_column when slice2other_cost_0_0_is_less else (not
-        slice0winner2_tag_first_column) or (not slice0winner2_tag_output_column);
-      slice2other_cost_0_0_choice_2 := slice1other_cost_out_0 when slice0winner2_tag_valid else slice2other_cost_0_0;
-      slice2other_cost_0_0_choice_3 := slice2window_sum_0_0 when slice0winner2_tag_valid else slice2other_cost_0_0;
-      slice2other_cost_0_1_all := ((slice2window_sum_0_0 - slice1other_cost_out_0) >= 0) and (not
-        slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_is_less := (slice2window_sum_0_1 - slice2other_cost_0_0) < 0;
-      slice2other_cost_0_1_choice := slice2window_sum_0_1 when slice2other_cost_0_1_is_less else slice2other_cost_0_0;
-      slice2other_cost_0_1_choice_2 := slice2other_cost_0_1_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_3 := slice2other_cost_0_0 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_4 := slice2other_cost_0_1_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_1_choice_3;
-      slice2other_cost_0_1_all_2 := slice2other_cost_0_0_is_less and (not slice0winner2_tag_first_column) and
-        slice0winner2_tag_output_column;
-      slice2other_cost_0_1_choice_5 := slice2window_sum_0_1 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_6 := slice2other_cost_0_1_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_1_choice_5;
-      slice2other_cost_0_2_is_less := (slice2window_sum_0_2 - slice2other_cost_0_1) < 0;
-      slice2other_cost_0_2_choice := slice2window_sum_0_2 when slice2other_cost_0_2_is_less else slice2other_cost_0_1;
-      slice2other_cost_0_2_choice_2 := slice2other_cost_0_2_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_2;
-      slice2other_cost_0_2_choice_3 := slice2other_cost_0_1 when slice0winner2_tag_valid else slice2other_cost_0_2;
-      slice2other_cost_0_2_choice_4 := slice2other_cost_0_2_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_2_choice_3;
-      slice2other_cost_0_2_choice_5 := slice2window_sum_0_2 when slice0winner2_tag_valid else slice2other_cost_0_2;
-      slice2other_cost_0_2_choice_6 := slice2other_cost_0_2_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_2_choice_5;
-      slice2other_cost_0_3_is_less := (slice2window_sum_0_3 - slice2other_cost_0_2) < 0;
-      slice2other_cost_0_3_choice := slice2window_sum_0_3 when slice2other_cost_0_3_is_less else slice2other_cost_0_2;
-      slice2other_cost_0_3_choice_2 := slice2other_cost_0_3_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_3;
-      slice2other_cost_0_3_choice_3 := slice2other_cost_0_2 when slice0winner2_tag_valid else slice2other_cost_0_3;
-      slice2other_cost_0_3_choice_4 := slice2other_cost_0_3_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_3_choice_3;
-      slice2other_cost_0_3_choice_5 := slice2window_sum_0_3 when slice0winner2_tag_valid else slice2other_cost_0_3;
-      slice2other_cost_0_3_choice_6 := slice2other_cost_0_3_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_3_choice_5;
-      slice2other_cost_0_4_is_less := (slice2window_sum_0_4 - slice2other_cost_0_3) < 0;
-      slice2other_cost_0_4_choice := slice2window_sum_0_4 when slice2other_cost_0_4_is_less else slice2other_cost_0_3;
-      slice2other_cost_0_4_choice_2 := slice2other_cost_0_4_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_4;
-      slice2other_cost_0_4_choice_3 := slice2other_cost_0_3 when slice0winner2_tag_valid else slice2other_cost_0_4;
-      slice2other_cost_0_4_choice_4 := slice2other_cost_0_4_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_4_choice_3;
-      slice2other_cost_0_4_choice_5 := slice2window_sum_0_4 when slice0winner2_tag_valid else slice2other_cost_0_4;
-      slice2other_cost_0_4_choice_6 := slice2other_cost_0_4_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_4_choice_5;
-      slice2other_cost_0_5_is_less := (slice2window_sum_0_5 - slice2other_cost_0_4) < 0;
-      slice2other_cost_0_5_choice := slice2window_sum_0_5 when slice2other_cost_0_5_is_less else slice2other_cost_0_4;
-      slice2other_cost_0_5_choice_2 := slice2other_cost_0_5_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_5;
-      slice2other_cost_0_5_choice_3 := slice2other_cost_0_4 when slice0winner2_tag_valid else slice2other_cost_0_5;
-      slice2other_cost_0_5_choice_4 := slice2other_cost_0_5_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_5_choice_3;
-      slice2other_cost_0_5_choice_5 := slice2window_sum_0_5 when slice0winner2_tag_valid else slice2other_cost_0_5;
-      slice2other_cost_0_5_choice_6 := slice2other_cost_0_5_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_5_choice_5;
-      slice2other_cost_0_6_is_less := (slice2window_sum_0_6 - slice2other_cost_0_5) < 0;
-      slice2other_cost_0_6_choice := slice2window_sum_0_6 when slice2other_cost_0_6_is_less else slice2other_cost_0_5;
-      slice2other_cost_0_6_choice_2 := slice2other_cost_0_6_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_6;
-      slice2other_cost_0_6_choice_3 := slice2other_cost_0_5 when slice0winner2_tag_valid else slice2other_cost_0_6;
-      slice2other_cost_0_6_choice_4 := slice2other_cost_0_6_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_6_choice_3;
-      slice2other_cost_0_6_choice_5 := slice2window_sum_0_6 when slice0winner2_tag_valid else slice2other_cost_0_6;
-      slice2other_cost_0_6_choice_6 := slice2other_cost_0_6_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_6_choice_5;
-      slice2other_cost_0_7_is_less := (slice2window_sum_0_7 - slice2other_cost_0_6) < 0;
-      slice2other_cost_0_7_choice := slice2window_sum_0_7 when slice2other_cost_0_7_is_less else slice2other_cost_0_6;
-      slice2other_cost_0_7_choice_2 := slice2other_cost_0_7_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_7;
-      slice2other_cost_0_7_choice_3 := slice2other_cost_0_6 when slice0winner2_tag_valid else slice2other_cost_0_7;
-      slice2other_cost_0_7_choice_4 := slice2other_cost_0_7_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_7_choice_3;
-      slice2other_cost_0_7_choice_5 := slice2window_sum_0_7 when slice0winner2_tag_valid else slice2other_cost_0_7;
-      slice2other_cost_0_7_choice_6 := slice2other_cost_0_7_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_7_choice_5;
-      slice2other_cost_0_8_is_less := (slice2window_sum_0_8 - slice2other_cost_0_7) < 0;
-      slice2other_cost_0_8_choice := slice2window_sum_0_8 when slice2other_cost_0_8_is_less else slice2other_cost_0_7;
-      slice2other_cost_0_8_choice_2 := slice2other_cost_0_8_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_8;
-      slice2other_cost_0_8_choice_3 := slice2other_cost_0_7 when slice0winner2_tag_valid else slice2other_cost_0_8;
-      slice2other_cost_0_8_choice_4 := slice2other_cost_0_8_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_8_choice_3;
-      slice2other_cost_0_8_choice_5 := slice2window_sum_0_8 when slice0winner2_tag_valid else slice2other_cost_0_8;
-      slice2other_cost_0_8_choice_6 := slice2other_cost_0_8_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_8_choice_5;
-      slice2other_cost_0_9_is_less := (slice2window_sum_0_9 - slice2other_cost_0_8) < 0;
-      slice2other_cost_0_9_choice := slice2window_sum_0_9 when slice2other_cost_0_9_is_less else slice2other_cost_0_8;
-      slice2other_cost_0_9_choice_2 := slice2other_cost_0_9_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_9;
-      slice2other_cost_0_9_choice_3 := slice2other_cost_0_8 when slice0winner2_tag_valid else slice2other_cost_0_9;
-      slice2other_cost_0_9_choice_4 := slice2other_cost_0_9_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_9_choice_3;
-      slice2other_cost_0_9_choice_5 := slice2window_sum_0_9 when slice0winner2_tag_valid else slice2other_cost_0_9;
-      slice2other_cost_0_9_choice_6 := slice2other_cost_0_9_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_9_choice_5;
-      slice2other_cost_0_10_is_less := (slice2window_sum_0_10 - slice2other_cost_0_9) < 0;
-      slice2other_cost_0_10_choice := slice2window_sum_0_10 when slice2other_cost_0_10_is_less else
-        slice2other_cost_0_9;
-      slice2other_cost_0_10_choice_2 := slice2other_cost_0_10_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_10;
-      slice2other_cost_0_10_choice_3 := slice2other_cost_0_9 when slice0winner2_tag_valid else slice2other_cost_0_10;
-      slice2other_cost_0_10_choice_4 := slice2other_cost_0_10_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_10_choice_3;
-      slice2other_cost_0_10_choice_5 := slice2window_sum_0_10 when slice0winner2_tag_valid else slice2other_cost_0_10;
-      slice2other_cost_0_10_choice_6 := slice2other_cost_0_10_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_10_choice_5;
-      slice2other_cost_0_11_is_less := (slice2window_sum_0_11 - slice2other_cost_0_10) < 0;
-      slice2other_cost_0_11_choice := slice2window_sum_0_11 when slice2other_cost_0_11_is_less else
-        slice2other_cost_0_10;
-      slice2other_cost_0_11_choice_2 := slice2other_cost_0_11_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_11;
-      slice2other_cost_0_11_choice_3 := slice2other_cost_0_10 when slice0winner2_tag_valid else slice2other_cost_0_11;
-      slice2other_cost_0_11_choice_4 := slice2other_cost_0_11_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_11_choice_3;
-      slice2other_cost_0_11_choice_5 := slice2window_sum_0_11 when slice0winner2_tag_valid else slice2other_cost_0_11;
-      slice2other_cost_0_11_choice_6 := slice2other_cost_0_11_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_11_choice_5;
-      slice2other_cost_0_12_is_less := (slice2window_sum_0_12 - slice2other_cost_0_11) < 0;
-      slice2other_cost_0_12_choice := slice2window_sum_0_12 when slice2other_cost_0_12_is_less else
-        slice2other_cost_0_11;
-      slice2other_cost_0_12_choice_2 := slice2other_cost_0_12_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_12;
-      slice2other_cost_0_12_choice_3 := slice2other_cost_0_11 when slice0winner2_tag_valid else slice2other_cost_0_12;
-      slice2other_cost_0_12_choice_4 := slice2other_cost_0_12_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_12_choice_3;
-      slice2other_cost_0_12_choice_5 := slice2window_sum_0_12 when slice0winner2_tag_valid else slice2other_cost_0_12;
-      slice2other_cost_0_12_choice_6 := slice2other_cost_0_12_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_12_choice_5;
-      slice2other_cost_0_13_is_less := (slice2window_sum_0_13 - slice2other_cost_0_12) < 0;
-      slice2other_cost_0_13_choice := slice2window_sum_0_13 when slice2other_cost_0_13_is_less else
-        slice2other_cost_0_12;
-      slice2other_cost_0_13_choice_2 := slice2other_cost_0_13_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_13;
-      slice2other_cost_0_13_choice_3 := slice2other_cost_0_12 when slice0winner2_tag_valid else slice2other_cost_0_13;
-      slice2other_cost_0_13_choice_4 := slice2other_cost_0_13_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_13_choice_3;
-      slice2other_cost_0_13_choice_5 := slice2window_sum_0_13 when slice0winner2_tag_valid else slice2other_cost_0_13;
-      slice2other_cost_0_13_choice_6 := slice2other_cost_0_13_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_13_choice_5;
-      slice2other_cost_0_14_is_less := (slice2window_sum_0_14 - slice2other_cost_0_13) < 0;
-      slice2other_cost_0_14_choice := slice2window_sum_0_14 when slice2other_cost_0_14_is_less else
-        slice2other_cost_0_13;
-      slice2other_cost_0_14_choice_2 := slice2other_cost_0_14_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_14;
-      slice2other_cost_0_14_choice_3 := slice2other_cost_0_13 when slice0winner2_tag_valid else slice2other_cost_0_14;
-      slice2other_cost_0_14_choice_4 := slice2other_cost_0_14_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_14_choice_3;
-      slice2other_cost_0_14_choice_5 := slice2window_sum_0_14 when slice0winner2_tag_valid else slice2other_cost_0_14;
-      slice2other_cost_0_14_choice_6 := slice2other_cost_0_14_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_14_choice_5;
-      slice2other_cost_0_15_is_less := (slice2window_sum_0_15 - slice2other_cost_0_14) < 0;
-      slice2other_cost_0_15_choice := slice2window_sum_0_15 when slice2other_cost_0_15_is_less else
-        slice2other_cost_0_14;
-      slice2other_cost_0_15_choice_2 := slice2other_cost_0_15_choice when slice0winner2_tag_valid else
-        slice2other_cost_0_15;
-      slice2other_cost_0_15_choice_3 := slice2other_cost_0_14 when slice0winner2_tag_valid else slice2other_cost_0_15;
-      slice2other_cost_0_15_choice_4 := slice2other_cost_0_15_choice_2 when slice2other_cost_0_1_all else
-        slice2other_cost_0_15_choice_3;
-      slice2other_cost_0_15_choice_5 := slice2window_sum_0_15 when slice0winner2_tag_valid else slice2other_cost_0_15;
-      slice2other_cost_0_15_choice_6 := slice2other_cost_0_15_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_cost_0_15_choice_5;
-      slice2other_winner_0_1_choice := 33 when slice2other_cost_0_1_is_less else slice2other_winner_0_0;
-      slice2other_winner_0_1_choice_2 := slice2other_winner_0_1_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_3 := slice2other_winner_0_0 when slice0winner2_tag_valid else
-        slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_4 := slice2other_winner_0_1_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_1_choice_3;
-      slice2other_winner_0_1_choice_5 := 33 when slice0winner2_tag_valid else slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_6 := slice2other_winner_0_1_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_1_choice_5;
-      slice2other_winner_0_2_choice := 34 when slice2other_cost_0_2_is_less else slice2other_winner_0_1;
-      slice2other_winner_0_2_choice_2 := slice2other_winner_0_2_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_2;
-      slice2other_winner_0_2_choice_3 := slice2other_winner_0_1 when slice0winner2_tag_valid else
-        slice2other_winner_0_2;
-      slice2other_winner_0_2_choice_4 := slice2other_winner_0_2_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_2_choice_3;
-      slice2other_winner_0_2_choice_5 := 34 when slice0winner2_tag_valid else slice2other_winner_0_2;
-      slice2other_winner_0_2_choice_6 := slice2other_winner_0_2_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_2_choice_5;
-      slice2other_winner_0_3_choice := 35 when slice2other_cost_0_3_is_less else slice2other_winner_0_2;
-      slice2other_winner_0_3_choice_2 := slice2other_winner_0_3_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_3;
-      slice2other_winner_0_3_choice_3 := slice2other_winner_0_2 when slice0winner2_tag_valid else
-        slice2other_winner_0_3;
-      slice2other_winner_0_3_choice_4 := slice2other_winner_0_3_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_3_choice_3;
-      slice2other_winner_0_3_choice_5 := 35 when slice0winner2_tag_valid else slice2other_winner_0_3;
-      slice2other_winner_0_3_choice_6 := slice2other_winner_0_3_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_3_choice_5;
-      slice2other_winner_0_4_choice := 36 when slice2other_cost_0_4_is_less else slice2other_winner_0_3;
-      slice2other_winner_0_4_choice_2 := slice2other_winner_0_4_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_4;
-      slice2other_winner_0_4_choice_3 := slice2other_winner_0_3 when slice0winner2_tag_valid else
-        slice2other_winner_0_4;
-      slice2other_winner_0_4_choice_4 := slice2other_winner_0_4_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_4_choice_3;
-      slice2other_winner_0_4_choice_5 := 36 when slice0winner2_tag_valid else slice2other_winner_0_4;
-      slice2other_winner_0_4_choice_6 := slice2other_winner_0_4_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_4_choice_5;
-      slice2other_winner_0_5_choice := 37 when slice2other_cost_0_5_is_less else slice2other_winner_0_4;
-      slice2other_winner_0_5_choice_2 := slice2other_winner_0_5_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_5;
-      slice2other_winner_0_5_choice_3 := slice2other_winner_0_4 when slice0winner2_tag_valid else
-        slice2other_winner_0_5;
-      slice2other_winner_0_5_choice_4 := slice2other_winner_0_5_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_5_choice_3;
-      slice2other_winner_0_5_choice_5 := 37 when slice0winner2_tag_valid else slice2other_winner_0_5;
-      slice2other_winner_0_5_choice_6 := slice2other_winner_0_5_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_5_choice_5;
-      slice2other_winner_0_6_choice := 38 when slice2other_cost_0_6_is_less else slice2other_winner_0_5;
-      slice2other_winner_0_6_choice_2 := slice2other_winner_0_6_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_6;
-      slice2other_winner_0_6_choice_3 := slice2other_winner_0_5 when slice0winner2_tag_valid else
-        slice2other_winner_0_6;
-      slice2other_winner_0_6_choice_4 := slice2other_winner_0_6_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_6_choice_3;
-      slice2other_winner_0_6_choice_5 := 38 when slice0winner2_tag_valid else slice2other_winner_0_6;
-      slice2other_winner_0_6_choice_6 := slice2other_winner_0_6_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_6_choice_5;
-      slice2other_winner_0_7_choice := 39 when slice2other_cost_0_7_is_less else slice2other_winner_0_6;
-      slice2other_winner_0_7_choice_2 := slice2other_winner_0_7_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_7;
-      slice2other_winner_0_7_choice_3 := slice2other_winner_0_6 when slice0winner2_tag_valid else
-        slice2other_winner_0_7;
-      slice2other_winner_0_7_choice_4 := slice2other_winner_0_7_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_7_choice_3;
-      slice2other_winner_0_7_choice_5 := 39 when slice0winner2_tag_valid else slice2other_winner_0_7;
-      slice2other_winner_0_7_choice_6 := slice2other_winner_0_7_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_7_choice_5;
-      slice2other_winner_0_8_choice := 40 when slice2other_cost_0_8_is_less else slice2other_winner_0_7;
-      slice2other_winner_0_8_choice_2 := slice2other_winner_0_8_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_8;
-      slice2other_winner_0_8_choice_3 := slice2other_winner_0_7 when slice0winner2_tag_valid else
-        slice2other_winner_0_8;
-      slice2other_winner_0_8_choice_4 := slice2other_winner_0_8_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_8_choice_3;
-      slice2other_winner_0_8_choice_5 := 40 when slice0winner2_tag_valid else slice2other_winner_0_8;
-      slice2other_winner_0_8_choice_6 := slice2other_winner_0_8_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_8_choice_5;
-      slice2other_winner_0_9_choice := 41 when slice2other_cost_0_9_is_less else slice2other_winner_0_8;
-      slice2other_winner_0_9_choice_2 := slice2other_winner_0_9_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_9;
-      slice2other_winner_0_9_choice_3 := slice2other_winner_0_8 when slice0winner2_tag_valid else
-        slice2other_winner_0_9;
-      slice2other_winner_0_9_choice_4 := slice2other_winner_0_9_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_9_choice_3;
-      slice2other_winner_0_9_choice_5 := 41 when slice0winner2_tag_valid else slice2other_winner_0_9;
-      slice2other_winner_0_9_choice_6 := slice2other_winner_0_9_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_9_choice_5;
-      slice2other_winner_0_10_choice := 42 when slice2other_cost_0_10_is_less else slice2other_winner_0_9;
-      slice2other_winner_0_10_choice_2 := slice2other_winner_0_10_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_10;
-      slice2other_winner_0_10_choice_3 := slice2other_winner_0_9 when slice0winner2_tag_valid else
-        slice2other_winner_0_10;
-      slice2other_winner_0_10_choice_4 := slice2other_winner_0_10_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_10_choice_3;
-      slice2other_winner_0_10_choice_5 := 42 when slice0winner2_tag_valid else slice2other_winner_0_10;
-      slice2other_winner_0_10_choice_6 := slice2other_winner_0_10_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_10_choice_5;
-      slice2other_winner_0_11_choice := 43 when slice2other_cost_0_11_is_less else slice2other_winner_0_10;
-      slice2other_winner_0_11_choice_2 := slice2other_winner_0_11_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_11;
-      slice2other_winner_0_11_choice_3 := slice2other_winner_0_10 when slice0winner2_tag_valid else
-        slice2other_winner_0_11;
-      slice2other_winner_0_11_choice_4 := slice2other_winner_0_11_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_11_choice_3;
-      slice2other_winner_0_11_choice_5 := 43 when slice0winner2_tag_valid else slice2other_winner_0_11;
-      slice2other_winner_0_11_choice_6 := slice2other_winner_0_11_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_11_choice_5;
-      slice2other_winner_0_12_choice := 44 when slice2other_cost_0_12_is_less else slice2other_winner_0_11;
-      slice2other_winner_0_12_choice_2 := slice2other_winner_0_12_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_12;
-      slice2other_winner_0_12_choice_3 := slice2other_winner_0_11 when slice0winner2_tag_valid else
-        slice2other_winner_0_12;
-      slice2other_winner_0_12_choice_4 := slice2other_winner_0_12_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_12_choice_3;
-      slice2other_winner_0_12_choice_5 := 44 when slice0winner2_tag_valid else slice2other_winner_0_12;
-      slice2other_winner_0_12_choice_6 := slice2other_winner_0_12_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_12_choice_5;
-      slice2other_winner_0_13_choice := 45 when slice2other_cost_0_13_is_less else slice2other_winner_0_12;
-      slice2other_winner_0_13_choice_2 := slice2other_winner_0_13_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_13;
-      slice2other_winner_0_13_choice_3 := slice2other_winner_0_12 when slice0winner2_tag_valid else
-        slice2other_winner_0_13;
-      slice2other_winner_0_13_choice_4 := slice2other_winner_0_13_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_13_choice_3;
-      slice2other_winner_0_13_choice_5 := 45 when slice0winner2_tag_valid else slice2other_winner_0_13;
-      slice2other_winner_0_13_choice_6 := slice2other_winner_0_13_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_13_choice_5;
-      slice2other_winner_0_14_choice := 46 when slice2other_cost_0_14_is_less else slice2other_winner_0_13;
-      slice2other_winner_0_14_choice_2 := slice2other_winner_0_14_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_14;
-      slice2other_winner_0_14_choice_3 := slice2other_winner_0_13 when slice0winner2_tag_valid else
-        slice2other_winner_0_14;
-      slice2other_winner_0_14_choice_4 := slice2other_winner_0_14_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_14_choice_3;
-      slice2other_winner_0_14_choice_5 := 46 when slice0winner2_tag_valid else slice2other_winner_0_14;
-      slice2other_winner_0_14_choice_6 := slice2other_winner_0_14_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_14_choice_5;
-      slice2other_winner_0_15_choice := 47 when slice2other_cost_0_15_is_less else slice2other_winner_0_14;
-      slice2other_winner_0_15_choice_2 := slice2other_winner_0_15_choice when slice0winner2_tag_valid else
-        slice2other_winner_0_15;
-      slice2other_winner_0_15_choice_3 := slice2other_winner_0_14 when slice0winner2_tag_valid else
-        slice2other_winner_0_15;
-      slice2other_winner_0_15_choice_4 := slice2other_winner_0_15_choice_2 when slice2other_cost_0_1_all else
-        slice2other_winner_0_15_choice_3;
-      slice2other_winner_0_15_choice_5 := 47 when slice0winner2_tag_valid else slice2other_winner_0_15;
-      slice2other_winner_0_15_choice_6 := slice2other_winner_0_15_choice_2 when slice2other_cost_0_1_all_2 else
-        slice2other_winner_0_15_choice_5;
-      slice2other_cost_0_0 <= slice2other_cost_0_0_choice_2 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_0_choice_3;
-      slice2other_cost_0_1 <= slice2other_cost_0_1_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_1_choice_6;
-      slice2other_cost_0_2 <= slice2other_cost_0_2_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_2_choice_6;
-      slice2other_cost_0_3 <= slice2other_cost_0_3_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_3_choice_6;
-      slice2other_cost_0_4 <= slice2other_cost_0_4_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_4_choice_6;
-      slice2other_cost_0_5 <= slice2other_cost_0_5_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_5_choice_6;
-      slice2other_cost_0_6 <= slice2other_cost_0_6_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_6_choice_6;
-      slice2other_cost_0_7 <= slice2other_cost_0_7_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_7_choice_6;
-      slice2other_cost_0_8 <= slice2other_cost_0_8_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_8_choice_6;
-      slice2other_cost_0_9 <= slice2other_cost_0_9_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_9_choice_6;
-      slice2other_cost_0_10 <= slice2other_cost_0_10_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_10_choice_6;
-      slice2other_cost_0_11 <= slice2other_cost_0_11_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_11_choice_6;
-      slice2other_cost_0_12 <= slice2other_cost_0_12_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_12_choice_6;
-      slice2other_cost_0_13 <= slice2other_cost_0_13_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_13_choice_6;
-      slice2other_cost_0_14 <= slice2other_cost_0_14_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_14_choice_6;
-      slice2other_cost_0_15 <= slice2other_cost_0_15_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_cost_0_15_choice_6;
-      slice2other_winner_0_1 <= slice2other_winner_0_1_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_1_choice_6;
-      slice2other_winner_0_2 <= slice2other_winner_0_2_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_2_choice_6;
-      slice2other_winner_0_3 <= slice2other_winner_0_3_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_3_choice_6;
-      slice2other_winner_0_4 <= slice2other_winner_0_4_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_4_choice_6;
-      slice2other_winner_0_5 <= slice2other_winner_0_5_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_5_choice_6;
-      slice2other_winner_0_6 <= slice2other_winner_0_6_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_6_choice_6;
-      slice2other_winner_0_7 <= slice2other_winner_0_7_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_7_choice_6;
-      slice2other_winner_0_8 <= slice2other_winner_0_8_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_8_choice_6;
-      slice2other_winner_0_9 <= slice2other_winner_0_9_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_9_choice_6;
-      slice2other_winner_0_10 <= slice2other_winner_0_10_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_10_choice_6;
-      slice2other_winner_0_11 <= slice2other_winner_0_11_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_11_choice_6;
-      slice2other_winner_0_12 <= slice2other_winner_0_12_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_12_choice_6;
-      slice2other_winner_0_13 <= slice2other_winner_0_13_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_13_choice_6;
-      slice2other_winner_0_14 <= slice2other_winner_0_14_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_14_choice_6;
-      slice2other_winner_0_15 <= slice2other_winner_0_15_choice_4 when slice2other_cost_0_0_choice else
-        slice2other_winner_0_15_choice_6;
+      slice2other_cost_0_0_any := (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
+      slice2other_cost_0_0_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_0 -
+        slice1other_cost_out_0) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_1_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_1 -
+        slice2other_cost_0_0) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_2_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_2 -
+        slice2other_cost_0_1) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_3_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_3 -
+        slice2other_cost_0_2) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_4_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_4 -
+        slice2other_cost_0_3) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_5_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_5 -
+        slice2other_cost_0_4) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_6_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_6 -
+        slice2other_cost_0_5) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_7_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_7 -
+        slice2other_cost_0_6) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_8_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_8 -
+        slice2other_cost_0_7) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_9_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_9 -
+        slice2other_cost_0_8) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_10_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_10 -
+        slice2other_cost_0_9) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_11_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_11 -
+        slice2other_cost_0_10) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_12_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_12 -
+        slice2other_cost_0_11) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_13_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_13 -
+        slice2other_cost_0_12) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_14_choice := not slice0winner2_tag_output_column when (slice2window_sum_0_14 -
+        slice2other_cost_0_13) < 0 else slice2other_cost_0_0_any;
+      slice2other_cost_0_15_any := (not slice0winner2_tag_output_column) or ((not slice0winner2_tag_first_column) and
+        ((slice2window_sum_0_15 - slice2other_cost_0_14) >= 0));
+      if slice0winner2_tag_valid then
+        slice2other_cost_0_0 <= slice1other_cost_out_0 when slice2other_cost_0_0_choice else slice2window_sum_0_0;
+        slice2other_cost_0_1 <= slice2other_cost_0_0 when slice2other_cost_0_1_choice else slice2window_sum_0_1;
+        slice2other_cost_0_2 <= slice2other_cost_0_1 when slice2other_cost_0_2_choice else slice2window_sum_0_2;
+        slice2other_cost_0_3 <= slice2other_cost_0_2 when slice2other_cost_0_3_choice else slice2window_sum_0_3;
+        slice2other_cost_0_4 <= slice2other_cost_0_3 when slice2other_cost_0_4_choice else slice2window_sum_0_4;
+        slice2other_cost_0_5 <= slice2other_cost_0_4 when slice2other_cost_0_5_choice else slice2window_sum_0_5;
+        slice2other_cost_0_6 <= slice2other_cost_0_5 when slice2other_cost_0_6_choice else slice2window_sum_0_6;
+        slice2other_cost_0_7 <= slice2other_cost_0_6 when slice2other_cost_0_7_choice else slice2window_sum_0_7;
+        slice2other_cost_0_8 <= slice2other_cost_0_7 when slice2other_cost_0_8_choice else slice2window_sum_0_8;
+        slice2other_cost_0_9 <= slice2other_cost_0_8 when slice2other_cost_0_9_choice else slice2window_sum_0_9;
+        slice2other_cost_0_10 <= slice2other_cost_0_9 when slice2other_cost_0_10_choice else slice2window_sum_0_10;
+        slice2other_cost_0_11 <= slice2other_cost_0_10 when slice2other_cost_0_11_choice else slice2window_sum_0_11;
+        slice2other_cost_0_12 <= slice2other_cost_0_11 when slice2other_cost_0_12_choice else slice2window_sum_0_12;
+        slice2other_cost_0_13 <= slice2other_cost_0_12 when slice2other_cost_0_13_choice else slice2window_sum_0_13;
+        slice2other_cost_0_14 <= slice2other_cost_0_13 when slice2other_cost_0_14_choice else slice2window_sum_0_14;
+        slice2other_cost_0_15 <= slice2other_cost_0_14 when slice2other_cost_0_15_any else slice2window_sum_0_15;
+        slice2other_winner_0_0 <= slice1other_winner_out_0 when slice2other_cost_0_0_choice else 32;
+        slice2other_winner_0_1 <= slice2other_winner_0_0 when slice2other_cost_0_1_choice else 33;
+        slice2other_winner_0_2 <= slice2other_winner_0_1 when slice2other_cost_0_2_choice else 34;
+        slice2other_winner_0_3 <= slice2other_winner_0_2 when slice2other_cost_0_3_choice else 35;
+        slice2other_winner_0_4 <= slice2other_winner_0_3 when slice2other_cost_0_4_choice else 36;
+        slice2other_winner_0_5 <= slice2other_winner_0_4 when slice2other_cost_0_5_choice else 37;
+        slice2other_winner_0_6 <= slice2other_winner_0_5 when slice2other_cost_0_6_choice else 38;
+        slice2other_winner_0_7 <= slice2other_winner_0_6 when slice2other_cost_0_7_choice else 39;
+        slice2other_winner_0_8 <= slice2other_winner_0_7 when slice2other_cost_0_8_choice else 40;
+        slice2other_winner_0_9 <= slice2other_winner_0_8 when slice2other_cost_0_9_choice else 41;
+        slice2other_winner_0_10 <= slice2other_winner_0_9 when slice2other_cost_0_10_choice else 42;
+        slice2other_winner_0_11 <= slice2other_winner_0_10 when slice2other_cost_0_11_choice else 43;
+        slice2other_winner_0_12 <= slice2other_winner_0_11 when slice2other_cost_0_12_choice else 44;
+        slice2other_winner_0_13 <= slice2other_winner_0_12 when slice2other_cost_0_13_choice else 45;
+        slice2other_winner_0_14 <= slice2other_winner_0_13 when slice2other_cost_0_14_choice else 46;
+        slice2other_winner_0_15 <= slice2other_winner_0_14 when slice2other_cost_0_15_any else 47;
+      end if;
       slice2other_cost_out_0 <= slice2other_cost_0_15;
       slice2other_winner_out_0 <= slice2other_winner_0_15;
-      if slice0winner2_tag_valid then
-        slice2other_winner_0_0 <= slice1other_winner_out_0 when slice2other_cost_0_0_choice else 32;
-      end if;
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
@@ -13534,6 +12246,7 @@ begin
         slice3cost_pixels_first_1_15_count_8 + slice3cost_pixels_first_1_15_count_4 +
         slice3cost_pixels_first_1_15_count_5 + slice3cost_pixels_first_1_15_count_7 +
         slice3cost_pixels_first_1_15_count_2;
+      slice3cost_change_column <= slice3cost_read_column;
       slice3cost_change_0_0 <= slice3cost_pixels_cost_1_0 - slice3cost_pixels_cost_0_0;
       slice3cost_change_0_1 <= slice3cost_pixels_cost_1_1 - slice3cost_pixels_cost_0_1;
       slice3cost_change_0_2 <= slice3cost_pixels_cost_1_2 - slice3cost_pixels_cost_0_2;
@@ -13554,7 +12267,7 @@ begin
       slice3cost_ready_words_1 <= slice3cost_read_words_1;
       slice3cost_ready_words_2 <= slice3cost_read_words_2;
       slice3cost_ready_words_3 <= slice3cost_read_words_3;
-      slice3cost_ready_column <= slice2cost_ready_column;
+      slice3cost_ready_column <= slice3cost_change_column;
       slice3cost_column_0_0 <= slice3cost_column_0_0_choice_2;
       slice3cost_column_0_1 <= slice3cost_column_0_1_choice_2;
       slice3cost_column_0_2 <= slice3cost_column_0_2_choice_2;
@@ -13573,9 +12286,6 @@ begin
       slice3cost_column_0_15 <= slice3cost_column_0_15_choice_2;
       if slice0cost_ready_tag_valid then
         slice3cost_read_column <= 0 when slice0cost_ready_tag_row_start else (slice3cost_read_column + 1) mod 1024;
-      end if;
-      if slice0cost_tag_valid then
-        slice3cost_change_column <= slice2cost_change_column;
       end if;
       if slice0window_change_tag_valid then
         slice3cost_write_column <= slice3cost_ready_column;
@@ -13711,8 +12421,8 @@ begin
       slice3window_change_0_14 <= slice3window_entering_0_14 - slice3window_change_0_14_choice;
       slice3window_change_0_15 <= slice3window_entering_0_15 - slice3window_change_0_15_choice;
       slice3window_change_tag_first_cost <= slice2window_change_tag_first_cost;
-      slice3window_change_tag_output_column <= slice2window_change_tag_output_column;
-      slice3window_change_tag_first_column <= slice2window_change_tag_first_column;
+      slice3window_change_tag_output_column <= slice1window_centre_output_column_0;
+      slice3window_change_tag_first_column <= slice1window_centre_first_column_0;
       slice3window_sum_0_0_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_0;
       slice3window_sum_0_1_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_1;
       slice3window_sum_0_2_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_2;
@@ -13760,379 +12470,72 @@ begin
         slice3window_centre_end_of_line_2 <= slice3window_centre_end_of_line_1;
       end if;
       -- slice3other
-      slice3other_cost_0_0_all := ((slice3window_sum_0_0 - slice2other_cost_out_0) >= 0) and (not
-        slice0winner3_tag_first_column) and slice0winner3_tag_output_column;
-      slice3other_cost_0_0_choice := slice2other_cost_out_0 when slice0winner3_tag_valid else slice3other_cost_0_0;
-      slice3other_cost_0_0_all_2 := ((slice3window_sum_0_0 - slice2other_cost_out_0) < 0) and (not
-        slice0winner3_tag_first_column) and slice0winner3_tag_output_column;
-      slice3other_cost_0_0_choice_2 := slice3window_sum_0_0 when slice0winner3_tag_valid else slice3other_cost_0_0;
-      slice3other_cost_0_0_choice_3 := slice3other_cost_0_0_choice_2 when slice0winner3_tag_output_column else
-        slice3other_cost_0_0_choice;
-      slice3other_cost_0_0_choice_4 := slice3other_cost_0_0_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_0_choice_3;
-      slice3other_cost_0_1_is_less := (slice3window_sum_0_1 - slice3other_cost_0_0) < 0;
-      slice3other_cost_0_1_choice := slice3window_sum_0_1 when slice3other_cost_0_1_is_less else slice3other_cost_0_0;
-      slice3other_cost_0_1_choice_2 := slice3other_cost_0_1_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_1;
-      slice3other_cost_0_1_choice_3 := slice3window_sum_0_1 when slice0winner3_tag_valid else slice3other_cost_0_1;
-      slice3other_cost_0_1_choice_4 := slice3other_cost_0_0 when slice0winner3_tag_valid else slice3other_cost_0_1;
-      slice3other_cost_0_1_choice_5 := slice3other_cost_0_1_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_1_choice_4;
-      slice3other_cost_0_1_choice_6 := slice3other_cost_0_1_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_1_choice_5;
-      slice3other_cost_0_2_is_less := (slice3window_sum_0_2 - slice3other_cost_0_1) < 0;
-      slice3other_cost_0_2_choice := slice3window_sum_0_2 when slice3other_cost_0_2_is_less else slice3other_cost_0_1;
-      slice3other_cost_0_2_choice_2 := slice3other_cost_0_2_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_2;
-      slice3other_cost_0_2_choice_3 := slice3window_sum_0_2 when slice0winner3_tag_valid else slice3other_cost_0_2;
-      slice3other_cost_0_2_choice_4 := slice3other_cost_0_1 when slice0winner3_tag_valid else slice3other_cost_0_2;
-      slice3other_cost_0_2_choice_5 := slice3other_cost_0_2_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_2_choice_4;
-      slice3other_cost_0_2_choice_6 := slice3other_cost_0_2_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_2_choice_5;
-      slice3other_cost_0_3_is_less := (slice3window_sum_0_3 - slice3other_cost_0_2) < 0;
-      slice3other_cost_0_3_choice := slice3window_sum_0_3 when slice3other_cost_0_3_is_less else slice3other_cost_0_2;
-      slice3other_cost_0_3_choice_2 := slice3other_cost_0_3_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_3;
-      slice3other_cost_0_3_choice_3 := slice3window_sum_0_3 when slice0winner3_tag_valid else slice3other_cost_0_3;
-      slice3other_cost_0_3_choice_4 := slice3other_cost_0_2 when slice0winner3_tag_valid else slice3other_cost_0_3;
-      slice3other_cost_0_3_choice_5 := slice3other_cost_0_3_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_3_choice_4;
-      slice3other_cost_0_3_choice_6 := slice3other_cost_0_3_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_3_choice_5;
-      slice3other_cost_0_4_is_less := (slice3window_sum_0_4 - slice3other_cost_0_3) < 0;
-      slice3other_cost_0_4_choice := slice3window_sum_0_4 when slice3other_cost_0_4_is_less else slice3other_cost_0_3;
-      slice3other_cost_0_4_choice_2 := slice3other_cost_0_4_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_4;
-      slice3other_cost_0_4_choice_3 := slice3window_sum_0_4 when slice0winner3_tag_valid else slice3other_cost_0_4;
-      slice3other_cost_0_4_choice_4 := slice3other_cost_0_3 when slice0winner3_tag_valid else slice3other_cost_0_4;
-      slice3other_cost_0_4_choice_5 := slice3other_cost_0_4_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_4_choice_4;
-      slice3other_cost_0_4_choice_6 := slice3other_cost_0_4_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_4_choice_5;
-      slice3other_cost_0_5_is_less := (slice3window_sum_0_5 - slice3other_cost_0_4) < 0;
-      slice3other_cost_0_5_choice := slice3window_sum_0_5 when slice3other_cost_0_5_is_less else slice3other_cost_0_4;
-      slice3other_cost_0_5_choice_2 := slice3other_cost_0_5_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_5;
-      slice3other_cost_0_5_choice_3 := slice3window_sum_0_5 when slice0winner3_tag_valid else slice3other_cost_0_5;
-      slice3other_cost_0_5_choice_4 := slice3other_cost_0_4 when slice0winner3_tag_valid else slice3other_cost_0_5;
-      slice3other_cost_0_5_choice_5 := slice3other_cost_0_5_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_5_choice_4;
-      slice3other_cost_0_5_choice_6 := slice3other_cost_0_5_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_5_choice_5;
-      slice3other_cost_0_6_is_less := (slice3window_sum_0_6 - slice3other_cost_0_5) < 0;
-      slice3other_cost_0_6_choice := slice3window_sum_0_6 when slice3other_cost_0_6_is_less else slice3other_cost_0_5;
-      slice3other_cost_0_6_choice_2 := slice3other_cost_0_6_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_6;
-      slice3other_cost_0_6_choice_3 := slice3window_sum_0_6 when slice0winner3_tag_valid else slice3other_cost_0_6;
-      slice3other_cost_0_6_choice_4 := slice3other_cost_0_5 when slice0winner3_tag_valid else slice3other_cost_0_6;
-      slice3other_cost_0_6_choice_5 := slice3other_cost_0_6_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_6_choice_4;
-      slice3other_cost_0_6_choice_6 := slice3other_cost_0_6_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_6_choice_5;
-      slice3other_cost_0_7_is_less := (slice3window_sum_0_7 - slice3other_cost_0_6) < 0;
-      slice3other_cost_0_7_choice := slice3window_sum_0_7 when slice3other_cost_0_7_is_less else slice3other_cost_0_6;
-      slice3other_cost_0_7_choice_2 := slice3other_cost_0_7_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_7;
-      slice3other_cost_0_7_choice_3 := slice3window_sum_0_7 when slice0winner3_tag_valid else slice3other_cost_0_7;
-      slice3other_cost_0_7_choice_4 := slice3other_cost_0_6 when slice0winner3_tag_valid else slice3other_cost_0_7;
-      slice3other_cost_0_7_choice_5 := slice3other_cost_0_7_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_7_choice_4;
-      slice3other_cost_0_7_choice_6 := slice3other_cost_0_7_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_7_choice_5;
-      slice3other_cost_0_8_is_less := (slice3window_sum_0_8 - slice3other_cost_0_7) < 0;
-      slice3other_cost_0_8_choice := slice3window_sum_0_8 when slice3other_cost_0_8_is_less else slice3other_cost_0_7;
-      slice3other_cost_0_8_choice_2 := slice3other_cost_0_8_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_8;
-      slice3other_cost_0_8_choice_3 := slice3window_sum_0_8 when slice0winner3_tag_valid else slice3other_cost_0_8;
-      slice3other_cost_0_8_choice_4 := slice3other_cost_0_7 when slice0winner3_tag_valid else slice3other_cost_0_8;
-      slice3other_cost_0_8_choice_5 := slice3other_cost_0_8_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_8_choice_4;
-      slice3other_cost_0_8_choice_6 := slice3other_cost_0_8_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_8_choice_5;
-      slice3other_cost_0_9_is_less := (slice3window_sum_0_9 - slice3other_cost_0_8) < 0;
-      slice3other_cost_0_9_choice := slice3window_sum_0_9 when slice3other_cost_0_9_is_less else slice3other_cost_0_8;
-      slice3other_cost_0_9_choice_2 := slice3other_cost_0_9_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_9;
-      slice3other_cost_0_9_choice_3 := slice3window_sum_0_9 when slice0winner3_tag_valid else slice3other_cost_0_9;
-      slice3other_cost_0_9_choice_4 := slice3other_cost_0_8 when slice0winner3_tag_valid else slice3other_cost_0_9;
-      slice3other_cost_0_9_choice_5 := slice3other_cost_0_9_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_9_choice_4;
-      slice3other_cost_0_9_choice_6 := slice3other_cost_0_9_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_9_choice_5;
-      slice3other_cost_0_10_is_less := (slice3window_sum_0_10 - slice3other_cost_0_9) < 0;
-      slice3other_cost_0_10_choice := slice3window_sum_0_10 when slice3other_cost_0_10_is_less else
-        slice3other_cost_0_9;
-      slice3other_cost_0_10_choice_2 := slice3other_cost_0_10_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_10;
-      slice3other_cost_0_10_choice_3 := slice3window_sum_0_10 when slice0winner3_tag_valid else slice3other_cost_0_10;
-      slice3other_cost_0_10_choice_4 := slice3other_cost_0_9 when slice0winner3_tag_valid else slice3other_cost_0_10;
-      slice3other_cost_0_10_choice_5 := slice3other_cost_0_10_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_10_choice_4;
-      slice3other_cost_0_10_choice_6 := slice3other_cost_0_10_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_10_choice_5;
-      slice3other_cost_0_11_is_less := (slice3window_sum_0_11 - slice3other_cost_0_10) < 0;
-      slice3other_cost_0_11_choice := slice3window_sum_0_11 when slice3other_cost_0_11_is_less else
-        slice3other_cost_0_10;
-      slice3other_cost_0_11_choice_2 := slice3other_cost_0_11_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_11;
-      slice3other_cost_0_11_choice_3 := slice3window_sum_0_11 when slice0winner3_tag_valid else slice3other_cost_0_11;
-      slice3other_cost_0_11_choice_4 := slice3other_cost_0_10 when slice0winner3_tag_valid else slice3other_cost_0_11;
-      slice3other_cost_0_11_choice_5 := slice3other_cost_0_11_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_11_choice_4;
-      slice3other_cost_0_11_choice_6 := slice3other_cost_0_11_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_11_choice_5;
-      slice3other_cost_0_12_is_less := (slice3window_sum_0_12 - slice3other_cost_0_11) < 0;
-      slice3other_cost_0_12_choice := slice3window_sum_0_12 when slice3other_cost_0_12_is_less else
-        slice3other_cost_0_11;
-      slice3other_cost_0_12_choice_2 := slice3other_cost_0_12_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_12;
-      slice3other_cost_0_12_choice_3 := slice3window_sum_0_12 when slice0winner3_tag_valid else slice3other_cost_0_12;
-      slice3other_cost_0_12_choice_4 := slice3other_cost_0_11 when slice0winner3_tag_valid else slice3other_cost_0_12;
-      slice3other_cost_0_12_choice_5 := slice3other_cost_0_12_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_12_choice_4;
-      slice3other_cost_0_12_choice_6 := slice3other_cost_0_12_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_12_choice_5;
-      slice3other_cost_0_13_is_less := (slice3window_sum_0_13 - slice3other_cost_0_12) < 0;
-      slice3other_cost_0_13_choice := slice3window_sum_0_13 when slice3other_cost_0_13_is_less else
-        slice3other_cost_0_12;
-      slice3other_cost_0_13_choice_2 := slice3other_cost_0_13_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_13;
-      slice3other_cost_0_13_choice_3 := slice3window_sum_0_13 when slice0winner3_tag_valid else slice3other_cost_0_13;
-      slice3other_cost_0_13_choice_4 := slice3other_cost_0_12 when slice0winner3_tag_valid else slice3other_cost_0_13;
-      slice3other_cost_0_13_choice_5 := slice3other_cost_0_13_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_13_choice_4;
-      slice3other_cost_0_13_choice_6 := slice3other_cost_0_13_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_13_choice_5;
-      slice3other_cost_0_14_is_less := (slice3window_sum_0_14 - slice3other_cost_0_13) < 0;
-      slice3other_cost_0_14_choice := slice3window_sum_0_14 when slice3other_cost_0_14_is_less else
-        slice3other_cost_0_13;
-      slice3other_cost_0_14_choice_2 := slice3other_cost_0_14_choice when slice0winner3_tag_valid else
-        slice3other_cost_0_14;
-      slice3other_cost_0_14_choice_3 := slice3window_sum_0_14 when slice0winner3_tag_valid else slice3other_cost_0_14;
-      slice3other_cost_0_14_choice_4 := slice3other_cost_0_13 when slice0winner3_tag_valid else slice3other_cost_0_14;
-      slice3other_cost_0_14_choice_5 := slice3other_cost_0_14_choice_3 when slice0winner3_tag_output_column else
-        slice3other_cost_0_14_choice_4;
-      slice3other_cost_0_14_choice_6 := slice3other_cost_0_14_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_cost_0_14_choice_5;
-      slice3other_winner_0_1_choice := 49 when slice3other_cost_0_1_is_less else slice3other_winner_0_0;
-      slice3other_winner_0_1_choice_2 := slice3other_winner_0_1_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_1;
-      slice3other_winner_0_1_choice_3 := 49 when slice0winner3_tag_valid else slice3other_winner_0_1;
-      slice3other_winner_0_1_choice_4 := slice3other_winner_0_0 when slice0winner3_tag_valid else
-        slice3other_winner_0_1;
-      slice3other_winner_0_1_choice_5 := slice3other_winner_0_1_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_1_choice_4;
-      slice3other_winner_0_1_choice_6 := slice3other_winner_0_1_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_1_choice_5;
-      slice3other_winner_0_2_choice := 50 when slice3other_cost_0_2_is_less else slice3other_winner_0_1;
-      slice3other_winner_0_2_choice_2 := slice3other_winner_0_2_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_2;
-      slice3other_winner_0_2_choice_3 := 50 when slice0winner3_tag_valid else slice3other_winner_0_2;
-      slice3other_winner_0_2_choice_4 := slice3other_winner_0_1 when slice0winner3_tag_valid else
-        slice3other_winner_0_2;
-      slice3other_winner_0_2_choice_5 := slice3other_winner_0_2_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_2_choice_4;
-      slice3other_winner_0_2_choice_6 := slice3other_winner_0_2_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_2_choice_5;
-      slice3other_winner_0_3_choice := 51 when slice3other_cost_0_3_is_less else slice3other_winner_0_2;
-      slice3other_winner_0_3_choice_2 := slice3other_winner_0_3_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_3;
-      slice3other_winner_0_3_choice_3 := 51 when slice0winner3_tag_valid else slice3other_winner_0_3;
-      slice3other_winner_0_3_choice_4 := slice3other_winner_0_2 when slice0winner3_tag_valid else
-        slice3other_winner_0_3;
-      slice3other_winner_0_3_choice_5 := slice3other_winner_0_3_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_3_choice_4;
-      slice3other_winner_0_3_choice_6 := slice3other_winner_0_3_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_3_choice_5;
-      slice3other_winner_0_4_choice := 52 when slice3other_cost_0_4_is_less else slice3other_winner_0_3;
-      slice3other_winner_0_4_choice_2 := slice3other_winner_0_4_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_4;
-      slice3other_winner_0_4_choice_3 := 52 when slice0winner3_tag_valid else slice3other_winner_0_4;
-      slice3other_winner_0_4_choice_4 := slice3other_winner_0_3 when slice0winner3_tag_valid else
-        slice3other_winner_0_4;
-      slice3other_winner_0_4_choice_5 := slice3other_winner_0_4_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_4_choice_4;
-      slice3other_winner_0_4_choice_6 := slice3other_winner_0_4_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_4_choice_5;
-      slice3other_winner_0_5_choice := 53 when slice3other_cost_0_5_is_less else slice3other_winner_0_4;
-      slice3other_winner_0_5_choice_2 := slice3other_winner_0_5_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_5;
-      slice3other_winner_0_5_choice_3 := 53 when slice0winner3_tag_valid else slice3other_winner_0_5;
-      slice3other_winner_0_5_choice_4 := slice3other_winner_0_4 when slice0winner3_tag_valid else
-        slice3other_winner_0_5;
-      slice3other_winner_0_5_choice_5 := slice3other_winner_0_5_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_5_choice_4;
-      slice3other_winner_0_5_choice_6 := slice3other_winner_0_5_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_5_choice_5;
-      slice3other_winner_0_6_choice := 54 when slice3other_cost_0_6_is_less else slice3other_winner_0_5;
-      slice3other_winner_0_6_choice_2 := slice3other_winner_0_6_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_6;
-      slice3other_winner_0_6_choice_3 := 54 when slice0winner3_tag_valid else slice3other_winner_0_6;
-      slice3other_winner_0_6_choice_4 := slice3other_winner_0_5 when slice0winner3_tag_valid else
-        slice3other_winner_0_6;
-      slice3other_winner_0_6_choice_5 := slice3other_winner_0_6_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_6_choice_4;
-      slice3other_winner_0_6_choice_6 := slice3other_winner_0_6_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_6_choice_5;
-      slice3other_winner_0_7_choice := 55 when slice3other_cost_0_7_is_less else slice3other_winner_0_6;
-      slice3other_winner_0_7_choice_2 := slice3other_winner_0_7_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_7;
-      slice3other_winner_0_7_choice_3 := 55 when slice0winner3_tag_valid else slice3other_winner_0_7;
-      slice3other_winner_0_7_choice_4 := slice3other_winner_0_6 when slice0winner3_tag_valid else
-        slice3other_winner_0_7;
-      slice3other_winner_0_7_choice_5 := slice3other_winner_0_7_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_7_choice_4;
-      slice3other_winner_0_7_choice_6 := slice3other_winner_0_7_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_7_choice_5;
-      slice3other_winner_0_8_choice := 56 when slice3other_cost_0_8_is_less else slice3other_winner_0_7;
-      slice3other_winner_0_8_choice_2 := slice3other_winner_0_8_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_8;
-      slice3other_winner_0_8_choice_3 := 56 when slice0winner3_tag_valid else slice3other_winner_0_8;
-      slice3other_winner_0_8_choice_4 := slice3other_winner_0_7 when slice0winner3_tag_valid else
-        slice3other_winner_0_8;
-      slice3other_winner_0_8_choice_5 := slice3other_winner_0_8_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_8_choice_4;
-      slice3other_winner_0_8_choice_6 := slice3other_winner_0_8_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_8_choice_5;
-      slice3other_winner_0_9_choice := 57 when slice3other_cost_0_9_is_less else slice3other_winner_0_8;
-      slice3other_winner_0_9_choice_2 := slice3other_winner_0_9_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_9;
-      slice3other_winner_0_9_choice_3 := 57 when slice0winner3_tag_valid else slice3other_winner_0_9;
-      slice3other_winner_0_9_choice_4 := slice3other_winner_0_8 when slice0winner3_tag_valid else
-        slice3other_winner_0_9;
-      slice3other_winner_0_9_choice_5 := slice3other_winner_0_9_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_9_choice_4;
-      slice3other_winner_0_9_choice_6 := slice3other_winner_0_9_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_9_choice_5;
-      slice3other_winner_0_10_choice := 58 when slice3other_cost_0_10_is_less else slice3other_winner_0_9;
-      slice3other_winner_0_10_choice_2 := slice3other_winner_0_10_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_10;
-      slice3other_winner_0_10_choice_3 := 58 when slice0winner3_tag_valid else slice3other_winner_0_10;
-      slice3other_winner_0_10_choice_4 := slice3other_winner_0_9 when slice0winner3_tag_valid else
-        slice3other_winner_0_10;
-      slice3other_winner_0_10_choice_5 := slice3other_winner_0_10_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_10_choice_4;
-      slice3other_winner_0_10_choice_6 := slice3other_winner_0_10_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_10_choice_5;
-      slice3other_winner_0_11_choice := 59 when slice3other_cost_0_11_is_less else slice3other_winner_0_10;
-      slice3other_winner_0_11_choice_2 := slice3other_winner_0_11_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_11;
-      slice3other_winner_0_11_choice_3 := 59 when slice0winner3_tag_valid else slice3other_winner_0_11;
-      slice3other_winner_0_11_choice_4 := slice3other_winner_0_10 when slice0winner3_tag_valid else
-        slice3other_winner_0_11;
-      slice3other_winner_0_11_choice_5 := slice3other_winner_0_11_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_11_choice_4;
-      slice3other_winner_0_11_choice_6 := slice3other_winner_0_11_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_11_choice_5;
-      slice3other_winner_0_12_choice := 60 when slice3other_cost_0_12_is_less else slice3other_winner_0_11;
-      slice3other_winner_0_12_choice_2 := slice3other_winner_0_12_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_12;
-      slice3other_winner_0_12_choice_3 := 60 when slice0winner3_tag_valid else slice3other_winner_0_12;
-      slice3other_winner_0_12_choice_4 := slice3other_winner_0_11 when slice0winner3_tag_valid else
-        slice3other_winner_0_12;
-      slice3other_winner_0_12_choice_5 := slice3other_winner_0_12_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_12_choice_4;
-      slice3other_winner_0_12_choice_6 := slice3other_winner_0_12_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_12_choice_5;
-      slice3other_winner_0_13_choice := 61 when slice3other_cost_0_13_is_less else slice3other_winner_0_12;
-      slice3other_winner_0_13_choice_2 := slice3other_winner_0_13_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_13;
-      slice3other_winner_0_13_choice_3 := 61 when slice0winner3_tag_valid else slice3other_winner_0_13;
-      slice3other_winner_0_13_choice_4 := slice3other_winner_0_12 when slice0winner3_tag_valid else
-        slice3other_winner_0_13;
-      slice3other_winner_0_13_choice_5 := slice3other_winner_0_13_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_13_choice_4;
-      slice3other_winner_0_13_choice_6 := slice3other_winner_0_13_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_13_choice_5;
-      slice3other_winner_0_14_choice := 62 when slice3other_cost_0_14_is_less else slice3other_winner_0_13;
-      slice3other_winner_0_14_choice_2 := slice3other_winner_0_14_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_14;
-      slice3other_winner_0_14_choice_3 := 62 when slice0winner3_tag_valid else slice3other_winner_0_14;
-      slice3other_winner_0_14_choice_4 := slice3other_winner_0_13 when slice0winner3_tag_valid else
-        slice3other_winner_0_14;
-      slice3other_winner_0_14_choice_5 := slice3other_winner_0_14_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_14_choice_4;
-      slice3other_winner_0_14_choice_6 := slice3other_winner_0_14_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_14_choice_5;
-      slice3other_winner_0_15_choice := 63 when (slice3window_sum_0_15 - slice3other_cost_0_14) < 0 else
-        slice3other_winner_0_14;
-      slice3other_winner_0_15_choice_2 := slice3other_winner_0_15_choice when slice0winner3_tag_valid else
-        slice3other_winner_0_15;
-      slice3other_winner_0_15_choice_3 := 63 when slice0winner3_tag_valid else slice3other_winner_0_15;
-      slice3other_winner_0_15_choice_4 := slice3other_winner_0_14 when slice0winner3_tag_valid else
-        slice3other_winner_0_15;
-      slice3other_winner_0_15_choice_5 := slice3other_winner_0_15_choice_3 when slice0winner3_tag_output_column else
-        slice3other_winner_0_15_choice_4;
-      slice3other_winner_0_15_choice_6 := slice3other_winner_0_15_choice_2 when slice3other_cost_0_0_all_2 else
-        slice3other_winner_0_15_choice_5;
-      slice3other_cost_0_0 <= slice3other_cost_0_0_choice when slice3other_cost_0_0_all else
-        slice3other_cost_0_0_choice_4;
-      slice3other_cost_0_1 <= slice3other_cost_0_1_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_1_choice_6;
-      slice3other_cost_0_2 <= slice3other_cost_0_2_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_2_choice_6;
-      slice3other_cost_0_3 <= slice3other_cost_0_3_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_3_choice_6;
-      slice3other_cost_0_4 <= slice3other_cost_0_4_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_4_choice_6;
-      slice3other_cost_0_5 <= slice3other_cost_0_5_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_5_choice_6;
-      slice3other_cost_0_6 <= slice3other_cost_0_6_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_6_choice_6;
-      slice3other_cost_0_7 <= slice3other_cost_0_7_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_7_choice_6;
-      slice3other_cost_0_8 <= slice3other_cost_0_8_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_8_choice_6;
-      slice3other_cost_0_9 <= slice3other_cost_0_9_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_9_choice_6;
-      slice3other_cost_0_10 <= slice3other_cost_0_10_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_10_choice_6;
-      slice3other_cost_0_11 <= slice3other_cost_0_11_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_11_choice_6;
-      slice3other_cost_0_12 <= slice3other_cost_0_12_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_12_choice_6;
-      slice3other_cost_0_13 <= slice3other_cost_0_13_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_13_choice_6;
-      slice3other_cost_0_14 <= slice3other_cost_0_14_choice_2 when slice3other_cost_0_0_all else
-        slice3other_cost_0_14_choice_6;
-      slice3other_winner_0_1 <= slice3other_winner_0_1_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_1_choice_6;
-      slice3other_winner_0_2 <= slice3other_winner_0_2_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_2_choice_6;
-      slice3other_winner_0_3 <= slice3other_winner_0_3_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_3_choice_6;
-      slice3other_winner_0_4 <= slice3other_winner_0_4_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_4_choice_6;
-      slice3other_winner_0_5 <= slice3other_winner_0_5_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_5_choice_6;
-      slice3other_winner_0_6 <= slice3other_winner_0_6_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_6_choice_6;
-      slice3other_winner_0_7 <= slice3other_winner_0_7_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_7_choice_6;
-      slice3other_winner_0_8 <= slice3other_winner_0_8_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_8_choice_6;
-      slice3other_winner_0_9 <= slice3other_winner_0_9_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_9_choice_6;
-      slice3other_winner_0_10 <= slice3other_winner_0_10_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_10_choice_6;
-      slice3other_winner_0_11 <= slice3other_winner_0_11_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_11_choice_6;
-      slice3other_winner_0_12 <= slice3other_winner_0_12_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_12_choice_6;
-      slice3other_winner_0_13 <= slice3other_winner_0_13_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_13_choice_6;
-      slice3other_winner_0_14 <= slice3other_winner_0_14_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_14_choice_6;
-      slice3other_winner_0_15 <= slice3other_winner_0_15_choice_2 when slice3other_cost_0_0_all else
-        slice3other_winner_0_15_choice_6;
-      slice3other_winner_out_0 <= slice3other_winner_0_15;
-      slice3other_winner_0_0_choice := 48 when slice0winner3_tag_output_column else slice2other_winner_out_0;
-      slice3other_winner_0_0_choice_2 := 48 when slice3other_cost_0_0_all_2 else slice3other_winner_0_0_choice;
+      slice3other_cost_0_0_any := (not slice0winner3_tag_output_column) or (not slice0winner3_tag_first_column);
+      slice3other_cost_0_0_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_0 -
+        slice2other_cost_out_0) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_1_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_1 -
+        slice3other_cost_0_0) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_2_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_2 -
+        slice3other_cost_0_1) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_3_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_3 -
+        slice3other_cost_0_2) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_4_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_4 -
+        slice3other_cost_0_3) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_5_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_5 -
+        slice3other_cost_0_4) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_6_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_6 -
+        slice3other_cost_0_5) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_7_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_7 -
+        slice3other_cost_0_6) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_8_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_8 -
+        slice3other_cost_0_7) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_9_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_9 -
+        slice3other_cost_0_8) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_10_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_10 -
+        slice3other_cost_0_9) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_11_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_11 -
+        slice3other_cost_0_10) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_12_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_12 -
+        slice3other_cost_0_11) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_13_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_13 -
+        slice3other_cost_0_12) < 0 else slice3other_cost_0_0_any;
+      slice3other_cost_0_14_choice := not slice0winner3_tag_output_column when (slice3window_sum_0_14 -
+        slice3other_cost_0_13) < 0 else slice3other_cost_0_0_any;
       if slice0winner3_tag_valid then
-        slice3other_winner_0_0 <= slice2other_winner_out_0 when slice3other_cost_0_0_all else
-          slice3other_winner_0_0_choice_2;
+        slice3other_cost_0_0 <= slice2other_cost_out_0 when slice3other_cost_0_0_choice else slice3window_sum_0_0;
+        slice3other_cost_0_1 <= slice3other_cost_0_0 when slice3other_cost_0_1_choice else slice3window_sum_0_1;
+        slice3other_cost_0_2 <= slice3other_cost_0_1 when slice3other_cost_0_2_choice else slice3window_sum_0_2;
+        slice3other_cost_0_3 <= slice3other_cost_0_2 when slice3other_cost_0_3_choice else slice3window_sum_0_3;
+        slice3other_cost_0_4 <= slice3other_cost_0_3 when slice3other_cost_0_4_choice else slice3window_sum_0_4;
+        slice3other_cost_0_5 <= slice3other_cost_0_4 when slice3other_cost_0_5_choice else slice3window_sum_0_5;
+        slice3other_cost_0_6 <= slice3other_cost_0_5 when slice3other_cost_0_6_choice else slice3window_sum_0_6;
+        slice3other_cost_0_7 <= slice3other_cost_0_6 when slice3other_cost_0_7_choice else slice3window_sum_0_7;
+        slice3other_cost_0_8 <= slice3other_cost_0_7 when slice3other_cost_0_8_choice else slice3window_sum_0_8;
+        slice3other_cost_0_9 <= slice3other_cost_0_8 when slice3other_cost_0_9_choice else slice3window_sum_0_9;
+        slice3other_cost_0_10 <= slice3other_cost_0_9 when slice3other_cost_0_10_choice else slice3window_sum_0_10;
+        slice3other_cost_0_11 <= slice3other_cost_0_10 when slice3other_cost_0_11_choice else slice3window_sum_0_11;
+        slice3other_cost_0_12 <= slice3other_cost_0_11 when slice3other_cost_0_12_choice else slice3window_sum_0_12;
+        slice3other_cost_0_13 <= slice3other_cost_0_12 when slice3other_cost_0_13_choice else slice3window_sum_0_13;
+        slice3other_cost_0_14 <= slice3other_cost_0_13 when slice3other_cost_0_14_choice else slice3window_sum_0_14;
+        slice3other_winner_0_0 <= slice2other_winner_out_0 when slice3other_cost_0_0_choice else 48;
+        slice3other_winner_0_1 <= slice3other_winner_0_0 when slice3other_cost_0_1_choice else 49;
+        slice3other_winner_0_2 <= slice3other_winner_0_1 when slice3other_cost_0_2_choice else 50;
+        slice3other_winner_0_3 <= slice3other_winner_0_2 when slice3other_cost_0_3_choice else 51;
+        slice3other_winner_0_4 <= slice3other_winner_0_3 when slice3other_cost_0_4_choice else 52;
+        slice3other_winner_0_5 <= slice3other_winner_0_4 when slice3other_cost_0_5_choice else 53;
+        slice3other_winner_0_6 <= slice3other_winner_0_5 when slice3other_cost_0_6_choice else 54;
+        slice3other_winner_0_7 <= slice3other_winner_0_6 when slice3other_cost_0_7_choice else 55;
+        slice3other_winner_0_8 <= slice3other_winner_0_7 when slice3other_cost_0_8_choice else 56;
+        slice3other_winner_0_9 <= slice3other_winner_0_8 when slice3other_cost_0_9_choice else 57;
+        slice3other_winner_0_10 <= slice3other_winner_0_9 when slice3other_cost_0_10_choice else 58;
+        slice3other_winner_0_11 <= slice3other_winner_0_10 when slice3other_cost_0_11_choice else 59;
+        slice3other_winner_0_12 <= slice3other_winner_0_11 when slice3other_cost_0_12_choice else 60;
+        slice3other_winner_0_13 <= slice3other_winner_0_12 when slice3other_cost_0_13_choice else 61;
+        slice3other_winner_0_14 <= slice3other_winner_0_13 when slice3other_cost_0_14_choice else 62;
+        slice3other_winner_0_15 <= slice3other_winner_0_14 when (not slice0winner3_tag_output_column) or ((not
+          slice0winner3_tag_first_column) and ((slice3window_sum_0_15 - slice3other_cost_0_14) >= 0)) else 63;
       end if;
+      slice3other_winner_out_0 <= slice3other_winner_0_15;
       -- slice3winner1
       slice3winner1_best_cost_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
       slice3winner1_best_cost_0_1_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;

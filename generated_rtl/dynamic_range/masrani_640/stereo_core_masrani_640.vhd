@@ -1566,25 +1566,17 @@ architecture rtl of stereo_core_masrani_640 is
   signal map_passed_0, map_valid, map_start_of_frame, map_end_of_line : boolean;
   -- other
   signal other_0, other_4 : natural range 0 to 65534;
-  signal other_1, other_2, other_5, other_6, other_17, other_18, other_20, other_21 : natural range 0 to 8192;
-  signal other_3, other_7, other_19, other_22 : natural range 0 to 2042;
-  signal other_8, other_9, other_24, other_26 : natural range 0 to 257;
-  signal other_10, other_25 : natural range 0 to 254;
-  signal other_11 : natural range 0 to 252;
-  signal other_12 : natural range 0 to 248;
-  signal other_13 : natural range 0 to 240;
-  signal other_14 : natural range 0 to 224;
-  signal other_15 : natural range 0 to 192;
-  signal other_16 : natural range 0 to 128;
-  signal other_23, other_27, other_28, other_29, other_30, other_31 : boolean;
-  signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
-  signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
-  signal coarserows_reference_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal coarsedelay_delayed_0_memory_write_data : unsigned(5 downto 0);
-  signal coarsetransform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal coarsetransform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal coarse_pixels_read_word_0_memory_write_data : unsigned(23 downto 0);
+  signal other_1, other_2, other_5, other_6, other_23, other_24, other_26, other_27 : natural range 0 to 8192;
+  signal other_3, other_7, other_25, other_28 : natural range 0 to 2042;
+  signal other_8, other_9, other_30, other_31 : natural range 0 to 257;
+  signal other_10, other_11, other_12, other_18, other_21, other_22 : boolean;
+  signal other_13, other_29 : natural range 0 to 254;
+  signal other_14 : natural range 0 to 252;
+  signal other_15 : natural range 0 to 248;
+  signal other_16 : natural range 0 to 240;
+  signal other_17 : natural range 0 to 224;
+  signal other_19 : natural range 0 to 192;
+  signal other_20 : natural range 0 to 128;
   signal lowwindow_leaving_3_memory_write_data : unsigned(31 downto 0);
   signal lowwindow_leaving_2_memory_write_data : unsigned(31 downto 0);
   signal lowwindow_leaving_1_memory_write_data : unsigned(31 downto 0);
@@ -1648,6 +1640,14 @@ architecture rtl of stereo_core_masrani_640 is
   signal ranges_pixels_read_words_0_memory_write_data : unsigned(11 downto 0);
   signal coarseleftright_found_0_memory_write_data : unsigned(4 downto 0);
   signal coarseleftright_held_0_memory_write_data : unsigned(12 downto 0);
+  signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
+  signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
+  signal coarserows_reference_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal coarsedelay_delayed_0_memory_write_data : unsigned(5 downto 0);
+  signal coarsetransform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal coarsetransform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal coarse_pixels_read_word_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -1659,70 +1659,6 @@ begin
   disparity_valid <= as_bit(map_valid);
   disparity_start_of_frame <= as_bit(map_start_of_frame);
   disparity_end_of_line <= as_bit(map_end_of_line);
-
-  coarserows_search_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_1, 6);
-  coarserows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 192, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_1,
-      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_1_memory_write_data);
-
-  coarserows_search_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_0, 30);
-  coarserows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 192, width => 30)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_0,
-      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_0_memory_write_data);
-
-  coarserows_reference_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_1, 6);
-  coarserows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 192, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_1,
-      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_1_memory_write_data);
-
-  coarserows_reference_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_0, 30);
-  coarserows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 192, width => 30)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_0,
-      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_0_memory_write_data);
-
-  coarsedelay_delayed_0_memory_write_data <= to_unsigned(coarseraster_features_reference_0, 6);
-  coarsedelay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_ring_read_address, read_data => coarsedelay_delayed_0,
-      write_address => coarsedelay_ring_write_address, write_data => coarsedelay_delayed_0_memory_write_data);
-
-  coarsetransform_left_rows_read_words_0_memory_write_data <= coarsetransform_left_rows_write_words_0;
-  coarsetransform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 192, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_left_rows_read_words_0,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_left_rows_read_words_0_memory_write_data);
-
-  coarsetransform_right_rows_read_words_0_memory_write_data <= coarsetransform_right_rows_write_words_0;
-  coarsetransform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 192, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_right_rows_read_words_0,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_right_rows_read_words_0_memory_write_data);
-
-  coarse_pixels_read_word_0_memory_write_data <= to_unsigned(coarse_pixels_total, 24);
-  coarse_pixels_read_word_0_memory : entity work.line_memory
-    generic map (depth => 160, width => 24)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarse_pixels_sum_column, read_data => coarse_pixels_read_word_0,
-      write_address => coarse_pixels_total_column, write_data => coarse_pixels_read_word_0_memory_write_data);
 
   lowwindow_leaving_3_memory_write_data <= to_unsigned(lowcost_column_0_15, 8) & to_unsigned(lowcost_column_0_14, 8) & to_unsigned(lowcost_column_0_13, 8) & to_unsigned(lowcost_column_0_12, 8);
   lowwindow_leaving_3_memory : entity work.line_memory
@@ -2228,6 +2164,70 @@ begin
       read_address => coarseleftright_ring_read_address, read_data => coarseleftright_held_0,
       write_address => coarseleftright_ring_write_address, write_data => coarseleftright_held_0_memory_write_data);
 
+  coarserows_search_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_1, 6);
+  coarserows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 192, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_1,
+      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_1_memory_write_data);
+
+  coarserows_search_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_0, 30);
+  coarserows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 192, width => 30)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_0,
+      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_0_memory_write_data);
+
+  coarserows_reference_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_1, 6);
+  coarserows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 192, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_1,
+      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_1_memory_write_data);
+
+  coarserows_reference_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_0, 30);
+  coarserows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 192, width => 30)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_0,
+      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_0_memory_write_data);
+
+  coarsedelay_delayed_0_memory_write_data <= to_unsigned(coarseraster_features_reference_0, 6);
+  coarsedelay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_ring_read_address, read_data => coarsedelay_delayed_0,
+      write_address => coarsedelay_ring_write_address, write_data => coarsedelay_delayed_0_memory_write_data);
+
+  coarsetransform_left_rows_read_words_0_memory_write_data <= coarsetransform_left_rows_write_words_0;
+  coarsetransform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 192, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsetransform_counter_column, read_data => coarsetransform_left_rows_read_words_0,
+      write_address => coarsetransform_write_column, write_data => coarsetransform_left_rows_read_words_0_memory_write_data);
+
+  coarsetransform_right_rows_read_words_0_memory_write_data <= coarsetransform_right_rows_write_words_0;
+  coarsetransform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 192, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsetransform_counter_column, read_data => coarsetransform_right_rows_read_words_0,
+      write_address => coarsetransform_write_column, write_data => coarsetransform_right_rows_read_words_0_memory_write_data);
+
+  coarse_pixels_read_word_0_memory_write_data <= to_unsigned(coarse_pixels_total, 24);
+  coarse_pixels_read_word_0_memory : entity work.line_memory
+    generic map (depth => 160, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarse_pixels_sum_column, read_data => coarse_pixels_read_word_0,
+      write_address => coarse_pixels_total_column, write_data => coarse_pixels_read_word_0_memory_write_data);
+
   process (clock)
     variable coarse_pixels_column_any, coarse_pixels_column_is_equal, coarse_pixels_column_is_equal_2 : boolean;
     variable coarse_pixels_column_all, coarse_pixels_first_row_is_equal, coarse_pixels_first_row_choice : boolean;
@@ -2259,19 +2259,19 @@ begin
     variable coarseslice0cost_pixels_first_5_0_value_3, coarseslice0cost_pixels_first_5_0_value_4 : boolean;
     variable coarseslice0cost_pixels_first_6_0_value, coarseslice0cost_pixels_first_6_0_value_2 : boolean;
     variable coarseslice0cost_pixels_first_6_0_value_3, coarseslice0cost_pixels_first_6_0_value_4 : boolean;
-    variable coarseslice0other_cost_0_0_all, coarseslice0other_cost_0_0_is_not_less : boolean;
-    variable coarseslice0other_cost_0_0_all_2, coarseslice0other_cost_0_1_is_not_less : boolean;
-    variable coarseslice0other_cost_0_2_is_not_less, coarseslice0other_cost_0_3_is_not_less : boolean;
-    variable coarseslice0other_cost_0_4_is_not_less, coarseslice0other_cost_0_5_is_not_less : boolean;
-    variable coarseslice0other_cost_0_6_is_not_less, coarseslice0other_cost_0_7_is_not_less : boolean;
-    variable coarseslice0other_cost_0_8_is_not_less, coarseslice0other_cost_0_9_is_not_less : boolean;
-    variable coarseslice0other_cost_0_10_is_not_less, coarseslice0other_cost_0_11_is_not_less : boolean;
-    variable coarseslice0other_cost_0_12_is_not_less, coarseslice0other_cost_0_13_is_not_less : boolean;
-    variable coarseslice0other_cost_0_14_is_not_less, coarseslice0other_cost_0_15_is_not_less : boolean;
-    variable coarseslice0other_cost_0_16_is_not_less, coarseslice0other_cost_0_17_is_not_less : boolean;
-    variable coarseslice0other_cost_0_18_is_not_less, coarseslice0other_cost_0_19_is_not_less : boolean;
-    variable coarseslice0other_cost_0_20_is_not_less, coarseslice0other_cost_0_21_is_not_less : boolean;
-    variable coarseslice0other_cost_0_22_is_not_less, coarseslice0winner1_best_cost_0_0_is_less : boolean;
+    variable coarseslice0other_cost_0_0_all, coarseslice0other_cost_0_1_all : boolean;
+    variable coarseslice0other_cost_0_1_choice, coarseslice0other_cost_0_2_choice : boolean;
+    variable coarseslice0other_cost_0_3_choice, coarseslice0other_cost_0_4_choice : boolean;
+    variable coarseslice0other_cost_0_5_choice, coarseslice0other_cost_0_6_choice : boolean;
+    variable coarseslice0other_cost_0_7_choice, coarseslice0other_cost_0_8_choice : boolean;
+    variable coarseslice0other_cost_0_9_choice, coarseslice0other_cost_0_10_choice : boolean;
+    variable coarseslice0other_cost_0_11_choice, coarseslice0other_cost_0_12_choice : boolean;
+    variable coarseslice0other_cost_0_13_choice, coarseslice0other_cost_0_14_choice : boolean;
+    variable coarseslice0other_cost_0_15_choice, coarseslice0other_cost_0_16_choice : boolean;
+    variable coarseslice0other_cost_0_17_choice, coarseslice0other_cost_0_18_choice : boolean;
+    variable coarseslice0other_cost_0_19_choice, coarseslice0other_cost_0_20_choice : boolean;
+    variable coarseslice0other_cost_0_21_choice, coarseslice0other_cost_0_22_choice : boolean;
+    variable coarseslice0other_cost_0_23_choice, coarseslice0winner1_best_cost_0_0_is_less : boolean;
     variable coarseslice0winner1_best_cost_0_1_is_less, coarseslice0winner1_best_cost_0_2_is_less : boolean;
     variable coarseslice0winner1_best_cost_0_3_is_less, coarseslice0winner1_best_cost_0_4_is_less : boolean;
     variable coarseslice0winner1_best_cost_0_5_is_less, coarseslice0winner1_best_cost_0_6_is_less : boolean;
@@ -2298,9 +2298,9 @@ begin
     variable coarseslice1cost_pixels_first_5_0_value_4, coarseslice1cost_pixels_first_6_0_value : boolean;
     variable coarseslice1cost_pixels_first_6_0_value_2, coarseslice1cost_pixels_first_6_0_value_3 : boolean;
     variable coarseslice1cost_pixels_first_6_0_value_4, coarseslice1other_cost_0_1_any : boolean;
-    variable coarseslice1other_cost_0_1_is_not_less, coarseslice1other_cost_0_2_is_not_less : boolean;
-    variable coarseslice1other_cost_0_3_is_not_less, coarseslice1other_cost_0_4_is_not_less : boolean;
-    variable coarseslice1other_cost_0_5_is_not_less, coarseslice1other_cost_0_6_is_not_less : boolean;
+    variable coarseslice1other_cost_0_1_choice, coarseslice1other_cost_0_2_choice : boolean;
+    variable coarseslice1other_cost_0_3_choice, coarseslice1other_cost_0_4_choice : boolean;
+    variable coarseslice1other_cost_0_5_choice, coarseslice1other_cost_0_6_choice : boolean;
     variable coarseslice1winner1_best_cost_0_0_is_less, coarseslice1winner1_best_cost_0_1_is_less : boolean;
     variable coarseslice1winner1_best_cost_0_2_is_less, coarseslice1winner2_best_cost_0_0_is_less : boolean;
     variable coarseslice1winner2_best_cost_0_1_is_less, coarseslice1winner3_best_cost_0_0_is_less : boolean;
@@ -2885,189 +2885,6 @@ begin
     variable coarseraster_place_group_choice_3, coarseraster_place_group_choice_4 : natural range 0 to 127;
     variable ranges_row_choice, targets_walk_place_choice, targets_walk_place_choice_2 : natural range 0 to 127;
     variable bases_address_0_choice_2 : natural range 0 to 127;
-    variable coarseslice0other_cost_0_0_choice, coarseslice0other_cost_0_0_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_0_choice_3, coarseslice0other_cost_0_0_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_0_choice_5, coarseslice0other_cost_0_0_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_1_choice, coarseslice0other_cost_0_1_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_1_choice_3, coarseslice0other_cost_0_1_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_1_choice_5, coarseslice0other_cost_0_1_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_2_choice, coarseslice0other_cost_0_2_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_2_choice_3, coarseslice0other_cost_0_2_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_2_choice_5, coarseslice0other_cost_0_2_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_3_choice, coarseslice0other_cost_0_3_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_3_choice_3, coarseslice0other_cost_0_3_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_3_choice_5, coarseslice0other_cost_0_3_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_4_choice, coarseslice0other_cost_0_4_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_4_choice_3, coarseslice0other_cost_0_4_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_4_choice_5, coarseslice0other_cost_0_4_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_5_choice, coarseslice0other_cost_0_5_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_5_choice_3, coarseslice0other_cost_0_5_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_5_choice_5, coarseslice0other_cost_0_5_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_6_choice, coarseslice0other_cost_0_6_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_6_choice_3, coarseslice0other_cost_0_6_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_6_choice_5, coarseslice0other_cost_0_6_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_7_choice, coarseslice0other_cost_0_7_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_7_choice_3, coarseslice0other_cost_0_7_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_7_choice_5, coarseslice0other_cost_0_7_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_8_choice, coarseslice0other_cost_0_8_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_8_choice_3, coarseslice0other_cost_0_8_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_8_choice_5, coarseslice0other_cost_0_8_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_9_choice, coarseslice0other_cost_0_9_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_9_choice_3, coarseslice0other_cost_0_9_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_9_choice_5, coarseslice0other_cost_0_9_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_10_choice, coarseslice0other_cost_0_10_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_10_choice_3, coarseslice0other_cost_0_10_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_10_choice_5, coarseslice0other_cost_0_10_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_11_choice, coarseslice0other_cost_0_11_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_11_choice_3, coarseslice0other_cost_0_11_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_11_choice_5, coarseslice0other_cost_0_11_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_12_choice, coarseslice0other_cost_0_12_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_12_choice_3, coarseslice0other_cost_0_12_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_12_choice_5, coarseslice0other_cost_0_12_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_13_choice, coarseslice0other_cost_0_13_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_13_choice_3, coarseslice0other_cost_0_13_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_13_choice_5, coarseslice0other_cost_0_13_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_14_choice, coarseslice0other_cost_0_14_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_14_choice_3, coarseslice0other_cost_0_14_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_14_choice_5, coarseslice0other_cost_0_14_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_15_choice, coarseslice0other_cost_0_15_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_15_choice_3, coarseslice0other_cost_0_15_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_15_choice_5, coarseslice0other_cost_0_15_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_16_choice, coarseslice0other_cost_0_16_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_16_choice_3, coarseslice0other_cost_0_16_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_16_choice_5, coarseslice0other_cost_0_16_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_17_choice, coarseslice0other_cost_0_17_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_17_choice_3, coarseslice0other_cost_0_17_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_17_choice_5, coarseslice0other_cost_0_17_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_18_choice, coarseslice0other_cost_0_18_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_18_choice_3, coarseslice0other_cost_0_18_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_18_choice_5, coarseslice0other_cost_0_18_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_19_choice, coarseslice0other_cost_0_19_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_19_choice_3, coarseslice0other_cost_0_19_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_19_choice_5, coarseslice0other_cost_0_19_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_20_choice, coarseslice0other_cost_0_20_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_20_choice_3, coarseslice0other_cost_0_20_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_20_choice_5, coarseslice0other_cost_0_20_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_21_choice, coarseslice0other_cost_0_21_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_21_choice_3, coarseslice0other_cost_0_21_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_21_choice_5, coarseslice0other_cost_0_21_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_22_choice, coarseslice0other_cost_0_22_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_22_choice_3, coarseslice0other_cost_0_22_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_22_choice_5, coarseslice0other_cost_0_22_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_23_choice, coarseslice0other_cost_0_23_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_23_choice_3, coarseslice0other_cost_0_23_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_24_choice, coarseslice0other_cost_0_24_choice_2 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_1_choice, coarseslice1other_cost_0_1_choice_2 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_1_choice_3, coarseslice1other_cost_0_1_choice_4 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_1_choice_5, coarseslice1other_cost_0_2_choice : natural range 0 to 294;
-    variable coarseslice1other_cost_0_2_choice_2, coarseslice1other_cost_0_2_choice_3 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_2_choice_4, coarseslice1other_cost_0_2_choice_5 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_3_choice, coarseslice1other_cost_0_3_choice_2 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_3_choice_3, coarseslice1other_cost_0_3_choice_4 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_3_choice_5, coarseslice1other_cost_0_4_choice : natural range 0 to 294;
-    variable coarseslice1other_cost_0_4_choice_2, coarseslice1other_cost_0_4_choice_3 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_4_choice_4, coarseslice1other_cost_0_4_choice_5 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_5_choice, coarseslice1other_cost_0_5_choice_2 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_5_choice_3, coarseslice1other_cost_0_5_choice_4 : natural range 0 to 294;
-    variable coarseslice1other_cost_0_5_choice_5, coarseslice1other_cost_0_6_choice : natural range 0 to 294;
-    variable coarseslice1other_cost_0_6_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_winner_0_0_choice, coarseslice0other_winner_0_0_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_0_choice_3, coarseslice0other_winner_0_0_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_0_choice_5, coarseslice0other_winner_0_0_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_1_choice, coarseslice0other_winner_0_1_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_1_choice_3, coarseslice0other_winner_0_1_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_1_choice_5, coarseslice0other_winner_0_1_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_2_choice, coarseslice0other_winner_0_2_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_2_choice_3, coarseslice0other_winner_0_2_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_2_choice_5, coarseslice0other_winner_0_2_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_3_choice, coarseslice0other_winner_0_3_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_3_choice_3, coarseslice0other_winner_0_3_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_3_choice_5, coarseslice0other_winner_0_3_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_4_choice, coarseslice0other_winner_0_4_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_4_choice_3, coarseslice0other_winner_0_4_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_4_choice_5, coarseslice0other_winner_0_4_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_5_choice, coarseslice0other_winner_0_5_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_5_choice_3, coarseslice0other_winner_0_5_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_5_choice_5, coarseslice0other_winner_0_5_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_6_choice, coarseslice0other_winner_0_6_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_6_choice_3, coarseslice0other_winner_0_6_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_6_choice_5, coarseslice0other_winner_0_6_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_7_choice, coarseslice0other_winner_0_7_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_7_choice_3, coarseslice0other_winner_0_7_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_7_choice_5, coarseslice0other_winner_0_7_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_8_choice, coarseslice0other_winner_0_8_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_8_choice_3, coarseslice0other_winner_0_8_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_8_choice_5, coarseslice0other_winner_0_8_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_9_choice, coarseslice0other_winner_0_9_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_9_choice_3, coarseslice0other_winner_0_9_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_9_choice_5, coarseslice0other_winner_0_9_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_10_choice, coarseslice0other_winner_0_10_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_10_choice_3, coarseslice0other_winner_0_10_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_10_choice_5, coarseslice0other_winner_0_10_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_11_choice, coarseslice0other_winner_0_11_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_11_choice_3, coarseslice0other_winner_0_11_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_11_choice_5, coarseslice0other_winner_0_11_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_12_choice, coarseslice0other_winner_0_12_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_12_choice_3, coarseslice0other_winner_0_12_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_12_choice_5, coarseslice0other_winner_0_12_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_13_choice, coarseslice0other_winner_0_13_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_13_choice_3, coarseslice0other_winner_0_13_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_13_choice_5, coarseslice0other_winner_0_13_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_14_choice, coarseslice0other_winner_0_14_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_14_choice_3, coarseslice0other_winner_0_14_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_14_choice_5, coarseslice0other_winner_0_14_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_15_choice, coarseslice0other_winner_0_15_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_15_choice_3, coarseslice0other_winner_0_15_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_15_choice_5, coarseslice0other_winner_0_15_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_16_choice, coarseslice0other_winner_0_16_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_16_choice_3, coarseslice0other_winner_0_16_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_16_choice_5, coarseslice0other_winner_0_16_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_17_choice, coarseslice0other_winner_0_17_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_17_choice_3, coarseslice0other_winner_0_17_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_17_choice_5, coarseslice0other_winner_0_17_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_18_choice, coarseslice0other_winner_0_18_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_18_choice_3, coarseslice0other_winner_0_18_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_18_choice_5, coarseslice0other_winner_0_18_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_19_choice, coarseslice0other_winner_0_19_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_19_choice_3, coarseslice0other_winner_0_19_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_19_choice_5, coarseslice0other_winner_0_19_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_20_choice, coarseslice0other_winner_0_20_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_20_choice_3, coarseslice0other_winner_0_20_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_20_choice_5, coarseslice0other_winner_0_20_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_21_choice, coarseslice0other_winner_0_21_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_21_choice_3, coarseslice0other_winner_0_21_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_21_choice_5, coarseslice0other_winner_0_21_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_22_choice, coarseslice0other_winner_0_22_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_22_choice_3, coarseslice0other_winner_0_22_choice_4 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_22_choice_5, coarseslice0other_winner_0_22_choice_6 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_23_choice, coarseslice0other_winner_0_23_choice_2 : natural range 0 to 31;
-    variable coarseslice0other_winner_0_24_choice, coarseslice0other_winner_0_24_choice_2 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_0_choice, coarseslice1other_winner_0_0_choice_2 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_0_choice_3, coarseslice1other_winner_0_0_choice_4 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_0_choice_5, coarseslice1other_winner_0_1_choice : natural range 0 to 31;
-    variable coarseslice1other_winner_0_1_choice_2, coarseslice1other_winner_0_1_choice_3 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_1_choice_4, coarseslice1other_winner_0_1_choice_5 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_2_choice, coarseslice1other_winner_0_2_choice_2 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_2_choice_3, coarseslice1other_winner_0_2_choice_4 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_2_choice_5, coarseslice1other_winner_0_3_choice : natural range 0 to 31;
-    variable coarseslice1other_winner_0_3_choice_2, coarseslice1other_winner_0_3_choice_3 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_3_choice_4, coarseslice1other_winner_0_3_choice_5 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_4_choice, coarseslice1other_winner_0_4_choice_2 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_4_choice_3, coarseslice1other_winner_0_4_choice_4 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_4_choice_5, coarseslice1other_winner_0_5_choice : natural range 0 to 31;
-    variable coarseslice1other_winner_0_5_choice_2, coarseslice1other_winner_0_5_choice_3 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_5_choice_4, coarseslice1other_winner_0_5_choice_5 : natural range 0 to 31;
-    variable coarseslice1other_winner_0_6_choice, coarseslice1other_winner_0_6_choice_2 : natural range 0 to 31;
-    variable ranges_pair_0_choice_7, ranges_pair_0_choice_17, ranges_range_choice_7 : natural range 0 to 31;
-    variable ranges_range_choice_14, targets_column_range_choice_38 : natural range 0 to 31;
-    variable targets_column_range_value_21, targets_column_range_choice_59 : natural range 0 to 31;
-    variable targets_column_range_choice_60, targets_column_range_value_22 : natural range 0 to 31;
-    variable targets_column_range_choice_61, targets_column_range_choice_62 : natural range 0 to 31;
-    variable targets_column_range_choice_65, targets_column_range_choice_76 : natural range 0 to 31;
-    variable targets_column_range_choice_77, targets_column_range_choice_78 : natural range 0 to 31;
-    variable targets_around_choice_23, targets_around_choice_31, targets_around_choice_33 : natural range 0 to 31;
-    variable targets_around_choice_48, targets_around_choice_49, rows_address_0_value_2 : natural range 0 to 31;
-    variable rows_address_4_value_2, rows_address_8_value_2, rows_address_12_value_2 : natural range 0 to 31;
     variable coarseleftright_checked_passed_0_difference : integer range -30 to 64;
     variable ranges_counts_sum : natural range 1 to 32;
     variable ranges_counts_difference, ranges_counts_difference_2, ranges_counts_difference_3 : integer range -30 to 32;
@@ -3104,6 +2921,16 @@ begin
     variable highwinner3_best_below_0_1_choice, highwinner3_best_above_0_0_choice : natural range 0 to 2047;
     variable highwinner3_best_above_0_1_choice, highwinner4_best_below_0_0_choice : natural range 0 to 2047;
     variable highwinner4_best_above_0_0_choice, refinement_divisor_0_0_choice : natural range 0 to 2047;
+    variable ranges_pair_0_choice_7, ranges_pair_0_choice_17, ranges_range_choice_7 : natural range 0 to 31;
+    variable ranges_range_choice_14, targets_column_range_choice_38 : natural range 0 to 31;
+    variable targets_column_range_value_21, targets_column_range_choice_59 : natural range 0 to 31;
+    variable targets_column_range_choice_60, targets_column_range_value_22 : natural range 0 to 31;
+    variable targets_column_range_choice_61, targets_column_range_choice_62 : natural range 0 to 31;
+    variable targets_column_range_choice_65, targets_column_range_choice_76 : natural range 0 to 31;
+    variable targets_column_range_choice_77, targets_column_range_choice_78 : natural range 0 to 31;
+    variable targets_around_choice_23, targets_around_choice_31, targets_around_choice_33 : natural range 0 to 31;
+    variable targets_around_choice_48, targets_around_choice_49, rows_address_0_value_2 : natural range 0 to 31;
+    variable rows_address_4_value_2, rows_address_8_value_2, rows_address_12_value_2 : natural range 0 to 31;
     variable ranges_pair_0_choice_16, targets_around_choice_29, targets_around_choice_30 : natural range 0 to 63;
     variable rows_write_word_choice, rows_write_word_choice_2, rows_write_word_choice_3 : natural range 0 to 63;
     variable targets_column_range_value_10, targets_column_range_choice_35 : natural range 0 to 1023;
@@ -3140,7 +2967,7 @@ begin
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
-    variable other_25_choice : natural range 95 to 127;
+    variable other_29_choice : natural range 95 to 127;
   begin
     if rising_edge(clock) then
       -- coarse
@@ -3240,9 +3067,9 @@ begin
         ((coarsetransform_counter_column / 128) = 1) or (((coarsetransform_counter_column / 64) mod 2) = 1) or
         (((coarsetransform_counter_column / 32) mod 2) = 1);
       coarsetransform_from_first_0_value := ((coarsetransform_centre_group / 4) mod 2) = 1;
-      coarsetransform_from_first_0_differs := (other_25 / 2) /= 0;
-      coarsetransform_up_to_last_0_choice := ((other_25 / 128) = 1) and ((((other_25 / 64) mod 2) = 1) or (((other_25 /
-        32) mod 2) = 1)) when ((other_25 / 2) mod 16) = 15 else (other_25 / 64) = 3;
+      coarsetransform_from_first_0_differs := (other_29 / 2) /= 0;
+      coarsetransform_up_to_last_0_choice := ((other_29 / 128) = 1) and ((((other_29 / 64) mod 2) = 1) or (((other_29 /
+        32) mod 2) = 1)) when ((other_29 / 2) mod 16) = 15 else (other_29 / 64) = 3;
       coarsetransform_left_0 <= coarse_pixels_out_left;
       coarsetransform_right_0 <= coarse_pixels_out_right;
       coarsetransform_valid <= coarse_pixels_out_valid;
@@ -3279,8 +3106,8 @@ begin
       coarsetransform_right_column_3 <= to_integer(coarsetransform_right_rows_ready_words_0(31 downto 24));
       coarsetransform_right_column_4 <= coarsetransform_right_rows_ready_newest_0;
       coarsetransform_columns_inside_0 <= coarsetransform_up_to_last_0 and coarsetransform_from_first_0;
-      coarsetransform_columns_start_of_frame <= (other_24 mod 2) = 1;
-      coarsetransform_columns_valid <= (other_24 / 256) = 1;
+      coarsetransform_columns_start_of_frame <= (other_30 mod 2) = 1;
+      coarsetransform_columns_valid <= (other_30 / 256) = 1;
       coarsetransform_left_code_column_centre <= coarsetransform_left_column_2;
       coarsetransform_left_code_column_near <= coarsetransform_left_column_1 + coarsetransform_left_column_3;
       coarsetransform_left_code_column_outer <= (510 - coarsetransform_left_column_0) - coarsetransform_left_column_4;
@@ -3321,7 +3148,7 @@ begin
         coarsetransform_left_code_row_after_1) mod 16384;
       coarsetransform_left_code_row_odd_2 <= (coarsetransform_left_code_row_before_2 -
         coarsetransform_left_code_row_after_2) mod 16384;
-      coarsetransform_left_code_row_signs <= ((other_20 / 8192) * 2) + (other_21 / 8192) +
+      coarsetransform_left_code_row_signs <= ((other_26 / 8192) * 2) + (other_27 / 8192) +
         ((((coarsetransform_left_code_row_even_2 + coarsetransform_left_code_row_odd_1) mod 16384) / 8192) * 8) +
         ((((coarsetransform_left_code_row_odd_1 - coarsetransform_left_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((coarsetransform_left_code_row_even_1 - coarsetransform_left_code_row_odd_2) mod 16384) / 8192) * 4) +
@@ -3369,7 +3196,7 @@ begin
         coarsetransform_right_code_row_after_1) mod 16384;
       coarsetransform_right_code_row_odd_2 <= (coarsetransform_right_code_row_before_2 -
         coarsetransform_right_code_row_after_2) mod 16384;
-      coarsetransform_right_code_row_signs <= ((other_17 / 8192) * 2) + (other_18 / 8192) +
+      coarsetransform_right_code_row_signs <= ((other_23 / 8192) * 2) + (other_24 / 8192) +
         ((((coarsetransform_right_code_row_even_2 + coarsetransform_right_code_row_odd_1) mod 16384) / 8192) * 8) +
         ((((coarsetransform_right_code_row_odd_1 - coarsetransform_right_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((coarsetransform_right_code_row_even_1 - coarsetransform_right_code_row_odd_2) mod 16384) / 8192) * 4) +
@@ -3397,7 +3224,7 @@ begin
         coarsetransform_counter_column <= 0 when coarsetransform_counter_group_is_equal or coarse_pixels_out_start else
           (coarsetransform_counter_column + 1) mod 256;
       end if;
-      if (other_24 / 256) = 1 then
+      if (other_30 / 256) = 1 then
         coarsetransform_left_rows_write_words_0 <= to_unsigned(coarsetransform_left_rows_ready_newest_0, 8) &
           coarsetransform_left_rows_ready_words_0(31 downto 8);
         coarsetransform_right_rows_write_words_0 <= to_unsigned(coarsetransform_right_rows_ready_newest_0, 8) &
@@ -5752,685 +5579,135 @@ begin
         coarseslice0window_tag_end_of_line <= coarseslice1window_centre_end_of_line_1;
       end if;
       -- coarseslice0other
-      coarseslice0other_cost_0_0_all := ((coarseslice0other_cost_0_24 - coarseslice0window_sum_0_23) < 0) and (not
-        coarseslice1window_centre_first_column_2) and coarseslice1window_centre_output_column_2;
-      coarseslice0other_cost_0_0_is_not_less := (coarseslice0other_cost_0_1 - coarseslice0window_sum_0_0) >= 0;
-      coarseslice0other_cost_0_0_choice := coarseslice0window_sum_0_0 when coarseslice0other_cost_0_0_is_not_less else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_0_choice_2 := coarseslice0other_cost_0_0_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_0;
-      coarseslice0other_cost_0_0_all_2 := ((coarseslice0other_cost_0_24 - coarseslice0window_sum_0_23) >= 0) and (not
-        coarseslice1window_centre_first_column_2) and coarseslice1window_centre_output_column_2;
-      coarseslice0other_cost_0_0_choice_3 := coarseslice0window_sum_0_0 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_0;
-      coarseslice0other_cost_0_0_choice_4 := coarseslice0other_cost_0_1 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_0;
-      coarseslice0other_cost_0_0_choice_5 := coarseslice0other_cost_0_0_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_0_choice_4;
-      coarseslice0other_cost_0_0_choice_6 := coarseslice0other_cost_0_0_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_0_choice_5;
-      coarseslice0other_cost_0_1_is_not_less := (coarseslice0other_cost_0_2 - coarseslice0window_sum_0_1) >= 0;
-      coarseslice0other_cost_0_1_choice := coarseslice0window_sum_0_1 when coarseslice0other_cost_0_1_is_not_less else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_1_choice_2 := coarseslice0other_cost_0_1_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_choice_3 := coarseslice0window_sum_0_1 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_choice_4 := coarseslice0other_cost_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_choice_5 := coarseslice0other_cost_0_1_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_1_choice_4;
-      coarseslice0other_cost_0_1_choice_6 := coarseslice0other_cost_0_1_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_1_choice_5;
-      coarseslice0other_cost_0_2_is_not_less := (coarseslice0other_cost_0_3 - coarseslice0window_sum_0_2) >= 0;
-      coarseslice0other_cost_0_2_choice := coarseslice0window_sum_0_2 when coarseslice0other_cost_0_2_is_not_less else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_2_choice_2 := coarseslice0other_cost_0_2_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_3 := coarseslice0window_sum_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_4 := coarseslice0other_cost_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_5 := coarseslice0other_cost_0_2_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_2_choice_4;
-      coarseslice0other_cost_0_2_choice_6 := coarseslice0other_cost_0_2_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_2_choice_5;
-      coarseslice0other_cost_0_3_is_not_less := (coarseslice0other_cost_0_4 - coarseslice0window_sum_0_3) >= 0;
-      coarseslice0other_cost_0_3_choice := coarseslice0window_sum_0_3 when coarseslice0other_cost_0_3_is_not_less else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_3_choice_2 := coarseslice0other_cost_0_3_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_3 := coarseslice0window_sum_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_4 := coarseslice0other_cost_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_5 := coarseslice0other_cost_0_3_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_3_choice_4;
-      coarseslice0other_cost_0_3_choice_6 := coarseslice0other_cost_0_3_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_3_choice_5;
-      coarseslice0other_cost_0_4_is_not_less := (coarseslice0other_cost_0_5 - coarseslice0window_sum_0_4) >= 0;
-      coarseslice0other_cost_0_4_choice := coarseslice0window_sum_0_4 when coarseslice0other_cost_0_4_is_not_less else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_4_choice_2 := coarseslice0other_cost_0_4_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_3 := coarseslice0window_sum_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_4 := coarseslice0other_cost_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_5 := coarseslice0other_cost_0_4_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_4_choice_4;
-      coarseslice0other_cost_0_4_choice_6 := coarseslice0other_cost_0_4_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_4_choice_5;
-      coarseslice0other_cost_0_5_is_not_less := (coarseslice0other_cost_0_6 - coarseslice0window_sum_0_5) >= 0;
-      coarseslice0other_cost_0_5_choice := coarseslice0window_sum_0_5 when coarseslice0other_cost_0_5_is_not_less else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_5_choice_2 := coarseslice0other_cost_0_5_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_3 := coarseslice0window_sum_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_4 := coarseslice0other_cost_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_5 := coarseslice0other_cost_0_5_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_5_choice_4;
-      coarseslice0other_cost_0_5_choice_6 := coarseslice0other_cost_0_5_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_5_choice_5;
-      coarseslice0other_cost_0_6_is_not_less := (coarseslice0other_cost_0_7 - coarseslice0window_sum_0_6) >= 0;
-      coarseslice0other_cost_0_6_choice := coarseslice0window_sum_0_6 when coarseslice0other_cost_0_6_is_not_less else
-        coarseslice0other_cost_0_7;
-      coarseslice0other_cost_0_6_choice_2 := coarseslice0other_cost_0_6_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_6_choice_3 := coarseslice0window_sum_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_6_choice_4 := coarseslice0other_cost_0_7 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_6_choice_5 := coarseslice0other_cost_0_6_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_6_choice_4;
-      coarseslice0other_cost_0_6_choice_6 := coarseslice0other_cost_0_6_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_6_choice_5;
-      coarseslice0other_cost_0_7_is_not_less := (coarseslice0other_cost_0_8 - coarseslice0window_sum_0_7) >= 0;
-      coarseslice0other_cost_0_7_choice := coarseslice0window_sum_0_7 when coarseslice0other_cost_0_7_is_not_less else
-        coarseslice0other_cost_0_8;
-      coarseslice0other_cost_0_7_choice_2 := coarseslice0other_cost_0_7_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_7;
-      coarseslice0other_cost_0_7_choice_3 := coarseslice0window_sum_0_7 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_7;
-      coarseslice0other_cost_0_7_choice_4 := coarseslice0other_cost_0_8 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_7;
-      coarseslice0other_cost_0_7_choice_5 := coarseslice0other_cost_0_7_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_7_choice_4;
-      coarseslice0other_cost_0_7_choice_6 := coarseslice0other_cost_0_7_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_7_choice_5;
-      coarseslice0other_cost_0_8_is_not_less := (coarseslice0other_cost_0_9 - coarseslice0window_sum_0_8) >= 0;
-      coarseslice0other_cost_0_8_choice := coarseslice0window_sum_0_8 when coarseslice0other_cost_0_8_is_not_less else
-        coarseslice0other_cost_0_9;
-      coarseslice0other_cost_0_8_choice_2 := coarseslice0other_cost_0_8_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_8;
-      coarseslice0other_cost_0_8_choice_3 := coarseslice0window_sum_0_8 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_8;
-      coarseslice0other_cost_0_8_choice_4 := coarseslice0other_cost_0_9 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_8;
-      coarseslice0other_cost_0_8_choice_5 := coarseslice0other_cost_0_8_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_8_choice_4;
-      coarseslice0other_cost_0_8_choice_6 := coarseslice0other_cost_0_8_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_8_choice_5;
-      coarseslice0other_cost_0_9_is_not_less := (coarseslice0other_cost_0_10 - coarseslice0window_sum_0_9) >= 0;
-      coarseslice0other_cost_0_9_choice := coarseslice0window_sum_0_9 when coarseslice0other_cost_0_9_is_not_less else
-        coarseslice0other_cost_0_10;
-      coarseslice0other_cost_0_9_choice_2 := coarseslice0other_cost_0_9_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_9;
-      coarseslice0other_cost_0_9_choice_3 := coarseslice0window_sum_0_9 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_9;
-      coarseslice0other_cost_0_9_choice_4 := coarseslice0other_cost_0_10 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_9;
-      coarseslice0other_cost_0_9_choice_5 := coarseslice0other_cost_0_9_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_9_choice_4;
-      coarseslice0other_cost_0_9_choice_6 := coarseslice0other_cost_0_9_choice_2 when coarseslice0other_cost_0_0_all_2
-        else coarseslice0other_cost_0_9_choice_5;
-      coarseslice0other_cost_0_10_is_not_less := (coarseslice0other_cost_0_11 - coarseslice0window_sum_0_10) >= 0;
-      coarseslice0other_cost_0_10_choice := coarseslice0window_sum_0_10 when coarseslice0other_cost_0_10_is_not_less
-        else coarseslice0other_cost_0_11;
-      coarseslice0other_cost_0_10_choice_2 := coarseslice0other_cost_0_10_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_10;
-      coarseslice0other_cost_0_10_choice_3 := coarseslice0window_sum_0_10 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_10;
-      coarseslice0other_cost_0_10_choice_4 := coarseslice0other_cost_0_11 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_10;
-      coarseslice0other_cost_0_10_choice_5 := coarseslice0other_cost_0_10_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_10_choice_4;
-      coarseslice0other_cost_0_10_choice_6 := coarseslice0other_cost_0_10_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_10_choice_5;
-      coarseslice0other_cost_0_11_is_not_less := (coarseslice0other_cost_0_12 - coarseslice0window_sum_0_11) >= 0;
-      coarseslice0other_cost_0_11_choice := coarseslice0window_sum_0_11 when coarseslice0other_cost_0_11_is_not_less
-        else coarseslice0other_cost_0_12;
-      coarseslice0other_cost_0_11_choice_2 := coarseslice0other_cost_0_11_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_11;
-      coarseslice0other_cost_0_11_choice_3 := coarseslice0window_sum_0_11 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_11;
-      coarseslice0other_cost_0_11_choice_4 := coarseslice0other_cost_0_12 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_11;
-      coarseslice0other_cost_0_11_choice_5 := coarseslice0other_cost_0_11_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_11_choice_4;
-      coarseslice0other_cost_0_11_choice_6 := coarseslice0other_cost_0_11_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_11_choice_5;
-      coarseslice0other_cost_0_12_is_not_less := (coarseslice0other_cost_0_13 - coarseslice0window_sum_0_12) >= 0;
-      coarseslice0other_cost_0_12_choice := coarseslice0window_sum_0_12 when coarseslice0other_cost_0_12_is_not_less
-        else coarseslice0other_cost_0_13;
-      coarseslice0other_cost_0_12_choice_2 := coarseslice0other_cost_0_12_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_12;
-      coarseslice0other_cost_0_12_choice_3 := coarseslice0window_sum_0_12 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_12;
-      coarseslice0other_cost_0_12_choice_4 := coarseslice0other_cost_0_13 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_12;
-      coarseslice0other_cost_0_12_choice_5 := coarseslice0other_cost_0_12_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_12_choice_4;
-      coarseslice0other_cost_0_12_choice_6 := coarseslice0other_cost_0_12_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_12_choice_5;
-      coarseslice0other_cost_0_13_is_not_less := (coarseslice0other_cost_0_14 - coarseslice0window_sum_0_13) >= 0;
-      coarseslice0other_cost_0_13_choice := coarseslice0window_sum_0_13 when coarseslice0other_cost_0_13_is_not_less
-        else coarseslice0other_cost_0_14;
-      coarseslice0other_cost_0_13_choice_2 := coarseslice0other_cost_0_13_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_13;
-      coarseslice0other_cost_0_13_choice_3 := coarseslice0window_sum_0_13 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_13;
-      coarseslice0other_cost_0_13_choice_4 := coarseslice0other_cost_0_14 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_13;
-      coarseslice0other_cost_0_13_choice_5 := coarseslice0other_cost_0_13_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_13_choice_4;
-      coarseslice0other_cost_0_13_choice_6 := coarseslice0other_cost_0_13_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_13_choice_5;
-      coarseslice0other_cost_0_14_is_not_less := (coarseslice0other_cost_0_15 - coarseslice0window_sum_0_14) >= 0;
-      coarseslice0other_cost_0_14_choice := coarseslice0window_sum_0_14 when coarseslice0other_cost_0_14_is_not_less
-        else coarseslice0other_cost_0_15;
-      coarseslice0other_cost_0_14_choice_2 := coarseslice0other_cost_0_14_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_14;
-      coarseslice0other_cost_0_14_choice_3 := coarseslice0window_sum_0_14 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_14;
-      coarseslice0other_cost_0_14_choice_4 := coarseslice0other_cost_0_15 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_14;
-      coarseslice0other_cost_0_14_choice_5 := coarseslice0other_cost_0_14_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_14_choice_4;
-      coarseslice0other_cost_0_14_choice_6 := coarseslice0other_cost_0_14_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_14_choice_5;
-      coarseslice0other_cost_0_15_is_not_less := (coarseslice0other_cost_0_16 - coarseslice0window_sum_0_15) >= 0;
-      coarseslice0other_cost_0_15_choice := coarseslice0window_sum_0_15 when coarseslice0other_cost_0_15_is_not_less
-        else coarseslice0other_cost_0_16;
-      coarseslice0other_cost_0_15_choice_2 := coarseslice0other_cost_0_15_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_15;
-      coarseslice0other_cost_0_15_choice_3 := coarseslice0window_sum_0_15 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_15;
-      coarseslice0other_cost_0_15_choice_4 := coarseslice0other_cost_0_16 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_15;
-      coarseslice0other_cost_0_15_choice_5 := coarseslice0other_cost_0_15_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_15_choice_4;
-      coarseslice0other_cost_0_15_choice_6 := coarseslice0other_cost_0_15_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_15_choice_5;
-      coarseslice0other_cost_0_16_is_not_less := (coarseslice0other_cost_0_17 - coarseslice0window_sum_0_16) >= 0;
-      coarseslice0other_cost_0_16_choice := coarseslice0window_sum_0_16 when coarseslice0other_cost_0_16_is_not_less
-        else coarseslice0other_cost_0_17;
-      coarseslice0other_cost_0_16_choice_2 := coarseslice0other_cost_0_16_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_16;
-      coarseslice0other_cost_0_16_choice_3 := coarseslice0window_sum_0_16 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_16;
-      coarseslice0other_cost_0_16_choice_4 := coarseslice0other_cost_0_17 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_16;
-      coarseslice0other_cost_0_16_choice_5 := coarseslice0other_cost_0_16_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_16_choice_4;
-      coarseslice0other_cost_0_16_choice_6 := coarseslice0other_cost_0_16_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_16_choice_5;
-      coarseslice0other_cost_0_17_is_not_less := (coarseslice0other_cost_0_18 - coarseslice0window_sum_0_17) >= 0;
-      coarseslice0other_cost_0_17_choice := coarseslice0window_sum_0_17 when coarseslice0other_cost_0_17_is_not_less
-        else coarseslice0other_cost_0_18;
-      coarseslice0other_cost_0_17_choice_2 := coarseslice0other_cost_0_17_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_17;
-      coarseslice0other_cost_0_17_choice_3 := coarseslice0window_sum_0_17 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_17;
-      coarseslice0other_cost_0_17_choice_4 := coarseslice0other_cost_0_18 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_17;
-      coarseslice0other_cost_0_17_choice_5 := coarseslice0other_cost_0_17_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_17_choice_4;
-      coarseslice0other_cost_0_17_choice_6 := coarseslice0other_cost_0_17_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_17_choice_5;
-      coarseslice0other_cost_0_18_is_not_less := (coarseslice0other_cost_0_19 - coarseslice0window_sum_0_18) >= 0;
-      coarseslice0other_cost_0_18_choice := coarseslice0window_sum_0_18 when coarseslice0other_cost_0_18_is_not_less
-        else coarseslice0other_cost_0_19;
-      coarseslice0other_cost_0_18_choice_2 := coarseslice0other_cost_0_18_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_18;
-      coarseslice0other_cost_0_18_choice_3 := coarseslice0window_sum_0_18 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_18;
-      coarseslice0other_cost_0_18_choice_4 := coarseslice0other_cost_0_19 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_18;
-      coarseslice0other_cost_0_18_choice_5 := coarseslice0other_cost_0_18_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_18_choice_4;
-      coarseslice0other_cost_0_18_choice_6 := coarseslice0other_cost_0_18_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_18_choice_5;
-      coarseslice0other_cost_0_19_is_not_less := (coarseslice0other_cost_0_20 - coarseslice0window_sum_0_19) >= 0;
-      coarseslice0other_cost_0_19_choice := coarseslice0window_sum_0_19 when coarseslice0other_cost_0_19_is_not_less
-        else coarseslice0other_cost_0_20;
-      coarseslice0other_cost_0_19_choice_2 := coarseslice0other_cost_0_19_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_19;
-      coarseslice0other_cost_0_19_choice_3 := coarseslice0window_sum_0_19 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_19;
-      coarseslice0other_cost_0_19_choice_4 := coarseslice0other_cost_0_20 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_19;
-      coarseslice0other_cost_0_19_choice_5 := coarseslice0other_cost_0_19_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_19_choice_4;
-      coarseslice0other_cost_0_19_choice_6 := coarseslice0other_cost_0_19_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_19_choice_5;
-      coarseslice0other_cost_0_20_is_not_less := (coarseslice0other_cost_0_21 - coarseslice0window_sum_0_20) >= 0;
-      coarseslice0other_cost_0_20_choice := coarseslice0window_sum_0_20 when coarseslice0other_cost_0_20_is_not_less
-        else coarseslice0other_cost_0_21;
-      coarseslice0other_cost_0_20_choice_2 := coarseslice0other_cost_0_20_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_20;
-      coarseslice0other_cost_0_20_choice_3 := coarseslice0window_sum_0_20 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_20;
-      coarseslice0other_cost_0_20_choice_4 := coarseslice0other_cost_0_21 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_20;
-      coarseslice0other_cost_0_20_choice_5 := coarseslice0other_cost_0_20_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_20_choice_4;
-      coarseslice0other_cost_0_20_choice_6 := coarseslice0other_cost_0_20_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_20_choice_5;
-      coarseslice0other_cost_0_21_is_not_less := (coarseslice0other_cost_0_22 - coarseslice0window_sum_0_21) >= 0;
-      coarseslice0other_cost_0_21_choice := coarseslice0window_sum_0_21 when coarseslice0other_cost_0_21_is_not_less
-        else coarseslice0other_cost_0_22;
-      coarseslice0other_cost_0_21_choice_2 := coarseslice0other_cost_0_21_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_21;
-      coarseslice0other_cost_0_21_choice_3 := coarseslice0window_sum_0_21 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_21;
-      coarseslice0other_cost_0_21_choice_4 := coarseslice0other_cost_0_22 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_21;
-      coarseslice0other_cost_0_21_choice_5 := coarseslice0other_cost_0_21_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_21_choice_4;
-      coarseslice0other_cost_0_21_choice_6 := coarseslice0other_cost_0_21_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_21_choice_5;
-      coarseslice0other_cost_0_22_is_not_less := (coarseslice0other_cost_0_23 - coarseslice0window_sum_0_22) >= 0;
-      coarseslice0other_cost_0_22_choice := coarseslice0window_sum_0_22 when coarseslice0other_cost_0_22_is_not_less
-        else coarseslice0other_cost_0_23;
-      coarseslice0other_cost_0_22_choice_2 := coarseslice0other_cost_0_22_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_22;
-      coarseslice0other_cost_0_22_choice_3 := coarseslice0window_sum_0_22 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_22;
-      coarseslice0other_cost_0_22_choice_4 := coarseslice0other_cost_0_23 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_22;
-      coarseslice0other_cost_0_22_choice_5 := coarseslice0other_cost_0_22_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_22_choice_4;
-      coarseslice0other_cost_0_22_choice_6 := coarseslice0other_cost_0_22_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_22_choice_5;
-      coarseslice0other_cost_0_23_choice := coarseslice0other_cost_0_24 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_23;
-      coarseslice0other_cost_0_23_choice_2 := coarseslice0window_sum_0_23 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_23;
-      coarseslice0other_cost_0_23_choice_3 := coarseslice0other_cost_0_23_choice_2 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_cost_0_23_choice;
-      coarseslice0other_cost_0_23_choice_4 := coarseslice0other_cost_0_23_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_cost_0_23_choice_3;
-      coarseslice0other_winner_0_0_choice := 7 when coarseslice0other_cost_0_0_is_not_less else
-        coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_0_choice_2 := coarseslice0other_winner_0_0_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_3 := 7 when coarseslice0window_tag_valid else coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_4 := coarseslice0other_winner_0_1 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_5 := coarseslice0other_winner_0_0_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_0_choice_4;
-      coarseslice0other_winner_0_0_choice_6 := coarseslice0other_winner_0_0_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_0_choice_5;
-      coarseslice0other_winner_0_1_choice := 8 when coarseslice0other_cost_0_1_is_not_less else
-        coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_1_choice_2 := coarseslice0other_winner_0_1_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_3 := 8 when coarseslice0window_tag_valid else coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_4 := coarseslice0other_winner_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_5 := coarseslice0other_winner_0_1_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_1_choice_4;
-      coarseslice0other_winner_0_1_choice_6 := coarseslice0other_winner_0_1_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_1_choice_5;
-      coarseslice0other_winner_0_2_choice := 9 when coarseslice0other_cost_0_2_is_not_less else
-        coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_2_choice_2 := coarseslice0other_winner_0_2_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_3 := 9 when coarseslice0window_tag_valid else coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_4 := coarseslice0other_winner_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_5 := coarseslice0other_winner_0_2_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_2_choice_4;
-      coarseslice0other_winner_0_2_choice_6 := coarseslice0other_winner_0_2_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_2_choice_5;
-      coarseslice0other_winner_0_3_choice := 10 when coarseslice0other_cost_0_3_is_not_less else
-        coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_3_choice_2 := coarseslice0other_winner_0_3_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_3 := 10 when coarseslice0window_tag_valid else coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_4 := coarseslice0other_winner_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_5 := coarseslice0other_winner_0_3_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_3_choice_4;
-      coarseslice0other_winner_0_3_choice_6 := coarseslice0other_winner_0_3_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_3_choice_5;
-      coarseslice0other_winner_0_4_choice := 11 when coarseslice0other_cost_0_4_is_not_less else
-        coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_4_choice_2 := coarseslice0other_winner_0_4_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_3 := 11 when coarseslice0window_tag_valid else coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_4 := coarseslice0other_winner_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_5 := coarseslice0other_winner_0_4_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_4_choice_4;
-      coarseslice0other_winner_0_4_choice_6 := coarseslice0other_winner_0_4_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_4_choice_5;
-      coarseslice0other_winner_0_5_choice := 12 when coarseslice0other_cost_0_5_is_not_less else
-        coarseslice0other_winner_0_6;
-      coarseslice0other_winner_0_5_choice_2 := coarseslice0other_winner_0_5_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_3 := 12 when coarseslice0window_tag_valid else coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_4 := coarseslice0other_winner_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_5 := coarseslice0other_winner_0_5_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_5_choice_4;
-      coarseslice0other_winner_0_5_choice_6 := coarseslice0other_winner_0_5_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_5_choice_5;
-      coarseslice0other_winner_0_6_choice := 13 when coarseslice0other_cost_0_6_is_not_less else
-        coarseslice0other_winner_0_7;
-      coarseslice0other_winner_0_6_choice_2 := coarseslice0other_winner_0_6_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_6;
-      coarseslice0other_winner_0_6_choice_3 := 13 when coarseslice0window_tag_valid else coarseslice0other_winner_0_6;
-      coarseslice0other_winner_0_6_choice_4 := coarseslice0other_winner_0_7 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_6;
-      coarseslice0other_winner_0_6_choice_5 := coarseslice0other_winner_0_6_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_6_choice_4;
-      coarseslice0other_winner_0_6_choice_6 := coarseslice0other_winner_0_6_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_6_choice_5;
-      coarseslice0other_winner_0_7_choice := 14 when coarseslice0other_cost_0_7_is_not_less else
-        coarseslice0other_winner_0_8;
-      coarseslice0other_winner_0_7_choice_2 := coarseslice0other_winner_0_7_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_7;
-      coarseslice0other_winner_0_7_choice_3 := 14 when coarseslice0window_tag_valid else coarseslice0other_winner_0_7;
-      coarseslice0other_winner_0_7_choice_4 := coarseslice0other_winner_0_8 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_7;
-      coarseslice0other_winner_0_7_choice_5 := coarseslice0other_winner_0_7_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_7_choice_4;
-      coarseslice0other_winner_0_7_choice_6 := coarseslice0other_winner_0_7_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_7_choice_5;
-      coarseslice0other_winner_0_8_choice := 15 when coarseslice0other_cost_0_8_is_not_less else
-        coarseslice0other_winner_0_9;
-      coarseslice0other_winner_0_8_choice_2 := coarseslice0other_winner_0_8_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_8;
-      coarseslice0other_winner_0_8_choice_3 := 15 when coarseslice0window_tag_valid else coarseslice0other_winner_0_8;
-      coarseslice0other_winner_0_8_choice_4 := coarseslice0other_winner_0_9 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_8;
-      coarseslice0other_winner_0_8_choice_5 := coarseslice0other_winner_0_8_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_8_choice_4;
-      coarseslice0other_winner_0_8_choice_6 := coarseslice0other_winner_0_8_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_8_choice_5;
-      coarseslice0other_winner_0_9_choice := 16 when coarseslice0other_cost_0_9_is_not_less else
-        coarseslice0other_winner_0_10;
-      coarseslice0other_winner_0_9_choice_2 := coarseslice0other_winner_0_9_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_9;
-      coarseslice0other_winner_0_9_choice_3 := 16 when coarseslice0window_tag_valid else coarseslice0other_winner_0_9;
-      coarseslice0other_winner_0_9_choice_4 := coarseslice0other_winner_0_10 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_9;
-      coarseslice0other_winner_0_9_choice_5 := coarseslice0other_winner_0_9_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_9_choice_4;
-      coarseslice0other_winner_0_9_choice_6 := coarseslice0other_winner_0_9_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_9_choice_5;
-      coarseslice0other_winner_0_10_choice := 17 when coarseslice0other_cost_0_10_is_not_less else
-        coarseslice0other_winner_0_11;
-      coarseslice0other_winner_0_10_choice_2 := coarseslice0other_winner_0_10_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_10;
-      coarseslice0other_winner_0_10_choice_3 := 17 when coarseslice0window_tag_valid else coarseslice0other_winner_0_10;
-      coarseslice0other_winner_0_10_choice_4 := coarseslice0other_winner_0_11 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_10;
-      coarseslice0other_winner_0_10_choice_5 := coarseslice0other_winner_0_10_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_10_choice_4;
-      coarseslice0other_winner_0_10_choice_6 := coarseslice0other_winner_0_10_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_10_choice_5;
-      coarseslice0other_winner_0_11_choice := 18 when coarseslice0other_cost_0_11_is_not_less else
-        coarseslice0other_winner_0_12;
-      coarseslice0other_winner_0_11_choice_2 := coarseslice0other_winner_0_11_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_11;
-      coarseslice0other_winner_0_11_choice_3 := 18 when coarseslice0window_tag_valid else coarseslice0other_winner_0_11;
-      coarseslice0other_winner_0_11_choice_4 := coarseslice0other_winner_0_12 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_11;
-      coarseslice0other_winner_0_11_choice_5 := coarseslice0other_winner_0_11_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_11_choice_4;
-      coarseslice0other_winner_0_11_choice_6 := coarseslice0other_winner_0_11_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_11_choice_5;
-      coarseslice0other_winner_0_12_choice := 19 when coarseslice0other_cost_0_12_is_not_less else
-        coarseslice0other_winner_0_13;
-      coarseslice0other_winner_0_12_choice_2 := coarseslice0other_winner_0_12_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_12;
-      coarseslice0other_winner_0_12_choice_3 := 19 when coarseslice0window_tag_valid else coarseslice0other_winner_0_12;
-      coarseslice0other_winner_0_12_choice_4 := coarseslice0other_winner_0_13 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_12;
-      coarseslice0other_winner_0_12_choice_5 := coarseslice0other_winner_0_12_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_12_choice_4;
-      coarseslice0other_winner_0_12_choice_6 := coarseslice0other_winner_0_12_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_12_choice_5;
-      coarseslice0other_winner_0_13_choice := 20 when coarseslice0other_cost_0_13_is_not_less else
-        coarseslice0other_winner_0_14;
-      coarseslice0other_winner_0_13_choice_2 := coarseslice0other_winner_0_13_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_13;
-      coarseslice0other_winner_0_13_choice_3 := 20 when coarseslice0window_tag_valid else coarseslice0other_winner_0_13;
-      coarseslice0other_winner_0_13_choice_4 := coarseslice0other_winner_0_14 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_13;
-      coarseslice0other_winner_0_13_choice_5 := coarseslice0other_winner_0_13_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_13_choice_4;
-      coarseslice0other_winner_0_13_choice_6 := coarseslice0other_winner_0_13_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_13_choice_5;
-      coarseslice0other_winner_0_14_choice := 21 when coarseslice0other_cost_0_14_is_not_less else
-        coarseslice0other_winner_0_15;
-      coarseslice0other_winner_0_14_choice_2 := coarseslice0other_winner_0_14_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_14;
-      coarseslice0other_winner_0_14_choice_3 := 21 when coarseslice0window_tag_valid else coarseslice0other_winner_0_14;
-      coarseslice0other_winner_0_14_choice_4 := coarseslice0other_winner_0_15 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_14;
-      coarseslice0other_winner_0_14_choice_5 := coarseslice0other_winner_0_14_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_14_choice_4;
-      coarseslice0other_winner_0_14_choice_6 := coarseslice0other_winner_0_14_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_14_choice_5;
-      coarseslice0other_winner_0_15_choice := 22 when coarseslice0other_cost_0_15_is_not_less else
-        coarseslice0other_winner_0_16;
-      coarseslice0other_winner_0_15_choice_2 := coarseslice0other_winner_0_15_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_15;
-      coarseslice0other_winner_0_15_choice_3 := 22 when coarseslice0window_tag_valid else coarseslice0other_winner_0_15;
-      coarseslice0other_winner_0_15_choice_4 := coarseslice0other_winner_0_16 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_15;
-      coarseslice0other_winner_0_15_choice_5 := coarseslice0other_winner_0_15_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_15_choice_4;
-      coarseslice0other_winner_0_15_choice_6 := coarseslice0other_winner_0_15_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_15_choice_5;
-      coarseslice0other_winner_0_16_choice := 23 when coarseslice0other_cost_0_16_is_not_less else
-        coarseslice0other_winner_0_17;
-      coarseslice0other_winner_0_16_choice_2 := coarseslice0other_winner_0_16_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_16;
-      coarseslice0other_winner_0_16_choice_3 := 23 when coarseslice0window_tag_valid else coarseslice0other_winner_0_16;
-      coarseslice0other_winner_0_16_choice_4 := coarseslice0other_winner_0_17 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_16;
-      coarseslice0other_winner_0_16_choice_5 := coarseslice0other_winner_0_16_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_16_choice_4;
-      coarseslice0other_winner_0_16_choice_6 := coarseslice0other_winner_0_16_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_16_choice_5;
-      coarseslice0other_winner_0_17_choice := 24 when coarseslice0other_cost_0_17_is_not_less else
-        coarseslice0other_winner_0_18;
-      coarseslice0other_winner_0_17_choice_2 := coarseslice0other_winner_0_17_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_17;
-      coarseslice0other_winner_0_17_choice_3 := 24 when coarseslice0window_tag_valid else coarseslice0other_winner_0_17;
-      coarseslice0other_winner_0_17_choice_4 := coarseslice0other_winner_0_18 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_17;
-      coarseslice0other_winner_0_17_choice_5 := coarseslice0other_winner_0_17_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_17_choice_4;
-      coarseslice0other_winner_0_17_choice_6 := coarseslice0other_winner_0_17_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_17_choice_5;
-      coarseslice0other_winner_0_18_choice := 25 when coarseslice0other_cost_0_18_is_not_less else
-        coarseslice0other_winner_0_19;
-      coarseslice0other_winner_0_18_choice_2 := coarseslice0other_winner_0_18_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_18;
-      coarseslice0other_winner_0_18_choice_3 := 25 when coarseslice0window_tag_valid else coarseslice0other_winner_0_18;
-      coarseslice0other_winner_0_18_choice_4 := coarseslice0other_winner_0_19 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_18;
-      coarseslice0other_winner_0_18_choice_5 := coarseslice0other_winner_0_18_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_18_choice_4;
-      coarseslice0other_winner_0_18_choice_6 := coarseslice0other_winner_0_18_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_18_choice_5;
-      coarseslice0other_winner_0_19_choice := 26 when coarseslice0other_cost_0_19_is_not_less else
-        coarseslice0other_winner_0_20;
-      coarseslice0other_winner_0_19_choice_2 := coarseslice0other_winner_0_19_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_19;
-      coarseslice0other_winner_0_19_choice_3 := 26 when coarseslice0window_tag_valid else coarseslice0other_winner_0_19;
-      coarseslice0other_winner_0_19_choice_4 := coarseslice0other_winner_0_20 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_19;
-      coarseslice0other_winner_0_19_choice_5 := coarseslice0other_winner_0_19_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_19_choice_4;
-      coarseslice0other_winner_0_19_choice_6 := coarseslice0other_winner_0_19_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_19_choice_5;
-      coarseslice0other_winner_0_20_choice := 27 when coarseslice0other_cost_0_20_is_not_less else
-        coarseslice0other_winner_0_21;
-      coarseslice0other_winner_0_20_choice_2 := coarseslice0other_winner_0_20_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_20;
-      coarseslice0other_winner_0_20_choice_3 := 27 when coarseslice0window_tag_valid else coarseslice0other_winner_0_20;
-      coarseslice0other_winner_0_20_choice_4 := coarseslice0other_winner_0_21 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_20;
-      coarseslice0other_winner_0_20_choice_5 := coarseslice0other_winner_0_20_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_20_choice_4;
-      coarseslice0other_winner_0_20_choice_6 := coarseslice0other_winner_0_20_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_20_choice_5;
-      coarseslice0other_winner_0_21_choice := 28 when coarseslice0other_cost_0_21_is_not_less else
-        coarseslice0other_winner_0_22;
-      coarseslice0other_winner_0_21_choice_2 := coarseslice0other_winner_0_21_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_21;
-      coarseslice0other_winner_0_21_choice_3 := 28 when coarseslice0window_tag_valid else coarseslice0other_winner_0_21;
-      coarseslice0other_winner_0_21_choice_4 := coarseslice0other_winner_0_22 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_21;
-      coarseslice0other_winner_0_21_choice_5 := coarseslice0other_winner_0_21_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_21_choice_4;
-      coarseslice0other_winner_0_21_choice_6 := coarseslice0other_winner_0_21_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_21_choice_5;
-      coarseslice0other_winner_0_22_choice := 29 when coarseslice0other_cost_0_22_is_not_less else
-        coarseslice0other_winner_0_23;
-      coarseslice0other_winner_0_22_choice_2 := coarseslice0other_winner_0_22_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_22;
-      coarseslice0other_winner_0_22_choice_3 := 29 when coarseslice0window_tag_valid else coarseslice0other_winner_0_22;
-      coarseslice0other_winner_0_22_choice_4 := coarseslice0other_winner_0_23 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_22;
-      coarseslice0other_winner_0_22_choice_5 := coarseslice0other_winner_0_22_choice_3 when
-        coarseslice1window_centre_output_column_2 else coarseslice0other_winner_0_22_choice_4;
-      coarseslice0other_winner_0_22_choice_6 := coarseslice0other_winner_0_22_choice_2 when
-        coarseslice0other_cost_0_0_all_2 else coarseslice0other_winner_0_22_choice_5;
-      coarseslice0other_cost_0_0 <= coarseslice0other_cost_0_0_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_0_choice_6;
-      coarseslice0other_cost_0_1 <= coarseslice0other_cost_0_1_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_1_choice_6;
-      coarseslice0other_cost_0_2 <= coarseslice0other_cost_0_2_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_2_choice_6;
-      coarseslice0other_cost_0_3 <= coarseslice0other_cost_0_3_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_3_choice_6;
-      coarseslice0other_cost_0_4 <= coarseslice0other_cost_0_4_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_4_choice_6;
-      coarseslice0other_cost_0_5 <= coarseslice0other_cost_0_5_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_5_choice_6;
-      coarseslice0other_cost_0_6 <= coarseslice0other_cost_0_6_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_6_choice_6;
-      coarseslice0other_cost_0_7 <= coarseslice0other_cost_0_7_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_7_choice_6;
-      coarseslice0other_cost_0_8 <= coarseslice0other_cost_0_8_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_8_choice_6;
-      coarseslice0other_cost_0_9 <= coarseslice0other_cost_0_9_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_9_choice_6;
-      coarseslice0other_cost_0_10 <= coarseslice0other_cost_0_10_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_10_choice_6;
-      coarseslice0other_cost_0_11 <= coarseslice0other_cost_0_11_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_11_choice_6;
-      coarseslice0other_cost_0_12 <= coarseslice0other_cost_0_12_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_12_choice_6;
-      coarseslice0other_cost_0_13 <= coarseslice0other_cost_0_13_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_13_choice_6;
-      coarseslice0other_cost_0_14 <= coarseslice0other_cost_0_14_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_14_choice_6;
-      coarseslice0other_cost_0_15 <= coarseslice0other_cost_0_15_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_15_choice_6;
-      coarseslice0other_cost_0_16 <= coarseslice0other_cost_0_16_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_16_choice_6;
-      coarseslice0other_cost_0_17 <= coarseslice0other_cost_0_17_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_17_choice_6;
-      coarseslice0other_cost_0_18 <= coarseslice0other_cost_0_18_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_18_choice_6;
-      coarseslice0other_cost_0_19 <= coarseslice0other_cost_0_19_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_19_choice_6;
-      coarseslice0other_cost_0_20 <= coarseslice0other_cost_0_20_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_20_choice_6;
-      coarseslice0other_cost_0_21 <= coarseslice0other_cost_0_21_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_21_choice_6;
-      coarseslice0other_cost_0_22 <= coarseslice0other_cost_0_22_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_22_choice_6;
-      coarseslice0other_cost_0_23 <= coarseslice0other_cost_0_23_choice when coarseslice0other_cost_0_0_all else
-        coarseslice0other_cost_0_23_choice_4;
-      coarseslice0other_winner_0_0 <= coarseslice0other_winner_0_0_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_0_choice_6;
-      coarseslice0other_winner_0_1 <= coarseslice0other_winner_0_1_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_1_choice_6;
-      coarseslice0other_winner_0_2 <= coarseslice0other_winner_0_2_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_2_choice_6;
-      coarseslice0other_winner_0_3 <= coarseslice0other_winner_0_3_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_3_choice_6;
-      coarseslice0other_winner_0_4 <= coarseslice0other_winner_0_4_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_4_choice_6;
-      coarseslice0other_winner_0_5 <= coarseslice0other_winner_0_5_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_5_choice_6;
-      coarseslice0other_winner_0_6 <= coarseslice0other_winner_0_6_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_6_choice_6;
-      coarseslice0other_winner_0_7 <= coarseslice0other_winner_0_7_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_7_choice_6;
-      coarseslice0other_winner_0_8 <= coarseslice0other_winner_0_8_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_8_choice_6;
-      coarseslice0other_winner_0_9 <= coarseslice0other_winner_0_9_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_9_choice_6;
-      coarseslice0other_winner_0_10 <= coarseslice0other_winner_0_10_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_10_choice_6;
-      coarseslice0other_winner_0_11 <= coarseslice0other_winner_0_11_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_11_choice_6;
-      coarseslice0other_winner_0_12 <= coarseslice0other_winner_0_12_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_12_choice_6;
-      coarseslice0other_winner_0_13 <= coarseslice0other_winner_0_13_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_13_choice_6;
-      coarseslice0other_winner_0_14 <= coarseslice0other_winner_0_14_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_14_choice_6;
-      coarseslice0other_winner_0_15 <= coarseslice0other_winner_0_15_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_15_choice_6;
-      coarseslice0other_winner_0_16 <= coarseslice0other_winner_0_16_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_16_choice_6;
-      coarseslice0other_winner_0_17 <= coarseslice0other_winner_0_17_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_17_choice_6;
-      coarseslice0other_winner_0_18 <= coarseslice0other_winner_0_18_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_18_choice_6;
-      coarseslice0other_winner_0_19 <= coarseslice0other_winner_0_19_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_19_choice_6;
-      coarseslice0other_winner_0_20 <= coarseslice0other_winner_0_20_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_20_choice_6;
-      coarseslice0other_winner_0_21 <= coarseslice0other_winner_0_21_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_21_choice_6;
-      coarseslice0other_winner_0_22 <= coarseslice0other_winner_0_22_choice_2 when coarseslice0other_cost_0_0_all else
-        coarseslice0other_winner_0_22_choice_6;
+      coarseslice0other_cost_0_0_all := coarseslice1window_centre_output_column_2 and
+        (coarseslice1window_centre_first_column_2 or ((coarseslice0other_cost_0_1 - coarseslice0window_sum_0_0) >= 0));
+      coarseslice0other_cost_0_1_all := coarseslice1window_centre_output_column_2 and
+        coarseslice1window_centre_first_column_2;
+      coarseslice0other_cost_0_1_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_2 -
+        coarseslice0window_sum_0_1) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_2_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_3 -
+        coarseslice0window_sum_0_2) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_3_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_4 -
+        coarseslice0window_sum_0_3) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_4_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_5 -
+        coarseslice0window_sum_0_4) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_5_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_6 -
+        coarseslice0window_sum_0_5) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_6_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_7 -
+        coarseslice0window_sum_0_6) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_7_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_8 -
+        coarseslice0window_sum_0_7) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_8_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_9 -
+        coarseslice0window_sum_0_8) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_9_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_10
+        - coarseslice0window_sum_0_9) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_10_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_11
+        - coarseslice0window_sum_0_10) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_11_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_12
+        - coarseslice0window_sum_0_11) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_12_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_13
+        - coarseslice0window_sum_0_12) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_13_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_14
+        - coarseslice0window_sum_0_13) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_14_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_15
+        - coarseslice0window_sum_0_14) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_15_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_16
+        - coarseslice0window_sum_0_15) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_16_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_17
+        - coarseslice0window_sum_0_16) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_17_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_18
+        - coarseslice0window_sum_0_17) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_18_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_19
+        - coarseslice0window_sum_0_18) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_19_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_20
+        - coarseslice0window_sum_0_19) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_20_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_21
+        - coarseslice0window_sum_0_20) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_21_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_22
+        - coarseslice0window_sum_0_21) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_22_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_23
+        - coarseslice0window_sum_0_22) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_23_choice := coarseslice1window_centre_output_column_2 when (coarseslice0other_cost_0_24
+        - coarseslice0window_sum_0_23) >= 0 else coarseslice0other_cost_0_1_all;
+      if coarseslice0window_tag_valid then
+        coarseslice0other_cost_0_0 <= coarseslice0window_sum_0_0 when coarseslice0other_cost_0_0_all else
+          coarseslice0other_cost_0_1;
+        coarseslice0other_cost_0_1 <= coarseslice0window_sum_0_1 when coarseslice0other_cost_0_1_choice else
+          coarseslice0other_cost_0_2;
+        coarseslice0other_cost_0_2 <= coarseslice0window_sum_0_2 when coarseslice0other_cost_0_2_choice else
+          coarseslice0other_cost_0_3;
+        coarseslice0other_cost_0_3 <= coarseslice0window_sum_0_3 when coarseslice0other_cost_0_3_choice else
+          coarseslice0other_cost_0_4;
+        coarseslice0other_cost_0_4 <= coarseslice0window_sum_0_4 when coarseslice0other_cost_0_4_choice else
+          coarseslice0other_cost_0_5;
+        coarseslice0other_cost_0_5 <= coarseslice0window_sum_0_5 when coarseslice0other_cost_0_5_choice else
+          coarseslice0other_cost_0_6;
+        coarseslice0other_cost_0_6 <= coarseslice0window_sum_0_6 when coarseslice0other_cost_0_6_choice else
+          coarseslice0other_cost_0_7;
+        coarseslice0other_cost_0_7 <= coarseslice0window_sum_0_7 when coarseslice0other_cost_0_7_choice else
+          coarseslice0other_cost_0_8;
+        coarseslice0other_cost_0_8 <= coarseslice0window_sum_0_8 when coarseslice0other_cost_0_8_choice else
+          coarseslice0other_cost_0_9;
+        coarseslice0other_cost_0_9 <= coarseslice0window_sum_0_9 when coarseslice0other_cost_0_9_choice else
+          coarseslice0other_cost_0_10;
+        coarseslice0other_cost_0_10 <= coarseslice0window_sum_0_10 when coarseslice0other_cost_0_10_choice else
+          coarseslice0other_cost_0_11;
+        coarseslice0other_cost_0_11 <= coarseslice0window_sum_0_11 when coarseslice0other_cost_0_11_choice else
+          coarseslice0other_cost_0_12;
+        coarseslice0other_cost_0_12 <= coarseslice0window_sum_0_12 when coarseslice0other_cost_0_12_choice else
+          coarseslice0other_cost_0_13;
+        coarseslice0other_cost_0_13 <= coarseslice0window_sum_0_13 when coarseslice0other_cost_0_13_choice else
+          coarseslice0other_cost_0_14;
+        coarseslice0other_cost_0_14 <= coarseslice0window_sum_0_14 when coarseslice0other_cost_0_14_choice else
+          coarseslice0other_cost_0_15;
+        coarseslice0other_cost_0_15 <= coarseslice0window_sum_0_15 when coarseslice0other_cost_0_15_choice else
+          coarseslice0other_cost_0_16;
+        coarseslice0other_cost_0_16 <= coarseslice0window_sum_0_16 when coarseslice0other_cost_0_16_choice else
+          coarseslice0other_cost_0_17;
+        coarseslice0other_cost_0_17 <= coarseslice0window_sum_0_17 when coarseslice0other_cost_0_17_choice else
+          coarseslice0other_cost_0_18;
+        coarseslice0other_cost_0_18 <= coarseslice0window_sum_0_18 when coarseslice0other_cost_0_18_choice else
+          coarseslice0other_cost_0_19;
+        coarseslice0other_cost_0_19 <= coarseslice0window_sum_0_19 when coarseslice0other_cost_0_19_choice else
+          coarseslice0other_cost_0_20;
+        coarseslice0other_cost_0_20 <= coarseslice0window_sum_0_20 when coarseslice0other_cost_0_20_choice else
+          coarseslice0other_cost_0_21;
+        coarseslice0other_cost_0_21 <= coarseslice0window_sum_0_21 when coarseslice0other_cost_0_21_choice else
+          coarseslice0other_cost_0_22;
+        coarseslice0other_cost_0_22 <= coarseslice0window_sum_0_22 when coarseslice0other_cost_0_22_choice else
+          coarseslice0other_cost_0_23;
+        coarseslice0other_cost_0_23 <= coarseslice0window_sum_0_23 when coarseslice0other_cost_0_23_choice else
+          coarseslice0other_cost_0_24;
+        coarseslice0other_cost_0_24 <= coarseslice0window_sum_0_24 when coarseslice1window_centre_output_column_2 else
+          0;
+        coarseslice0other_winner_0_0 <= 7 when coarseslice0other_cost_0_0_all else coarseslice0other_winner_0_1;
+        coarseslice0other_winner_0_1 <= 8 when coarseslice0other_cost_0_1_choice else coarseslice0other_winner_0_2;
+        coarseslice0other_winner_0_2 <= 9 when coarseslice0other_cost_0_2_choice else coarseslice0other_winner_0_3;
+        coarseslice0other_winner_0_3 <= 10 when coarseslice0other_cost_0_3_choice else coarseslice0other_winner_0_4;
+        coarseslice0other_winner_0_4 <= 11 when coarseslice0other_cost_0_4_choice else coarseslice0other_winner_0_5;
+        coarseslice0other_winner_0_5 <= 12 when coarseslice0other_cost_0_5_choice else coarseslice0other_winner_0_6;
+        coarseslice0other_winner_0_6 <= 13 when coarseslice0other_cost_0_6_choice else coarseslice0other_winner_0_7;
+        coarseslice0other_winner_0_7 <= 14 when coarseslice0other_cost_0_7_choice else coarseslice0other_winner_0_8;
+        coarseslice0other_winner_0_8 <= 15 when coarseslice0other_cost_0_8_choice else coarseslice0other_winner_0_9;
+        coarseslice0other_winner_0_9 <= 16 when coarseslice0other_cost_0_9_choice else coarseslice0other_winner_0_10;
+        coarseslice0other_winner_0_10 <= 17 when coarseslice0other_cost_0_10_choice else coarseslice0other_winner_0_11;
+        coarseslice0other_winner_0_11 <= 18 when coarseslice0other_cost_0_11_choice else coarseslice0other_winner_0_12;
+        coarseslice0other_winner_0_12 <= 19 when coarseslice0other_cost_0_12_choice else coarseslice0other_winner_0_13;
+        coarseslice0other_winner_0_13 <= 20 when coarseslice0other_cost_0_13_choice else coarseslice0other_winner_0_14;
+        coarseslice0other_winner_0_14 <= 21 when coarseslice0other_cost_0_14_choice else coarseslice0other_winner_0_15;
+        coarseslice0other_winner_0_15 <= 22 when coarseslice0other_cost_0_15_choice else coarseslice0other_winner_0_16;
+        coarseslice0other_winner_0_16 <= 23 when coarseslice0other_cost_0_16_choice else coarseslice0other_winner_0_17;
+        coarseslice0other_winner_0_17 <= 24 when coarseslice0other_cost_0_17_choice else coarseslice0other_winner_0_18;
+        coarseslice0other_winner_0_18 <= 25 when coarseslice0other_cost_0_18_choice else coarseslice0other_winner_0_19;
+        coarseslice0other_winner_0_19 <= 26 when coarseslice0other_cost_0_19_choice else coarseslice0other_winner_0_20;
+        coarseslice0other_winner_0_20 <= 27 when coarseslice0other_cost_0_20_choice else coarseslice0other_winner_0_21;
+        coarseslice0other_winner_0_21 <= 28 when coarseslice0other_cost_0_21_choice else coarseslice0other_winner_0_22;
+        coarseslice0other_winner_0_22 <= 29 when coarseslice0other_cost_0_22_choice else coarseslice0other_winner_0_23;
+        coarseslice0other_winner_0_23 <= 30 when coarseslice0other_cost_0_23_choice else coarseslice0other_winner_0_24;
+        coarseslice0other_winner_0_24 <= 31 when coarseslice1window_centre_output_column_2 else 0;
+      end if;
       coarseslice0other_cost_out_0 <= coarseslice0other_cost_0_0;
       coarseslice0other_winner_out_0 <= coarseslice0other_winner_0_0;
-      coarseslice0other_cost_0_24_choice := coarseslice0window_sum_0_24 when coarseslice1window_centre_output_column_2
-        else 0;
-      coarseslice0other_cost_0_24_choice_2 := coarseslice0window_sum_0_24 when coarseslice0other_cost_0_0_all_2 else
-        coarseslice0other_cost_0_24_choice;
-      coarseslice0other_winner_0_23_choice := 30 when coarseslice1window_centre_output_column_2 else
-        coarseslice0other_winner_0_24;
-      coarseslice0other_winner_0_23_choice_2 := 30 when coarseslice0other_cost_0_0_all_2 else
-        coarseslice0other_winner_0_23_choice;
-      coarseslice0other_winner_0_24_choice := 31 when coarseslice1window_centre_output_column_2 else 0;
-      coarseslice0other_winner_0_24_choice_2 := 31 when coarseslice0other_cost_0_0_all_2 else
-        coarseslice0other_winner_0_24_choice;
-      if coarseslice0window_tag_valid then
-        coarseslice0other_cost_0_24 <= coarseslice0window_sum_0_24 when coarseslice0other_cost_0_0_all else
-          coarseslice0other_cost_0_24_choice_2;
-        coarseslice0other_winner_0_23 <= coarseslice0other_winner_0_24 when coarseslice0other_cost_0_0_all else
-          coarseslice0other_winner_0_23_choice_2;
-        coarseslice0other_winner_0_24 <= 31 when coarseslice0other_cost_0_0_all else
-          coarseslice0other_winner_0_24_choice_2;
-      end if;
       -- coarseslice0winner1
       coarseslice0winner1_best_cost_0_0_is_less := (coarseslice0window_sum_0_1 - coarseslice0window_sum_0_0) < 0;
       coarseslice0winner1_best_cost_0_1_is_less := (coarseslice0window_sum_0_3 - coarseslice0window_sum_0_2) < 0;
@@ -7236,155 +6513,44 @@ begin
       coarseslice1window_sum_0_5 <= coarseslice1window_partial_0_5_5 + coarseslice1cost_column_0_5;
       coarseslice1window_sum_0_6 <= coarseslice1window_partial_0_5_6 + coarseslice1cost_column_0_6;
       -- coarseslice1other
-      coarseslice1other_cost_0_1_any := (not coarseslice0winner1_tag_first_column) or (not
-        coarseslice0winner1_tag_output_column);
-      coarseslice1other_cost_0_1_is_not_less := (coarseslice1other_cost_0_2 - coarseslice1window_sum_0_1) >= 0;
-      coarseslice1other_cost_0_1_choice := coarseslice1window_sum_0_1 when coarseslice1other_cost_0_1_is_not_less else
-        coarseslice1other_cost_0_2;
-      coarseslice1other_cost_0_1_choice_2 := coarseslice1other_cost_0_1_choice when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_1;
-      coarseslice1other_cost_0_1_choice_3 := coarseslice1other_cost_0_2 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_1;
-      coarseslice1other_cost_0_1_choice_4 := coarseslice1other_cost_0_1_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_1_choice_3;
-      coarseslice1other_cost_0_1_choice_5 := coarseslice1window_sum_0_1 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_1;
-      coarseslice1other_cost_0_2_is_not_less := (coarseslice1other_cost_0_3 - coarseslice1window_sum_0_2) >= 0;
-      coarseslice1other_cost_0_2_choice := coarseslice1window_sum_0_2 when coarseslice1other_cost_0_2_is_not_less else
-        coarseslice1other_cost_0_3;
-      coarseslice1other_cost_0_2_choice_2 := coarseslice1other_cost_0_2_choice when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_2;
-      coarseslice1other_cost_0_2_choice_3 := coarseslice1other_cost_0_3 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_2;
-      coarseslice1other_cost_0_2_choice_4 := coarseslice1other_cost_0_2_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_2_choice_3;
-      coarseslice1other_cost_0_2_choice_5 := coarseslice1window_sum_0_2 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_2;
-      coarseslice1other_cost_0_3_is_not_less := (coarseslice1other_cost_0_4 - coarseslice1window_sum_0_3) >= 0;
-      coarseslice1other_cost_0_3_choice := coarseslice1window_sum_0_3 when coarseslice1other_cost_0_3_is_not_less else
-        coarseslice1other_cost_0_4;
-      coarseslice1other_cost_0_3_choice_2 := coarseslice1other_cost_0_3_choice when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_3;
-      coarseslice1other_cost_0_3_choice_3 := coarseslice1other_cost_0_4 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_3;
-      coarseslice1other_cost_0_3_choice_4 := coarseslice1other_cost_0_3_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_3_choice_3;
-      coarseslice1other_cost_0_3_choice_5 := coarseslice1window_sum_0_3 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_3;
-      coarseslice1other_cost_0_4_is_not_less := (coarseslice1other_cost_0_5 - coarseslice1window_sum_0_4) >= 0;
-      coarseslice1other_cost_0_4_choice := coarseslice1window_sum_0_4 when coarseslice1other_cost_0_4_is_not_less else
-        coarseslice1other_cost_0_5;
-      coarseslice1other_cost_0_4_choice_2 := coarseslice1other_cost_0_4_choice when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_4;
-      coarseslice1other_cost_0_4_choice_3 := coarseslice1other_cost_0_5 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_4;
-      coarseslice1other_cost_0_4_choice_4 := coarseslice1other_cost_0_4_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_4_choice_3;
-      coarseslice1other_cost_0_4_choice_5 := coarseslice1window_sum_0_4 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_4;
-      coarseslice1other_cost_0_5_is_not_less := (coarseslice1other_cost_0_6 - coarseslice1window_sum_0_5) >= 0;
-      coarseslice1other_cost_0_5_choice := coarseslice1window_sum_0_5 when coarseslice1other_cost_0_5_is_not_less else
-        coarseslice1other_cost_0_6;
-      coarseslice1other_cost_0_5_choice_2 := coarseslice1other_cost_0_5_choice when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_5;
-      coarseslice1other_cost_0_5_choice_3 := coarseslice1other_cost_0_6 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_5;
-      coarseslice1other_cost_0_5_choice_4 := coarseslice1other_cost_0_5_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_cost_0_5_choice_3;
-      coarseslice1other_cost_0_5_choice_5 := coarseslice1window_sum_0_5 when coarseslice0winner1_tag_valid else
-        coarseslice1other_cost_0_5;
-      coarseslice1other_winner_0_0_choice := 0 when (coarseslice1other_cost_0_1 - coarseslice1window_sum_0_0) >= 0 else
-        coarseslice1other_winner_0_1;
-      coarseslice1other_winner_0_0_choice_2 := coarseslice1other_winner_0_0_choice when coarseslice0winner1_tag_valid
-        else coarseslice1other_winner_0_0;
-      coarseslice1other_winner_0_0_choice_3 := coarseslice1other_winner_0_1 when coarseslice0winner1_tag_valid else
-        coarseslice1other_winner_0_0;
-      coarseslice1other_winner_0_0_choice_4 := coarseslice1other_winner_0_0_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_0_choice_3;
-      coarseslice1other_winner_0_0_choice_5 := 0 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_0;
-      coarseslice1other_winner_0_1_choice := 1 when coarseslice1other_cost_0_1_is_not_less else
-        coarseslice1other_winner_0_2;
-      coarseslice1other_winner_0_1_choice_2 := coarseslice1other_winner_0_1_choice when coarseslice0winner1_tag_valid
-        else coarseslice1other_winner_0_1;
-      coarseslice1other_winner_0_1_choice_3 := coarseslice1other_winner_0_2 when coarseslice0winner1_tag_valid else
-        coarseslice1other_winner_0_1;
-      coarseslice1other_winner_0_1_choice_4 := coarseslice1other_winner_0_1_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_1_choice_3;
-      coarseslice1other_winner_0_1_choice_5 := 1 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_1;
-      coarseslice1other_winner_0_2_choice := 2 when coarseslice1other_cost_0_2_is_not_less else
-        coarseslice1other_winner_0_3;
-      coarseslice1other_winner_0_2_choice_2 := coarseslice1other_winner_0_2_choice when coarseslice0winner1_tag_valid
-        else coarseslice1other_winner_0_2;
-      coarseslice1other_winner_0_2_choice_3 := coarseslice1other_winner_0_3 when coarseslice0winner1_tag_valid else
-        coarseslice1other_winner_0_2;
-      coarseslice1other_winner_0_2_choice_4 := coarseslice1other_winner_0_2_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_2_choice_3;
-      coarseslice1other_winner_0_2_choice_5 := 2 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_2;
-      coarseslice1other_winner_0_3_choice := 3 when coarseslice1other_cost_0_3_is_not_less else
-        coarseslice1other_winner_0_4;
-      coarseslice1other_winner_0_3_choice_2 := coarseslice1other_winner_0_3_choice when coarseslice0winner1_tag_valid
-        else coarseslice1other_winner_0_3;
-      coarseslice1other_winner_0_3_choice_3 := coarseslice1other_winner_0_4 when coarseslice0winner1_tag_valid else
-        coarseslice1other_winner_0_3;
-      coarseslice1other_winner_0_3_choice_4 := coarseslice1other_winner_0_3_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_3_choice_3;
-      coarseslice1other_winner_0_3_choice_5 := 3 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_3;
-      coarseslice1other_winner_0_4_choice := 4 when coarseslice1other_cost_0_4_is_not_less else
-        coarseslice1other_winner_0_5;
-      coarseslice1other_winner_0_4_choice_2 := coarseslice1other_winner_0_4_choice when coarseslice0winner1_tag_valid
-        else coarseslice1other_winner_0_4;
-      coarseslice1other_winner_0_4_choice_3 := coarseslice1other_winner_0_5 when coarseslice0winner1_tag_valid else
-        coarseslice1other_winner_0_4;
-      coarseslice1other_winner_0_4_choice_4 := coarseslice1other_winner_0_4_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_4_choice_3;
-      coarseslice1other_winner_0_4_choice_5 := 4 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_4;
-      coarseslice1other_winner_0_5_choice := 5 when coarseslice1other_cost_0_5_is_not_less else
-        coarseslice1other_winner_0_6;
-      coarseslice1other_winner_0_5_choice_2 := coarseslice1other_winner_0_5_choice when coarseslice0winner1_tag_valid
-        else coarseslice1other_winner_0_5;
-      coarseslice1other_winner_0_5_choice_3 := coarseslice1other_winner_0_6 when coarseslice0winner1_tag_valid else
-        coarseslice1other_winner_0_5;
-      coarseslice1other_winner_0_5_choice_4 := coarseslice1other_winner_0_5_choice_2 when
-        coarseslice0winner1_tag_output_column else coarseslice1other_winner_0_5_choice_3;
-      coarseslice1other_winner_0_5_choice_5 := 5 when coarseslice0winner1_tag_valid else coarseslice1other_winner_0_5;
-      coarseslice1other_cost_0_1 <= coarseslice1other_cost_0_1_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_cost_0_1_choice_5;
-      coarseslice1other_cost_0_2 <= coarseslice1other_cost_0_2_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_cost_0_2_choice_5;
-      coarseslice1other_cost_0_3 <= coarseslice1other_cost_0_3_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_cost_0_3_choice_5;
-      coarseslice1other_cost_0_4 <= coarseslice1other_cost_0_4_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_cost_0_4_choice_5;
-      coarseslice1other_cost_0_5 <= coarseslice1other_cost_0_5_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_cost_0_5_choice_5;
-      coarseslice1other_winner_0_0 <= coarseslice1other_winner_0_0_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_winner_0_0_choice_5;
-      coarseslice1other_winner_0_1 <= coarseslice1other_winner_0_1_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_winner_0_1_choice_5;
-      coarseslice1other_winner_0_2 <= coarseslice1other_winner_0_2_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_winner_0_2_choice_5;
-      coarseslice1other_winner_0_3 <= coarseslice1other_winner_0_3_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_winner_0_3_choice_5;
-      coarseslice1other_winner_0_4 <= coarseslice1other_winner_0_4_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_winner_0_4_choice_5;
-      coarseslice1other_winner_0_5 <= coarseslice1other_winner_0_5_choice_4 when coarseslice1other_cost_0_1_any else
-        coarseslice1other_winner_0_5_choice_5;
-      coarseslice1other_winner_out_0 <= coarseslice1other_winner_0_0;
-      coarseslice1other_cost_0_6_is_not_less := (coarseslice0other_cost_out_0 - coarseslice1window_sum_0_6) >= 0;
-      coarseslice1other_cost_0_6_choice := coarseslice1window_sum_0_6 when coarseslice1other_cost_0_6_is_not_less else
-        coarseslice0other_cost_out_0;
-      coarseslice1other_cost_0_6_choice_2 := coarseslice1other_cost_0_6_choice when
-        coarseslice0winner1_tag_output_column else coarseslice0other_cost_out_0;
-      coarseslice1other_winner_0_6_choice := 6 when coarseslice1other_cost_0_6_is_not_less else
-        coarseslice0other_winner_out_0;
-      coarseslice1other_winner_0_6_choice_2 := coarseslice1other_winner_0_6_choice when
-        coarseslice0winner1_tag_output_column else coarseslice0other_winner_out_0;
+      coarseslice1other_cost_0_1_any := (not coarseslice0winner1_tag_output_column) or (not
+        coarseslice0winner1_tag_first_column);
+      coarseslice1other_cost_0_1_choice := not coarseslice0winner1_tag_output_column when (coarseslice1other_cost_0_2 -
+        coarseslice1window_sum_0_1) >= 0 else coarseslice1other_cost_0_1_any;
+      coarseslice1other_cost_0_2_choice := not coarseslice0winner1_tag_output_column when (coarseslice1other_cost_0_3 -
+        coarseslice1window_sum_0_2) >= 0 else coarseslice1other_cost_0_1_any;
+      coarseslice1other_cost_0_3_choice := not coarseslice0winner1_tag_output_column when (coarseslice1other_cost_0_4 -
+        coarseslice1window_sum_0_3) >= 0 else coarseslice1other_cost_0_1_any;
+      coarseslice1other_cost_0_4_choice := not coarseslice0winner1_tag_output_column when (coarseslice1other_cost_0_5 -
+        coarseslice1window_sum_0_4) >= 0 else coarseslice1other_cost_0_1_any;
+      coarseslice1other_cost_0_5_choice := not coarseslice0winner1_tag_output_column when (coarseslice1other_cost_0_6 -
+        coarseslice1window_sum_0_5) >= 0 else coarseslice1other_cost_0_1_any;
+      coarseslice1other_cost_0_6_choice := not coarseslice0winner1_tag_output_column when (coarseslice0other_cost_out_0
+        - coarseslice1window_sum_0_6) >= 0 else coarseslice1other_cost_0_1_any;
       if coarseslice0winner1_tag_valid then
-        coarseslice1other_cost_0_6 <= coarseslice1other_cost_0_6_choice_2 when coarseslice1other_cost_0_1_any else
+        coarseslice1other_cost_0_1 <= coarseslice1other_cost_0_2 when coarseslice1other_cost_0_1_choice else
+          coarseslice1window_sum_0_1;
+        coarseslice1other_cost_0_2 <= coarseslice1other_cost_0_3 when coarseslice1other_cost_0_2_choice else
+          coarseslice1window_sum_0_2;
+        coarseslice1other_cost_0_3 <= coarseslice1other_cost_0_4 when coarseslice1other_cost_0_3_choice else
+          coarseslice1window_sum_0_3;
+        coarseslice1other_cost_0_4 <= coarseslice1other_cost_0_5 when coarseslice1other_cost_0_4_choice else
+          coarseslice1window_sum_0_4;
+        coarseslice1other_cost_0_5 <= coarseslice1other_cost_0_6 when coarseslice1other_cost_0_5_choice else
+          coarseslice1window_sum_0_5;
+        coarseslice1other_cost_0_6 <= coarseslice0other_cost_out_0 when coarseslice1other_cost_0_6_choice else
           coarseslice1window_sum_0_6;
-        coarseslice1other_winner_0_6 <= coarseslice1other_winner_0_6_choice_2 when coarseslice1other_cost_0_1_any else
-          6;
+        coarseslice1other_winner_0_0 <= coarseslice1other_winner_0_1 when (not coarseslice0winner1_tag_output_column)
+          or ((not coarseslice0winner1_tag_first_column) and ((coarseslice1other_cost_0_1 - coarseslice1window_sum_0_0)
+          < 0)) else 0;
+        coarseslice1other_winner_0_1 <= coarseslice1other_winner_0_2 when coarseslice1other_cost_0_1_choice else 1;
+        coarseslice1other_winner_0_2 <= coarseslice1other_winner_0_3 when coarseslice1other_cost_0_2_choice else 2;
+        coarseslice1other_winner_0_3 <= coarseslice1other_winner_0_4 when coarseslice1other_cost_0_3_choice else 3;
+        coarseslice1other_winner_0_4 <= coarseslice1other_winner_0_5 when coarseslice1other_cost_0_4_choice else 4;
+        coarseslice1other_winner_0_5 <= coarseslice1other_winner_0_6 when coarseslice1other_cost_0_5_choice else 5;
+        coarseslice1other_winner_0_6 <= coarseslice0other_winner_out_0 when coarseslice1other_cost_0_6_choice else 6;
       end if;
+      coarseslice1other_winner_out_0 <= coarseslice1other_winner_0_0;
       -- coarseslice1winner1
       coarseslice1winner1_best_cost_0_0_is_less := (coarseslice1window_sum_0_1 - coarseslice1window_sum_0_0) < 0;
       coarseslice1winner1_best_cost_0_1_is_less := (coarseslice1window_sum_0_3 - coarseslice1window_sum_0_2) < 0;
@@ -10819,9 +9985,9 @@ begin
         lowwinner1_best_below_0_7;
       lowwinner2_best_above_0_0_choice := lowwinner1_best_first_0_1 when lowwinner1_best_index_0_0 else
         lowwinner1_best_above_0_0;
-      lowwinner2_best_above_0_1_choice := lowwinner1_best_first_0_3 when other_23 else lowwinner1_best_above_0_2;
-      lowwinner2_best_above_0_2_choice := lowwinner1_best_first_0_5 when other_27 else lowwinner1_best_above_0_4;
-      lowwinner2_best_above_0_3_choice := lowwinner1_best_first_0_7 when other_28 else lowwinner1_best_above_0_6;
+      lowwinner2_best_above_0_1_choice := lowwinner1_best_first_0_3 when other_10 else lowwinner1_best_above_0_2;
+      lowwinner2_best_above_0_2_choice := lowwinner1_best_first_0_5 when other_11 else lowwinner1_best_above_0_4;
+      lowwinner2_best_above_0_3_choice := lowwinner1_best_first_0_7 when other_12 else lowwinner1_best_above_0_6;
       lowwinner2_best_cost_0_0 <= lowwinner1_best_cost_0_1 when lowwinner2_best_cost_0_0_is_less else
         lowwinner1_best_cost_0_0;
       lowwinner2_best_cost_0_1 <= lowwinner1_best_cost_0_3 when lowwinner2_best_cost_0_1_is_less else
@@ -12376,9 +11542,9 @@ begin
         highwinner1_best_below_0_7;
       highwinner2_best_above_0_0_choice := highwinner1_best_first_0_1 when highwinner1_best_index_0_0 else
         highwinner1_best_above_0_0;
-      highwinner2_best_above_0_1_choice := highwinner1_best_first_0_3 when other_29 else highwinner1_best_above_0_2;
-      highwinner2_best_above_0_2_choice := highwinner1_best_first_0_5 when other_30 else highwinner1_best_above_0_4;
-      highwinner2_best_above_0_3_choice := highwinner1_best_first_0_7 when other_31 else highwinner1_best_above_0_6;
+      highwinner2_best_above_0_1_choice := highwinner1_best_first_0_3 when other_18 else highwinner1_best_above_0_2;
+      highwinner2_best_above_0_2_choice := highwinner1_best_first_0_5 when other_21 else highwinner1_best_above_0_4;
+      highwinner2_best_above_0_3_choice := highwinner1_best_first_0_7 when other_22 else highwinner1_best_above_0_6;
       highwinner2_best_cost_0_0 <= highwinner1_best_cost_0_1 when highwinner2_best_cost_0_0_is_less else
         highwinner1_best_cost_0_0;
       highwinner2_best_cost_0_1 <= highwinner1_best_cost_0_3 when highwinner2_best_cost_0_1_is_less else
@@ -12640,7 +11806,7 @@ begin
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
       refinement_quotient_8_0 <= ((((4096 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 2048) +
-        ((other_10 / 2) * 2);
+        ((other_13 / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
@@ -12673,7 +11839,7 @@ begin
         refinement_tag_11_output_column;
       map_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and refinement_tag_11_output_column;
       -- other
-      other_25_choice := 127 when coarsetransform_centre_group_any else 95;
+      other_29_choice := 127 when coarsetransform_centre_group_any else 95;
       other_0 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) * 2;
       other_1 <= as_number(((transform_right_code_row_before_0 - transform_right_code_row_after_0) < 0)) * 8192;
       other_2 <= as_number((((other_3 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
@@ -12685,31 +11851,31 @@ begin
       other_8 <= other_9;
       other_9 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 4) and
         (transform_counter_group = 4)));
-      other_10 <= ((refinement_remainder_7_0_difference / 4096) * 2) + ((other_11 / 4) * 4);
-      other_11 <= ((refinement_remainder_6_0_difference / 4096) * 4) + ((other_12 / 8) * 8);
-      other_12 <= ((refinement_remainder_5_0_difference / 4096) * 8) + ((other_13 / 16) * 16);
-      other_13 <= ((refinement_remainder_4_0_difference / 4096) * 16) + ((other_14 / 32) * 32);
-      other_14 <= ((refinement_remainder_3_0_difference / 4096) * 32) + ((other_15 / 64) * 64);
-      other_15 <= ((refinement_remainder_2_0_difference / 4096) * 64) + ((other_16 / 128) * 128);
-      other_16 <= (refinement_remainder_1_0_difference / 4096) * 128;
-      other_17 <= as_number(((coarsetransform_right_code_row_before_0 - coarsetransform_right_code_row_after_0) < 0)) *
+      other_10 <= lowwinner1_best_cost_0_2_is_less;
+      other_11 <= lowwinner1_best_cost_0_4_is_less;
+      other_12 <= lowwinner1_best_cost_0_6_is_less;
+      other_13 <= ((refinement_remainder_7_0_difference / 4096) * 2) + ((other_14 / 4) * 4);
+      other_14 <= ((refinement_remainder_6_0_difference / 4096) * 4) + ((other_15 / 8) * 8);
+      other_15 <= ((refinement_remainder_5_0_difference / 4096) * 8) + ((other_16 / 16) * 16);
+      other_16 <= ((refinement_remainder_4_0_difference / 4096) * 16) + ((other_17 / 32) * 32);
+      other_17 <= ((refinement_remainder_3_0_difference / 4096) * 32) + ((other_19 / 64) * 64);
+      other_18 <= highwinner1_best_cost_0_2_is_less;
+      other_19 <= ((refinement_remainder_2_0_difference / 4096) * 64) + ((other_20 / 128) * 128);
+      other_20 <= (refinement_remainder_1_0_difference / 4096) * 128;
+      other_21 <= highwinner1_best_cost_0_4_is_less;
+      other_22 <= highwinner1_best_cost_0_6_is_less;
+      other_23 <= as_number(((coarsetransform_right_code_row_before_0 - coarsetransform_right_code_row_after_0) < 0)) *
         8192;
-      other_18 <= as_number((((other_19 / 2) - coarsetransform_right_code_row_centre_0) < 0)) * 8192;
-      other_19 <= ((coarsetransform_right_code_column_response_0 + coarsetransform_right_code_row_column_0_3) / 2) * 2;
-      other_20 <= as_number(((coarsetransform_left_code_row_before_0 - coarsetransform_left_code_row_after_0) < 0)) *
+      other_24 <= as_number((((other_25 / 2) - coarsetransform_right_code_row_centre_0) < 0)) * 8192;
+      other_25 <= ((coarsetransform_right_code_column_response_0 + coarsetransform_right_code_row_column_0_3) / 2) * 2;
+      other_26 <= as_number(((coarsetransform_left_code_row_before_0 - coarsetransform_left_code_row_after_0) < 0)) *
         8192;
-      other_21 <= as_number((((other_22 / 2) - coarsetransform_left_code_row_centre_0) < 0)) * 8192;
-      other_22 <= ((coarsetransform_left_code_column_response_0 + coarsetransform_left_code_row_column_0_3) / 2) * 2;
-      other_23 <= lowwinner1_best_cost_0_2_is_less;
-      other_24 <= other_26;
-      other_25 <= ((other_25_choice + (coarsetransform_counter_column / 2)) mod 128) * 2;
-      other_26 <= (as_number(coarsetransform_valid) * 256) + as_number(((coarsetransform_counter_group = 2) and
+      other_27 <= as_number((((other_28 / 2) - coarsetransform_left_code_row_centre_0) < 0)) * 8192;
+      other_28 <= ((coarsetransform_left_code_column_response_0 + coarsetransform_left_code_row_column_0_3) / 2) * 2;
+      other_29 <= ((other_29_choice + (coarsetransform_counter_column / 2)) mod 128) * 2;
+      other_30 <= other_31;
+      other_31 <= (as_number(coarsetransform_valid) * 256) + as_number(((coarsetransform_counter_group = 2) and
         (coarsetransform_counter_column = 2)));
-      other_27 <= lowwinner1_best_cost_0_4_is_less;
-      other_28 <= lowwinner1_best_cost_0_6_is_less;
-      other_29 <= highwinner1_best_cost_0_2_is_less;
-      other_30 <= highwinner1_best_cost_0_4_is_less;
-      other_31 <= highwinner1_best_cost_0_6_is_less;
       if reset = '1' then
         coarse_pixels_left <= 0;
         coarse_pixels_right <= 0;
@@ -14663,15 +13829,15 @@ begin
         map_end_of_line <= false;
         other_8 <= 0;
         other_9 <= 0;
-        other_17 <= 0;
-        other_18 <= 0;
-        other_19 <= 0;
-        other_20 <= 0;
-        other_21 <= 0;
-        other_22 <= 0;
+        other_23 <= 0;
         other_24 <= 0;
         other_25 <= 0;
         other_26 <= 0;
+        other_27 <= 0;
+        other_28 <= 0;
+        other_29 <= 0;
+        other_30 <= 0;
+        other_31 <= 0;
       end if;
     end if;
   end process;

@@ -980,16 +980,8 @@ architecture rtl of stereo_core_tiny_dynamic is
   signal other_0, other_4 : natural range 0 to 65534;
   signal other_1, other_2, other_5, other_6, other_10, other_11, other_13, other_14 : natural range 0 to 8192;
   signal other_3, other_7, other_12, other_15 : natural range 0 to 2042;
-  signal other_8, other_9, other_16, other_18 : natural range 0 to 257;
-  signal other_17 : natural range 0 to 30;
-  signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
-  signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
-  signal coarserows_reference_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal coarsedelay_delayed_0_memory_write_data : unsigned(5 downto 0);
-  signal coarsetransform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal coarsetransform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal coarse_pixels_read_word_0_memory_write_data : unsigned(23 downto 0);
+  signal other_8, other_9, other_17, other_18 : natural range 0 to 257;
+  signal other_16 : natural range 0 to 30;
   signal lowwindow_leaving_3_memory_write_data : unsigned(27 downto 0);
   signal lowwindow_leaving_2_memory_write_data : unsigned(27 downto 0);
   signal lowwindow_leaving_1_memory_write_data : unsigned(27 downto 0);
@@ -1042,6 +1034,14 @@ architecture rtl of stereo_core_tiny_dynamic is
   signal ranges_pixels_read_words_0_memory_write_data : unsigned(7 downto 0);
   signal coarseleftright_found_0_memory_write_data : unsigned(2 downto 0);
   signal coarseleftright_held_0_memory_write_data : unsigned(12 downto 0);
+  signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
+  signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
+  signal coarserows_reference_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal coarsedelay_delayed_0_memory_write_data : unsigned(5 downto 0);
+  signal coarsetransform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal coarsetransform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal coarse_pixels_read_word_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -1053,70 +1053,6 @@ begin
   disparity_valid <= as_bit(map_valid);
   disparity_start_of_frame <= as_bit(map_start_of_frame);
   disparity_end_of_line <= as_bit(map_end_of_line);
-
-  coarserows_search_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_1, 6);
-  coarserows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_1,
-      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_1_memory_write_data);
-
-  coarserows_search_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_0, 30);
-  coarserows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 30)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_0,
-      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_0_memory_write_data);
-
-  coarserows_reference_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_1, 6);
-  coarserows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_1,
-      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_1_memory_write_data);
-
-  coarserows_reference_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_0, 30);
-  coarserows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 30)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_0,
-      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_0_memory_write_data);
-
-  coarsedelay_delayed_0_memory_write_data <= to_unsigned(coarseraster_features_reference_0, 6);
-  coarsedelay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_ring_read_address, read_data => coarsedelay_delayed_0,
-      write_address => coarsedelay_ring_write_address, write_data => coarsedelay_delayed_0_memory_write_data);
-
-  coarsetransform_left_rows_read_words_0_memory_write_data <= coarsetransform_left_rows_write_words_0;
-  coarsetransform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_left_rows_read_words_0,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_left_rows_read_words_0_memory_write_data);
-
-  coarsetransform_right_rows_read_words_0_memory_write_data <= coarsetransform_right_rows_write_words_0;
-  coarsetransform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_right_rows_read_words_0,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_right_rows_read_words_0_memory_write_data);
-
-  coarse_pixels_read_word_0_memory_write_data <= to_unsigned(coarse_pixels_total, 24);
-  coarse_pixels_read_word_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 24)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarse_pixels_sum_column, read_data => coarse_pixels_read_word_0,
-      write_address => coarse_pixels_total_column, write_data => coarse_pixels_read_word_0_memory_write_data);
 
   lowwindow_leaving_3_memory_write_data <= to_unsigned(lowcost_column_0_15, 7) & to_unsigned(lowcost_column_0_14, 7) & to_unsigned(lowcost_column_0_13, 7) & to_unsigned(lowcost_column_0_12, 7);
   lowwindow_leaving_3_memory : entity work.line_memory
@@ -1534,6 +1470,70 @@ begin
       read_address => coarseleftright_ring_read_address, read_data => coarseleftright_held_0,
       write_address => coarseleftright_ring_write_address, write_data => coarseleftright_held_0_memory_write_data);
 
+  coarserows_search_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_1, 6);
+  coarserows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 24, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_1,
+      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_1_memory_write_data);
+
+  coarserows_search_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_0, 30);
+  coarserows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 24, width => 30)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_0,
+      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_0_memory_write_data);
+
+  coarserows_reference_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_1, 6);
+  coarserows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 24, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_1,
+      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_1_memory_write_data);
+
+  coarserows_reference_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_0, 30);
+  coarserows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 24, width => 30)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_0,
+      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_0_memory_write_data);
+
+  coarsedelay_delayed_0_memory_write_data <= to_unsigned(coarseraster_features_reference_0, 6);
+  coarsedelay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_ring_read_address, read_data => coarsedelay_delayed_0,
+      write_address => coarsedelay_ring_write_address, write_data => coarsedelay_delayed_0_memory_write_data);
+
+  coarsetransform_left_rows_read_words_0_memory_write_data <= coarsetransform_left_rows_write_words_0;
+  coarsetransform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 24, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsetransform_counter_column, read_data => coarsetransform_left_rows_read_words_0,
+      write_address => coarsetransform_write_column, write_data => coarsetransform_left_rows_read_words_0_memory_write_data);
+
+  coarsetransform_right_rows_read_words_0_memory_write_data <= coarsetransform_right_rows_write_words_0;
+  coarsetransform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 24, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsetransform_counter_column, read_data => coarsetransform_right_rows_read_words_0,
+      write_address => coarsetransform_write_column, write_data => coarsetransform_right_rows_read_words_0_memory_write_data);
+
+  coarse_pixels_read_word_0_memory_write_data <= to_unsigned(coarse_pixels_total, 24);
+  coarse_pixels_read_word_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarse_pixels_sum_column, read_data => coarse_pixels_read_word_0,
+      write_address => coarse_pixels_total_column, write_data => coarse_pixels_read_word_0_memory_write_data);
+
   process (clock)
     variable coarse_pixels_column_any, coarse_pixels_column_is_equal, coarse_pixels_column_is_equal_2 : boolean;
     variable coarse_pixels_column_all, coarse_pixels_first_row_is_equal, coarse_pixels_first_row_choice : boolean;
@@ -1565,9 +1565,9 @@ begin
     variable coarseslice0cost_pixels_first_5_0_value_4, coarseslice0cost_pixels_first_6_0_value : boolean;
     variable coarseslice0cost_pixels_first_6_0_value_2, coarseslice0cost_pixels_first_6_0_value_3 : boolean;
     variable coarseslice0cost_pixels_first_6_0_value_4, coarseslice0other_cost_0_1_all : boolean;
-    variable coarseslice0other_cost_0_1_is_not_less, coarseslice0other_cost_0_1_all_2 : boolean;
-    variable coarseslice0other_cost_0_2_is_not_less, coarseslice0other_cost_0_3_is_not_less : boolean;
-    variable coarseslice0other_cost_0_4_is_not_less, coarseslice0other_cost_0_5_is_not_less : boolean;
+    variable coarseslice0other_cost_0_1_choice, coarseslice0other_cost_0_2_choice : boolean;
+    variable coarseslice0other_cost_0_3_choice, coarseslice0other_cost_0_4_choice : boolean;
+    variable coarseslice0other_cost_0_5_choice, coarseslice0other_cost_0_6_choice : boolean;
     variable coarseslice0winner1_of_pair_0_0_is_less, coarseslice0winner1_of_pair_0_2_is_less : boolean;
     variable coarseslice0winner1_of_pair_0_4_is_less, coarseslice0winner1_of_pair_0_6_is_less : boolean;
     variable coarseslice0winner1_of_four_0_0_is_less, coarseslice0winner1_of_four_0_4_is_less : boolean;
@@ -2071,44 +2071,6 @@ begin
     variable bases_base_1_2_choice, bases_base_1_2_choice_2, rows_newest_column_choice : natural range 0 to 65535;
     variable rows_newest_column_choice_2 : natural range 0 to 65535;
     variable coarse_pixels_total_choice : natural range 0 to 16777215;
-    variable coarseslice0other_cost_0_1_choice, coarseslice0other_cost_0_1_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_1_choice_3, coarseslice0other_cost_0_1_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_1_choice_5, coarseslice0other_cost_0_1_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_2_choice, coarseslice0other_cost_0_2_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_2_choice_3, coarseslice0other_cost_0_2_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_2_choice_5, coarseslice0other_cost_0_2_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_3_choice, coarseslice0other_cost_0_3_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_3_choice_3, coarseslice0other_cost_0_3_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_3_choice_5, coarseslice0other_cost_0_3_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_4_choice, coarseslice0other_cost_0_4_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_4_choice_3, coarseslice0other_cost_0_4_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_4_choice_5, coarseslice0other_cost_0_4_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_5_choice, coarseslice0other_cost_0_5_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_5_choice_3, coarseslice0other_cost_0_5_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_5_choice_5, coarseslice0other_cost_0_5_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_6_choice, coarseslice0other_cost_0_6_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_6_choice_3, coarseslice0other_cost_0_6_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_7_choice, coarseslice0other_cost_0_7_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_winner_0_0_choice, coarseslice0other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_0_choice_3, coarseslice0other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_0_choice_5, coarseslice0other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_1_choice, coarseslice0other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_1_choice_3, coarseslice0other_winner_0_1_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_1_choice_5, coarseslice0other_winner_0_1_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_2_choice, coarseslice0other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_2_choice_3, coarseslice0other_winner_0_2_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_2_choice_5, coarseslice0other_winner_0_2_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_3_choice, coarseslice0other_winner_0_3_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_3_choice_3, coarseslice0other_winner_0_3_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_3_choice_5, coarseslice0other_winner_0_3_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_4_choice, coarseslice0other_winner_0_4_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_4_choice_3, coarseslice0other_winner_0_4_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_4_choice_5, coarseslice0other_winner_0_4_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_5_choice, coarseslice0other_winner_0_5_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_5_choice_3, coarseslice0other_winner_0_5_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_5_choice_5, coarseslice0other_winner_0_5_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_6_choice, coarseslice0other_winner_0_6_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_7_choice, coarseslice0other_winner_0_7_choice_2 : natural range 0 to 7;
     variable coarseleftright_address_0_value, ranges_pair_0_choice_6, ranges_pair_0_choice_10 : natural range 0 to 7;
     variable ranges_range_choice_5, ranges_range_choice_10, targets_walk_place_choice : natural range 0 to 7;
     variable targets_column_range_choice_23, targets_column_range_choice_24 : natural range 0 to 7;
@@ -2119,7 +2081,7 @@ begin
     variable targets_around_choice_16, targets_around_choice_17, targets_around_choice_18 : natural range 0 to 7;
     variable targets_around_choice_29, targets_around_choice_31, bases_address_0_choice_2 : natural range 0 to 7;
     variable rows_write_word_choice, rows_write_word_choice_2, rows_write_word_choice_3 : natural range 0 to 7;
-    variable coarseleftright_checked_passed_0_difference, ranges_counts_difference : integer range -6 to 8;
+    variable coarseleftright_checked_passed_0_sum, ranges_counts_difference : integer range -6 to 8;
     variable ranges_counts_difference_2, ranges_counts_difference_3, ranges_counts_difference_4 : integer range -6 to 8;
     variable ranges_column_choice_5, ranges_column_choice_6 : natural range 0 to 31;
     variable ranges_counts_sum : natural range 1 to 8;
@@ -2213,7 +2175,7 @@ begin
     variable highwindow_sum_0_11_choice, highwindow_sum_0_12_choice : natural range 0 to 511;
     variable highwindow_sum_0_13_choice, highwindow_sum_0_14_choice : natural range 0 to 511;
     variable highwindow_sum_0_15_choice : natural range 0 to 511;
-    variable other_17_choice : natural range 11 to 15;
+    variable other_16_choice : natural range 11 to 15;
   begin
     if rising_edge(clock) then
       -- coarse
@@ -2311,7 +2273,7 @@ begin
         (((coarsetransform_counter_column / 8) mod 2) = 1) or (((coarsetransform_counter_column / 4) mod 2) = 1) or
         (((coarsetransform_counter_column / 2) mod 2) = 1);
       coarsetransform_from_first_0_value := ((coarsetransform_centre_group / 4) mod 2) = 1;
-      coarsetransform_from_first_0_differs := (other_17 / 2) /= 0;
+      coarsetransform_from_first_0_differs := (other_16 / 2) /= 0;
       coarsetransform_from_first_0_value_2 := ((coarsetransform_centre_group / 8) mod 2) = 1;
       coarsetransform_left_0 <= coarse_pixels_out_left;
       coarsetransform_right_0 <= coarse_pixels_out_right;
@@ -2332,7 +2294,7 @@ begin
       coarsetransform_from_first_0 <= coarsetransform_from_first_0_differs and coarsetransform_from_first_0_value_2
         when (not ((coarsetransform_centre_group / 16) = 1)) and ((not coarsetransform_from_first_0_value) or
         ((coarsetransform_centre_group mod 4) = 0)) else coarsetransform_from_first_0_differs;
-      coarsetransform_up_to_last_0 <= (not (((other_17 / 16) = 1) and ((((other_17 / 8) mod 2) = 1) or (((other_17 / 2)
+      coarsetransform_up_to_last_0 <= (not (((other_16 / 16) = 1) and ((((other_16 / 8) mod 2) = 1) or (((other_16 / 2)
         mod 4) = 3)))) and (not (coarsetransform_from_first_0_value_2 and (coarsetransform_from_first_0_value or
         (((coarsetransform_centre_group / 2) mod 2) = 1) or ((coarsetransform_centre_group mod 2) = 1)))) and (not
         ((coarsetransform_centre_group / 16) = 1));
@@ -2347,8 +2309,8 @@ begin
       coarsetransform_right_column_3 <= to_integer(coarsetransform_right_rows_ready_words_0(31 downto 24));
       coarsetransform_right_column_4 <= coarsetransform_right_rows_ready_newest_0;
       coarsetransform_columns_inside_0 <= coarsetransform_up_to_last_0 and coarsetransform_from_first_0;
-      coarsetransform_columns_start_of_frame <= (other_16 mod 2) = 1;
-      coarsetransform_columns_valid <= (other_16 / 256) = 1;
+      coarsetransform_columns_start_of_frame <= (other_17 mod 2) = 1;
+      coarsetransform_columns_valid <= (other_17 / 256) = 1;
       coarsetransform_left_code_column_box_0_0 <= bases_rises_1_1;
       coarsetransform_left_code_column_box_0_1 <= bases_rises_1_0;
       coarsetransform_left_code_column_box_0_2 <= coarsetransform_left_code_column_box_0_3;
@@ -2475,7 +2437,7 @@ begin
         coarsetransform_counter_column <= 0 when coarsetransform_counter_group_is_equal or coarse_pixels_out_start else
           (coarsetransform_counter_column + 1) mod 32;
       end if;
-      if (other_16 / 256) = 1 then
+      if (other_17 / 256) = 1 then
         coarsetransform_left_rows_write_words_0 <= to_unsigned(coarsetransform_left_rows_ready_newest_0, 8) &
           coarsetransform_left_rows_ready_words_0(31 downto 8);
         coarsetransform_right_rows_write_words_0 <= to_unsigned(coarsetransform_right_rows_ready_newest_0, 8) &
@@ -3409,192 +3371,44 @@ begin
       coarseslice0window_tag_start_of_frame <= coarseslice0window_centre_start_of_frame_2;
       coarseslice0window_tag_end_of_line <= coarseslice0window_centre_end_of_line_2;
       -- coarseslice0other
-      coarseslice0other_cost_0_1_all := ((coarseslice0other_cost_0_7 - coarseslice0window_sum_0_6) < 0) and (not
-        coarseslice0window_tag_first_column) and coarseslice0window_tag_output_column;
-      coarseslice0other_cost_0_1_is_not_less := (coarseslice0other_cost_0_2 - coarseslice0window_sum_0_1) >= 0;
-      coarseslice0other_cost_0_1_choice := coarseslice0window_sum_0_1 when coarseslice0other_cost_0_1_is_not_less else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_1_choice_2 := coarseslice0other_cost_0_1_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_all_2 := ((coarseslice0other_cost_0_7 - coarseslice0window_sum_0_6) >= 0) and (not
-        coarseslice0window_tag_first_column) and coarseslice0window_tag_output_column;
-      coarseslice0other_cost_0_1_choice_3 := coarseslice0window_sum_0_1 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_choice_4 := coarseslice0other_cost_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_choice_5 := coarseslice0other_cost_0_1_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_1_choice_4;
-      coarseslice0other_cost_0_1_choice_6 := coarseslice0other_cost_0_1_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_1_choice_5;
-      coarseslice0other_cost_0_2_is_not_less := (coarseslice0other_cost_0_3 - coarseslice0window_sum_0_2) >= 0;
-      coarseslice0other_cost_0_2_choice := coarseslice0window_sum_0_2 when coarseslice0other_cost_0_2_is_not_less else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_2_choice_2 := coarseslice0other_cost_0_2_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_3 := coarseslice0window_sum_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_4 := coarseslice0other_cost_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_5 := coarseslice0other_cost_0_2_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_2_choice_4;
-      coarseslice0other_cost_0_2_choice_6 := coarseslice0other_cost_0_2_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_2_choice_5;
-      coarseslice0other_cost_0_3_is_not_less := (coarseslice0other_cost_0_4 - coarseslice0window_sum_0_3) >= 0;
-      coarseslice0other_cost_0_3_choice := coarseslice0window_sum_0_3 when coarseslice0other_cost_0_3_is_not_less else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_3_choice_2 := coarseslice0other_cost_0_3_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_3 := coarseslice0window_sum_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_4 := coarseslice0other_cost_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_5 := coarseslice0other_cost_0_3_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_3_choice_4;
-      coarseslice0other_cost_0_3_choice_6 := coarseslice0other_cost_0_3_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_3_choice_5;
-      coarseslice0other_cost_0_4_is_not_less := (coarseslice0other_cost_0_5 - coarseslice0window_sum_0_4) >= 0;
-      coarseslice0other_cost_0_4_choice := coarseslice0window_sum_0_4 when coarseslice0other_cost_0_4_is_not_less else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_4_choice_2 := coarseslice0other_cost_0_4_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_3 := coarseslice0window_sum_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_4 := coarseslice0other_cost_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_5 := coarseslice0other_cost_0_4_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_4_choice_4;
-      coarseslice0other_cost_0_4_choice_6 := coarseslice0other_cost_0_4_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_4_choice_5;
-      coarseslice0other_cost_0_5_is_not_less := (coarseslice0other_cost_0_6 - coarseslice0window_sum_0_5) >= 0;
-      coarseslice0other_cost_0_5_choice := coarseslice0window_sum_0_5 when coarseslice0other_cost_0_5_is_not_less else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_5_choice_2 := coarseslice0other_cost_0_5_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_3 := coarseslice0window_sum_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_4 := coarseslice0other_cost_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_5 := coarseslice0other_cost_0_5_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_5_choice_4;
-      coarseslice0other_cost_0_5_choice_6 := coarseslice0other_cost_0_5_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_5_choice_5;
-      coarseslice0other_cost_0_6_choice := coarseslice0other_cost_0_7 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_6_choice_2 := coarseslice0window_sum_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_6_choice_3 := coarseslice0other_cost_0_6_choice_2 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_6_choice;
-      coarseslice0other_cost_0_6_choice_4 := coarseslice0other_cost_0_6_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_6_choice_3;
-      coarseslice0other_winner_0_0_choice := 0 when (coarseslice0other_cost_0_1 - coarseslice0window_sum_0_0) >= 0 else
-        coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_0_choice_2 := coarseslice0other_winner_0_0_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_3 := 0 when coarseslice0window_tag_valid else coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_4 := coarseslice0other_winner_0_1 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_5 := coarseslice0other_winner_0_0_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_0_choice_4;
-      coarseslice0other_winner_0_0_choice_6 := coarseslice0other_winner_0_0_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_0_choice_5;
-      coarseslice0other_winner_0_1_choice := 1 when coarseslice0other_cost_0_1_is_not_less else
-        coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_1_choice_2 := coarseslice0other_winner_0_1_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_3 := 1 when coarseslice0window_tag_valid else coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_4 := coarseslice0other_winner_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_5 := coarseslice0other_winner_0_1_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_1_choice_4;
-      coarseslice0other_winner_0_1_choice_6 := coarseslice0other_winner_0_1_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_1_choice_5;
-      coarseslice0other_winner_0_2_choice := 2 when coarseslice0other_cost_0_2_is_not_less else
-        coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_2_choice_2 := coarseslice0other_winner_0_2_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_3 := 2 when coarseslice0window_tag_valid else coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_4 := coarseslice0other_winner_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_5 := coarseslice0other_winner_0_2_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_2_choice_4;
-      coarseslice0other_winner_0_2_choice_6 := coarseslice0other_winner_0_2_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_2_choice_5;
-      coarseslice0other_winner_0_3_choice := 3 when coarseslice0other_cost_0_3_is_not_less else
-        coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_3_choice_2 := coarseslice0other_winner_0_3_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_3 := 3 when coarseslice0window_tag_valid else coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_4 := coarseslice0other_winner_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_5 := coarseslice0other_winner_0_3_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_3_choice_4;
-      coarseslice0other_winner_0_3_choice_6 := coarseslice0other_winner_0_3_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_3_choice_5;
-      coarseslice0other_winner_0_4_choice := 4 when coarseslice0other_cost_0_4_is_not_less else
-        coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_4_choice_2 := coarseslice0other_winner_0_4_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_3 := 4 when coarseslice0window_tag_valid else coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_4 := coarseslice0other_winner_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_5 := coarseslice0other_winner_0_4_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_4_choice_4;
-      coarseslice0other_winner_0_4_choice_6 := coarseslice0other_winner_0_4_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_4_choice_5;
-      coarseslice0other_winner_0_5_choice := 5 when coarseslice0other_cost_0_5_is_not_less else
-        coarseslice0other_winner_0_6;
-      coarseslice0other_winner_0_5_choice_2 := coarseslice0other_winner_0_5_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_3 := 5 when coarseslice0window_tag_valid else coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_4 := coarseslice0other_winner_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_5 := coarseslice0other_winner_0_5_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_5_choice_4;
-      coarseslice0other_winner_0_5_choice_6 := coarseslice0other_winner_0_5_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_5_choice_5;
-      coarseslice0other_cost_0_1 <= coarseslice0other_cost_0_1_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_1_choice_6;
-      coarseslice0other_cost_0_2 <= coarseslice0other_cost_0_2_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_2_choice_6;
-      coarseslice0other_cost_0_3 <= coarseslice0other_cost_0_3_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_3_choice_6;
-      coarseslice0other_cost_0_4 <= coarseslice0other_cost_0_4_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_4_choice_6;
-      coarseslice0other_cost_0_5 <= coarseslice0other_cost_0_5_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_5_choice_6;
-      coarseslice0other_cost_0_6 <= coarseslice0other_cost_0_6_choice when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_6_choice_4;
-      coarseslice0other_winner_0_0 <= coarseslice0other_winner_0_0_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_0_choice_6;
-      coarseslice0other_winner_0_1 <= coarseslice0other_winner_0_1_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_1_choice_6;
-      coarseslice0other_winner_0_2 <= coarseslice0other_winner_0_2_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_2_choice_6;
-      coarseslice0other_winner_0_3 <= coarseslice0other_winner_0_3_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_3_choice_6;
-      coarseslice0other_winner_0_4 <= coarseslice0other_winner_0_4_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_4_choice_6;
-      coarseslice0other_winner_0_5 <= coarseslice0other_winner_0_5_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_5_choice_6;
-      coarseslice0other_winner_out_0 <= coarseslice0other_winner_0_0;
-      coarseslice0other_cost_0_7_choice := coarseslice0window_sum_0_7 when coarseslice0window_tag_output_column else 0;
-      coarseslice0other_cost_0_7_choice_2 := coarseslice0window_sum_0_7 when coarseslice0other_cost_0_1_all_2 else
-        coarseslice0other_cost_0_7_choice;
-      coarseslice0other_winner_0_6_choice := 6 when coarseslice0window_tag_output_column else
-        coarseslice0other_winner_0_7;
-      coarseslice0other_winner_0_6_choice_2 := 6 when coarseslice0other_cost_0_1_all_2 else
-        coarseslice0other_winner_0_6_choice;
-      coarseslice0other_winner_0_7_choice := 7 when coarseslice0window_tag_output_column else 0;
-      coarseslice0other_winner_0_7_choice_2 := 7 when coarseslice0other_cost_0_1_all_2 else
-        coarseslice0other_winner_0_7_choice;
+      coarseslice0other_cost_0_1_all := coarseslice0window_tag_output_column and coarseslice0window_tag_first_column;
+      coarseslice0other_cost_0_1_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_2 -
+        coarseslice0window_sum_0_1) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_2_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_3 -
+        coarseslice0window_sum_0_2) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_3_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_4 -
+        coarseslice0window_sum_0_3) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_4_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_5 -
+        coarseslice0window_sum_0_4) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_5_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_6 -
+        coarseslice0window_sum_0_5) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_6_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_7 -
+        coarseslice0window_sum_0_6) >= 0 else coarseslice0other_cost_0_1_all;
       if coarseslice0window_tag_valid then
-        coarseslice0other_cost_0_7 <= coarseslice0window_sum_0_7 when coarseslice0other_cost_0_1_all else
-          coarseslice0other_cost_0_7_choice_2;
-        coarseslice0other_winner_0_6 <= coarseslice0other_winner_0_7 when coarseslice0other_cost_0_1_all else
-          coarseslice0other_winner_0_6_choice_2;
-        coarseslice0other_winner_0_7 <= 7 when coarseslice0other_cost_0_1_all else
-          coarseslice0other_winner_0_7_choice_2;
+        coarseslice0other_cost_0_1 <= coarseslice0window_sum_0_1 when coarseslice0other_cost_0_1_choice else
+          coarseslice0other_cost_0_2;
+        coarseslice0other_cost_0_2 <= coarseslice0window_sum_0_2 when coarseslice0other_cost_0_2_choice else
+          coarseslice0other_cost_0_3;
+        coarseslice0other_cost_0_3 <= coarseslice0window_sum_0_3 when coarseslice0other_cost_0_3_choice else
+          coarseslice0other_cost_0_4;
+        coarseslice0other_cost_0_4 <= coarseslice0window_sum_0_4 when coarseslice0other_cost_0_4_choice else
+          coarseslice0other_cost_0_5;
+        coarseslice0other_cost_0_5 <= coarseslice0window_sum_0_5 when coarseslice0other_cost_0_5_choice else
+          coarseslice0other_cost_0_6;
+        coarseslice0other_cost_0_6 <= coarseslice0window_sum_0_6 when coarseslice0other_cost_0_6_choice else
+          coarseslice0other_cost_0_7;
+        coarseslice0other_cost_0_7 <= coarseslice0window_sum_0_7 when coarseslice0window_tag_output_column else 0;
+        coarseslice0other_winner_0_0 <= 0 when coarseslice0window_tag_output_column and (((coarseslice0other_cost_0_1 -
+          coarseslice0window_sum_0_0) >= 0) or coarseslice0window_tag_first_column) else coarseslice0other_winner_0_1;
+        coarseslice0other_winner_0_1 <= 1 when coarseslice0other_cost_0_1_choice else coarseslice0other_winner_0_2;
+        coarseslice0other_winner_0_2 <= 2 when coarseslice0other_cost_0_2_choice else coarseslice0other_winner_0_3;
+        coarseslice0other_winner_0_3 <= 3 when coarseslice0other_cost_0_3_choice else coarseslice0other_winner_0_4;
+        coarseslice0other_winner_0_4 <= 4 when coarseslice0other_cost_0_4_choice else coarseslice0other_winner_0_5;
+        coarseslice0other_winner_0_5 <= 5 when coarseslice0other_cost_0_5_choice else coarseslice0other_winner_0_6;
+        coarseslice0other_winner_0_6 <= 6 when coarseslice0other_cost_0_6_choice else coarseslice0other_winner_0_7;
+        coarseslice0other_winner_0_7 <= 7 when coarseslice0window_tag_output_column else 0;
       end if;
+      coarseslice0other_winner_out_0 <= coarseslice0other_winner_0_0;
       -- coarseslice0winner1
       coarseslice0winner1_of_pair_0_0_is_less := (coarseslice0window_sum_0_1 - coarseslice0window_sum_0_0) < 0;
       coarseslice0winner1_of_pair_0_2_is_less := (coarseslice0window_sum_0_3 - coarseslice0window_sum_0_2) < 0;
@@ -3681,8 +3495,8 @@ begin
         / 4) = 1) or (((coarseleftright_ring_read_address / 2) mod 2) = 1) or ((coarseleftright_ring_read_address mod
         2) = 1));
       coarseleftright_address_0_value := to_integer(coarseleftright_held_0(6 downto 4));
-      coarseleftright_checked_passed_0_difference := (coarseleftright_answered_disparity_0 + 1) -
-        to_integer(coarseleftright_found_0);
+      coarseleftright_checked_passed_0_sum := (1 - to_integer(coarseleftright_found_0)) +
+        coarseleftright_answered_disparity_0;
       coarseleftright_other_1_0 <= coarseslice0other_winner_out_0;
       coarseleftright_other_2_0 <= coarseleftright_other_1_0;
       coarseleftright_other_3_0 <= coarseleftright_other_2_0;
@@ -3703,8 +3517,8 @@ begin
       coarseleftright_answered_tag_output_column <= coarseleftright_asking_tag_output_column;
       coarseleftright_answered_tag_start_of_frame <= coarseleftright_asking_tag_start_of_frame;
       coarseleftright_checked_disparity_0 <= coarseleftright_answered_disparity_0;
-      coarseleftright_checked_passed_0 <= coarseleftright_answered_passed_0 and
-        (coarseleftright_checked_passed_0_difference >= 0) and (coarseleftright_checked_passed_0_difference < 3);
+      coarseleftright_checked_passed_0 <= coarseleftright_answered_passed_0 and (coarseleftright_checked_passed_0_sum
+        >= 0) and (coarseleftright_checked_passed_0_sum < 3);
       coarseleftright_checked_tag_valid <= coarseleftright_answered_tag_valid;
       coarseleftright_checked_tag_output_column <= coarseleftright_answered_tag_output_column;
       coarseleftright_checked_tag_start_of_frame <= coarseleftright_answered_tag_start_of_frame;
@@ -8381,7 +8195,7 @@ begin
       map_start_of_frame <= choice_best_tag_start_of_frame and choice_best_tag_valid and choice_best_tag_output_column;
       map_end_of_line <= choice_best_tag_end_of_line and choice_best_tag_valid and choice_best_tag_output_column;
       -- other
-      other_17_choice := 15 when coarsetransform_centre_group_any else 11;
+      other_16_choice := 15 when coarsetransform_centre_group_any else 11;
       other_0 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) * 2;
       other_1 <= as_number(((transform_right_code_row_before_0 - transform_right_code_row_after_0) < 0)) * 8192;
       other_2 <= as_number((((other_3 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
@@ -8401,8 +8215,8 @@ begin
         8192;
       other_14 <= as_number((((other_15 / 2) - coarsetransform_left_code_row_centre_0) < 0)) * 8192;
       other_15 <= ((coarsetransform_left_code_column_response_0 + coarsetransform_left_code_row_column_0_3) / 2) * 2;
-      other_16 <= other_18;
-      other_17 <= ((other_17_choice + (coarsetransform_counter_column / 2)) mod 16) * 2;
+      other_16 <= ((other_16_choice + (coarsetransform_counter_column / 2)) mod 16) * 2;
+      other_17 <= other_18;
       other_18 <= (as_number(coarsetransform_valid) * 256) + as_number(((coarsetransform_counter_group = 2) and
         (coarsetransform_counter_column = 2)));
       if reset = '1' then

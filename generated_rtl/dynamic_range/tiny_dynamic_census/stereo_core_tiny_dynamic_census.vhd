@@ -2442,9 +2442,9 @@ begin
     variable coarseslice0cost_pixels_first_6_0_count_6_value_3 : boolean;
     variable coarseslice0cost_pixels_first_6_0_count_7_value : boolean;
     variable coarseslice0cost_pixels_first_6_0_count_7_value_2, coarseslice0other_cost_0_1_all : boolean;
-    variable coarseslice0other_cost_0_1_is_not_less, coarseslice0other_cost_0_1_all_2 : boolean;
-    variable coarseslice0other_cost_0_2_is_not_less, coarseslice0other_cost_0_3_is_not_less : boolean;
-    variable coarseslice0other_cost_0_4_is_not_less, coarseslice0other_cost_0_5_is_not_less : boolean;
+    variable coarseslice0other_cost_0_1_choice, coarseslice0other_cost_0_2_choice : boolean;
+    variable coarseslice0other_cost_0_3_choice, coarseslice0other_cost_0_4_choice : boolean;
+    variable coarseslice0other_cost_0_5_choice, coarseslice0other_cost_0_6_choice : boolean;
     variable coarseslice0winner1_of_pair_0_0_is_less, coarseslice0winner1_of_pair_0_2_is_less : boolean;
     variable coarseslice0winner1_of_pair_0_4_is_less, coarseslice0winner1_of_pair_0_6_is_less : boolean;
     variable coarseslice0winner1_of_four_0_0_is_less, coarseslice0winner1_of_four_0_4_is_less : boolean;
@@ -3593,54 +3593,6 @@ begin
     variable coarsetransform_right_filter_feature_0_choice_197 : natural range 0 to 524287;
     variable transform_left_filter_feature_0_choice_197 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_197 : natural range 0 to 524287;
-    variable coarseslice0other_cost_0_1_choice, coarseslice0other_cost_0_1_choice_2 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_1_choice_3, coarseslice0other_cost_0_1_choice_4 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_1_choice_5, coarseslice0other_cost_0_1_choice_6 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_2_choice, coarseslice0other_cost_0_2_choice_2 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_2_choice_3, coarseslice0other_cost_0_2_choice_4 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_2_choice_5, coarseslice0other_cost_0_2_choice_6 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_3_choice, coarseslice0other_cost_0_3_choice_2 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_3_choice_3, coarseslice0other_cost_0_3_choice_4 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_3_choice_5, coarseslice0other_cost_0_3_choice_6 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_4_choice, coarseslice0other_cost_0_4_choice_2 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_4_choice_3, coarseslice0other_cost_0_4_choice_4 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_4_choice_5, coarseslice0other_cost_0_4_choice_6 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_5_choice, coarseslice0other_cost_0_5_choice_2 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_5_choice_3, coarseslice0other_cost_0_5_choice_4 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_5_choice_5, coarseslice0other_cost_0_5_choice_6 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_6_choice, coarseslice0other_cost_0_6_choice_2 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_6_choice_3, coarseslice0other_cost_0_6_choice_4 : natural range 0 to 1176;
-    variable coarseslice0other_cost_0_7_choice, coarseslice0other_cost_0_7_choice_2 : natural range 0 to 1176;
-    variable coarseslice0other_winner_0_0_choice, coarseslice0other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_0_choice_3, coarseslice0other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_0_choice_5, coarseslice0other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_1_choice, coarseslice0other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_1_choice_3, coarseslice0other_winner_0_1_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_1_choice_5, coarseslice0other_winner_0_1_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_2_choice, coarseslice0other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_2_choice_3, coarseslice0other_winner_0_2_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_2_choice_5, coarseslice0other_winner_0_2_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_3_choice, coarseslice0other_winner_0_3_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_3_choice_3, coarseslice0other_winner_0_3_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_3_choice_5, coarseslice0other_winner_0_3_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_4_choice, coarseslice0other_winner_0_4_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_4_choice_3, coarseslice0other_winner_0_4_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_4_choice_5, coarseslice0other_winner_0_4_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_5_choice, coarseslice0other_winner_0_5_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_5_choice_3, coarseslice0other_winner_0_5_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_5_choice_5, coarseslice0other_winner_0_5_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_6_choice, coarseslice0other_winner_0_6_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_7_choice, coarseslice0other_winner_0_7_choice_2 : natural range 0 to 7;
-    variable ranges_pair_0_choice_6, ranges_pair_0_choice_10, ranges_range_choice_5 : natural range 0 to 7;
-    variable ranges_range_choice_10, targets_walk_place_choice, targets_column_range_choice_23 : natural range 0 to 7;
-    variable targets_column_range_choice_24, targets_column_range_value_11 : natural range 0 to 7;
-    variable targets_column_range_choice_25, targets_column_range_choice_26 : natural range 0 to 7;
-    variable targets_column_range_choice_27, targets_column_range_choice_28 : natural range 0 to 7;
-    variable targets_column_range_choice_29, targets_column_range_choice_51 : natural range 0 to 7;
-    variable targets_column_range_choice_54, targets_around_choice_16, targets_around_choice_17 : natural range 0 to 7;
-    variable targets_around_choice_18, targets_around_choice_29, targets_around_choice_31 : natural range 0 to 7;
-    variable bases_address_0_choice_2, rows_write_word_choice, rows_write_word_choice_2 : natural range 0 to 7;
-    variable rows_write_word_choice_3 : natural range 0 to 7;
     variable coarseleftright_checked_passed_0_difference, ranges_counts_difference : integer range -6 to 8;
     variable ranges_counts_difference_2, ranges_counts_difference_3, ranges_counts_difference_4 : integer range -6 to 8;
     variable ranges_counts_sum : natural range 1 to 8;
@@ -3694,6 +3646,16 @@ begin
     variable highwindow_change_0_11_choice, highwindow_change_0_12_choice : natural range 0 to 127;
     variable highwindow_change_0_13_choice, highwindow_change_0_14_choice : natural range 0 to 127;
     variable highwindow_change_0_15_choice : natural range 0 to 127;
+    variable ranges_pair_0_choice_6, ranges_pair_0_choice_10, ranges_range_choice_5 : natural range 0 to 7;
+    variable ranges_range_choice_10, targets_walk_place_choice, targets_column_range_choice_23 : natural range 0 to 7;
+    variable targets_column_range_choice_24, targets_column_range_value_11 : natural range 0 to 7;
+    variable targets_column_range_choice_25, targets_column_range_choice_26 : natural range 0 to 7;
+    variable targets_column_range_choice_27, targets_column_range_choice_28 : natural range 0 to 7;
+    variable targets_column_range_choice_29, targets_column_range_choice_51 : natural range 0 to 7;
+    variable targets_column_range_choice_54, targets_around_choice_16, targets_around_choice_17 : natural range 0 to 7;
+    variable targets_around_choice_18, targets_around_choice_29, targets_around_choice_31 : natural range 0 to 7;
+    variable bases_address_0_choice_2, rows_write_word_choice, rows_write_word_choice_2 : natural range 0 to 7;
+    variable rows_write_word_choice_3 : natural range 0 to 7;
     variable targets_column_range_value_9, targets_column_range_value_10 : natural range 0 to 63;
     variable targets_column_range_choice_48, targets_column_range_choice_49 : natural range 0 to 63;
     variable targets_column_range_choice_50, targets_column_range_choice_52 : natural range 0 to 63;
@@ -5353,7 +5315,7 @@ begin
       coarsetransform_ready_row_inside_4 <= coarsetransform_read_row_inside_4;
       coarsetransform_ready_column_inside_0 <= coarsetransform_read_column_inside_0;
       coarsetransform_ready_column_inside_1 <= coarsetransform_read_column_inside_1;
-      coarsetransform_ready_column_inside_2 <= rows_wanted_one_0_0;
+      coarsetransform_ready_column_inside_2 <= transform_read_column_inside_2;
       coarsetransform_ready_column_inside_3 <= coarsetransform_read_column_inside_3;
       coarsetransform_ready_column_inside_4 <= coarsetransform_read_column_inside_4;
       coarsetransform_ready_start_of_frame <= coarsetransform_read_start_of_frame;
@@ -5375,7 +5337,7 @@ begin
       coarsetransform_columns_row_inside_4 <= coarsetransform_ready_row_inside_4;
       coarsetransform_columns_column_inside_0 <= coarsetransform_ready_column_inside_0;
       coarsetransform_columns_column_inside_1 <= coarsetransform_ready_column_inside_1;
-      coarsetransform_columns_column_inside_2 <= coarsetransform_ready_column_inside_2;
+      coarsetransform_columns_column_inside_2 <= transform_ready_column_inside_2;
       coarsetransform_columns_column_inside_3 <= coarsetransform_ready_column_inside_3;
       coarsetransform_columns_column_inside_4 <= coarsetransform_ready_column_inside_4;
       coarsetransform_columns_start_of_frame <= coarsetransform_ready_start_of_frame;
@@ -8184,192 +8146,44 @@ begin
       coarseslice0window_tag_start_of_frame <= coarseslice0window_centre_start_of_frame_2;
       coarseslice0window_tag_end_of_line <= coarseslice0window_centre_end_of_line_2;
       -- coarseslice0other
-      coarseslice0other_cost_0_1_all := ((coarseslice0other_cost_0_7 - coarseslice0window_sum_0_6) < 0) and (not
-        coarseslice0window_tag_first_column) and coarseslice0window_tag_output_column;
-      coarseslice0other_cost_0_1_is_not_less := (coarseslice0other_cost_0_2 - coarseslice0window_sum_0_1) >= 0;
-      coarseslice0other_cost_0_1_choice := coarseslice0window_sum_0_1 when coarseslice0other_cost_0_1_is_not_less else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_1_choice_2 := coarseslice0other_cost_0_1_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_all_2 := ((coarseslice0other_cost_0_7 - coarseslice0window_sum_0_6) >= 0) and (not
-        coarseslice0window_tag_first_column) and coarseslice0window_tag_output_column;
-      coarseslice0other_cost_0_1_choice_3 := coarseslice0window_sum_0_1 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_choice_4 := coarseslice0other_cost_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_choice_5 := coarseslice0other_cost_0_1_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_1_choice_4;
-      coarseslice0other_cost_0_1_choice_6 := coarseslice0other_cost_0_1_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_1_choice_5;
-      coarseslice0other_cost_0_2_is_not_less := (coarseslice0other_cost_0_3 - coarseslice0window_sum_0_2) >= 0;
-      coarseslice0other_cost_0_2_choice := coarseslice0window_sum_0_2 when coarseslice0other_cost_0_2_is_not_less else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_2_choice_2 := coarseslice0other_cost_0_2_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_3 := coarseslice0window_sum_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_4 := coarseslice0other_cost_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_5 := coarseslice0other_cost_0_2_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_2_choice_4;
-      coarseslice0other_cost_0_2_choice_6 := coarseslice0other_cost_0_2_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_2_choice_5;
-      coarseslice0other_cost_0_3_is_not_less := (coarseslice0other_cost_0_4 - coarseslice0window_sum_0_3) >= 0;
-      coarseslice0other_cost_0_3_choice := coarseslice0window_sum_0_3 when coarseslice0other_cost_0_3_is_not_less else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_3_choice_2 := coarseslice0other_cost_0_3_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_3 := coarseslice0window_sum_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_4 := coarseslice0other_cost_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_5 := coarseslice0other_cost_0_3_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_3_choice_4;
-      coarseslice0other_cost_0_3_choice_6 := coarseslice0other_cost_0_3_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_3_choice_5;
-      coarseslice0other_cost_0_4_is_not_less := (coarseslice0other_cost_0_5 - coarseslice0window_sum_0_4) >= 0;
-      coarseslice0other_cost_0_4_choice := coarseslice0window_sum_0_4 when coarseslice0other_cost_0_4_is_not_less else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_4_choice_2 := coarseslice0other_cost_0_4_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_3 := coarseslice0window_sum_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_4 := coarseslice0other_cost_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_5 := coarseslice0other_cost_0_4_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_4_choice_4;
-      coarseslice0other_cost_0_4_choice_6 := coarseslice0other_cost_0_4_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_4_choice_5;
-      coarseslice0other_cost_0_5_is_not_less := (coarseslice0other_cost_0_6 - coarseslice0window_sum_0_5) >= 0;
-      coarseslice0other_cost_0_5_choice := coarseslice0window_sum_0_5 when coarseslice0other_cost_0_5_is_not_less else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_5_choice_2 := coarseslice0other_cost_0_5_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_3 := coarseslice0window_sum_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_4 := coarseslice0other_cost_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_5 := coarseslice0other_cost_0_5_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_5_choice_4;
-      coarseslice0other_cost_0_5_choice_6 := coarseslice0other_cost_0_5_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_5_choice_5;
-      coarseslice0other_cost_0_6_choice := coarseslice0other_cost_0_7 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_6_choice_2 := coarseslice0window_sum_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_6_choice_3 := coarseslice0other_cost_0_6_choice_2 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_6_choice;
-      coarseslice0other_cost_0_6_choice_4 := coarseslice0other_cost_0_6_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_6_choice_3;
-      coarseslice0other_winner_0_0_choice := 0 when (coarseslice0other_cost_0_1 - coarseslice0window_sum_0_0) >= 0 else
-        coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_0_choice_2 := coarseslice0other_winner_0_0_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_3 := 0 when coarseslice0window_tag_valid else coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_4 := coarseslice0other_winner_0_1 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_5 := coarseslice0other_winner_0_0_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_0_choice_4;
-      coarseslice0other_winner_0_0_choice_6 := coarseslice0other_winner_0_0_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_0_choice_5;
-      coarseslice0other_winner_0_1_choice := 1 when coarseslice0other_cost_0_1_is_not_less else
-        coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_1_choice_2 := coarseslice0other_winner_0_1_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_3 := 1 when coarseslice0window_tag_valid else coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_4 := coarseslice0other_winner_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_5 := coarseslice0other_winner_0_1_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_1_choice_4;
-      coarseslice0other_winner_0_1_choice_6 := coarseslice0other_winner_0_1_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_1_choice_5;
-      coarseslice0other_winner_0_2_choice := 2 when coarseslice0other_cost_0_2_is_not_less else
-        coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_2_choice_2 := coarseslice0other_winner_0_2_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_3 := 2 when coarseslice0window_tag_valid else coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_4 := coarseslice0other_winner_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_5 := coarseslice0other_winner_0_2_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_2_choice_4;
-      coarseslice0other_winner_0_2_choice_6 := coarseslice0other_winner_0_2_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_2_choice_5;
-      coarseslice0other_winner_0_3_choice := 3 when coarseslice0other_cost_0_3_is_not_less else
-        coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_3_choice_2 := coarseslice0other_winner_0_3_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_3 := 3 when coarseslice0window_tag_valid else coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_4 := coarseslice0other_winner_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_5 := coarseslice0other_winner_0_3_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_3_choice_4;
-      coarseslice0other_winner_0_3_choice_6 := coarseslice0other_winner_0_3_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_3_choice_5;
-      coarseslice0other_winner_0_4_choice := 4 when coarseslice0other_cost_0_4_is_not_less else
-        coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_4_choice_2 := coarseslice0other_winner_0_4_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_3 := 4 when coarseslice0window_tag_valid else coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_4 := coarseslice0other_winner_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_5 := coarseslice0other_winner_0_4_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_4_choice_4;
-      coarseslice0other_winner_0_4_choice_6 := coarseslice0other_winner_0_4_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_4_choice_5;
-      coarseslice0other_winner_0_5_choice := 5 when coarseslice0other_cost_0_5_is_not_less else
-        coarseslice0other_winner_0_6;
-      coarseslice0other_winner_0_5_choice_2 := coarseslice0other_winner_0_5_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_3 := 5 when coarseslice0window_tag_valid else coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_4 := coarseslice0other_winner_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_5 := coarseslice0other_winner_0_5_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_5_choice_4;
-      coarseslice0other_winner_0_5_choice_6 := coarseslice0other_winner_0_5_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_5_choice_5;
-      coarseslice0other_cost_0_1 <= coarseslice0other_cost_0_1_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_1_choice_6;
-      coarseslice0other_cost_0_2 <= coarseslice0other_cost_0_2_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_2_choice_6;
-      coarseslice0other_cost_0_3 <= coarseslice0other_cost_0_3_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_3_choice_6;
-      coarseslice0other_cost_0_4 <= coarseslice0other_cost_0_4_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_4_choice_6;
-      coarseslice0other_cost_0_5 <= coarseslice0other_cost_0_5_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_5_choice_6;
-      coarseslice0other_cost_0_6 <= coarseslice0other_cost_0_6_choice when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_6_choice_4;
-      coarseslice0other_winner_0_0 <= coarseslice0other_winner_0_0_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_0_choice_6;
-      coarseslice0other_winner_0_1 <= coarseslice0other_winner_0_1_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_1_choice_6;
-      coarseslice0other_winner_0_2 <= coarseslice0other_winner_0_2_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_2_choice_6;
-      coarseslice0other_winner_0_3 <= coarseslice0other_winner_0_3_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_3_choice_6;
-      coarseslice0other_winner_0_4 <= coarseslice0other_winner_0_4_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_4_choice_6;
-      coarseslice0other_winner_0_5 <= coarseslice0other_winner_0_5_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_5_choice_6;
-      coarseslice0other_winner_out_0 <= coarseslice0other_winner_0_0;
-      coarseslice0other_cost_0_7_choice := coarseslice0window_sum_0_7 when coarseslice0window_tag_output_column else 0;
-      coarseslice0other_cost_0_7_choice_2 := coarseslice0window_sum_0_7 when coarseslice0other_cost_0_1_all_2 else
-        coarseslice0other_cost_0_7_choice;
-      coarseslice0other_winner_0_6_choice := 6 when coarseslice0window_tag_output_column else
-        coarseslice0other_winner_0_7;
-      coarseslice0other_winner_0_6_choice_2 := 6 when coarseslice0other_cost_0_1_all_2 else
-        coarseslice0other_winner_0_6_choice;
-      coarseslice0other_winner_0_7_choice := 7 when coarseslice0window_tag_output_column else 0;
-      coarseslice0other_winner_0_7_choice_2 := 7 when coarseslice0other_cost_0_1_all_2 else
-        coarseslice0other_winner_0_7_choice;
+      coarseslice0other_cost_0_1_all := coarseslice0window_tag_output_column and coarseslice0window_tag_first_column;
+      coarseslice0other_cost_0_1_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_2 -
+        coarseslice0window_sum_0_1) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_2_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_3 -
+        coarseslice0window_sum_0_2) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_3_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_4 -
+        coarseslice0window_sum_0_3) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_4_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_5 -
+        coarseslice0window_sum_0_4) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_5_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_6 -
+        coarseslice0window_sum_0_5) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_6_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_7 -
+        coarseslice0window_sum_0_6) >= 0 else coarseslice0other_cost_0_1_all;
       if coarseslice0window_tag_valid then
-        coarseslice0other_cost_0_7 <= coarseslice0window_sum_0_7 when coarseslice0other_cost_0_1_all else
-          coarseslice0other_cost_0_7_choice_2;
-        coarseslice0other_winner_0_6 <= coarseslice0other_winner_0_7 when coarseslice0other_cost_0_1_all else
-          coarseslice0other_winner_0_6_choice_2;
-        coarseslice0other_winner_0_7 <= 7 when coarseslice0other_cost_0_1_all else
-          coarseslice0other_winner_0_7_choice_2;
+        coarseslice0other_cost_0_1 <= coarseslice0window_sum_0_1 when coarseslice0other_cost_0_1_choice else
+          coarseslice0other_cost_0_2;
+        coarseslice0other_cost_0_2 <= coarseslice0window_sum_0_2 when coarseslice0other_cost_0_2_choice else
+          coarseslice0other_cost_0_3;
+        coarseslice0other_cost_0_3 <= coarseslice0window_sum_0_3 when coarseslice0other_cost_0_3_choice else
+          coarseslice0other_cost_0_4;
+        coarseslice0other_cost_0_4 <= coarseslice0window_sum_0_4 when coarseslice0other_cost_0_4_choice else
+          coarseslice0other_cost_0_5;
+        coarseslice0other_cost_0_5 <= coarseslice0window_sum_0_5 when coarseslice0other_cost_0_5_choice else
+          coarseslice0other_cost_0_6;
+        coarseslice0other_cost_0_6 <= coarseslice0window_sum_0_6 when coarseslice0other_cost_0_6_choice else
+          coarseslice0other_cost_0_7;
+        coarseslice0other_cost_0_7 <= coarseslice0window_sum_0_7 when coarseslice0window_tag_output_column else 0;
+        coarseslice0other_winner_0_0 <= 0 when coarseslice0window_tag_output_column and (((coarseslice0other_cost_0_1 -
+          coarseslice0window_sum_0_0) >= 0) or coarseslice0window_tag_first_column) else coarseslice0other_winner_0_1;
+        coarseslice0other_winner_0_1 <= 1 when coarseslice0other_cost_0_1_choice else coarseslice0other_winner_0_2;
+        coarseslice0other_winner_0_2 <= 2 when coarseslice0other_cost_0_2_choice else coarseslice0other_winner_0_3;
+        coarseslice0other_winner_0_3 <= 3 when coarseslice0other_cost_0_3_choice else coarseslice0other_winner_0_4;
+        coarseslice0other_winner_0_4 <= 4 when coarseslice0other_cost_0_4_choice else coarseslice0other_winner_0_5;
+        coarseslice0other_winner_0_5 <= 5 when coarseslice0other_cost_0_5_choice else coarseslice0other_winner_0_6;
+        coarseslice0other_winner_0_6 <= 6 when coarseslice0other_cost_0_6_choice else coarseslice0other_winner_0_7;
+        coarseslice0other_winner_0_7 <= 7 when coarseslice0window_tag_output_column else 0;
       end if;
+      coarseslice0other_winner_out_0 <= coarseslice0other_winner_0_0;
       -- coarseslice0winner1
       coarseslice0winner1_of_pair_0_0_is_less := (coarseslice0window_sum_0_1 - coarseslice0window_sum_0_0) < 0;
       coarseslice0winner1_of_pair_0_2_is_less := (coarseslice0window_sum_0_3 - coarseslice0window_sum_0_2) < 0;
@@ -10338,7 +10152,7 @@ begin
       transform_ready_row_inside_4 <= transform_read_row_inside_4;
       transform_ready_column_inside_0 <= transform_read_column_inside_0;
       transform_ready_column_inside_1 <= transform_read_column_inside_1;
-      transform_ready_column_inside_2 <= coarsetransform_read_column_inside_2;
+      transform_ready_column_inside_2 <= rows_wanted_one_0_0;
       transform_ready_column_inside_3 <= transform_read_column_inside_3;
       transform_ready_column_inside_4 <= transform_read_column_inside_4;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
@@ -10360,7 +10174,7 @@ begin
       transform_columns_row_inside_4 <= transform_ready_row_inside_4;
       transform_columns_column_inside_0 <= transform_ready_column_inside_0;
       transform_columns_column_inside_1 <= transform_ready_column_inside_1;
-      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
+      transform_columns_column_inside_2 <= rows_asked_one_0_0;
       transform_columns_column_inside_3 <= transform_ready_column_inside_3;
       transform_columns_column_inside_4 <= transform_ready_column_inside_4;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
@@ -10706,14 +10520,14 @@ begin
       rows_asked_first_bank_0_1 <= rows_wanted_first_bank_0_1;
       rows_asked_first_bank_1_0 <= rows_wanted_first_bank_1_0;
       rows_asked_first_bank_1_1 <= rows_wanted_first_bank_1_1;
-      rows_asked_one_0_0 <= transform_read_column_inside_2;
+      rows_asked_one_0_0 <= coarsetransform_read_column_inside_2;
       rows_asked_one_1_0 <= rows_wanted_one_1_0;
       rows_asked_one_1_1 <= rows_wanted_one_1_1;
       rows_read_first_bank_0_0 <= rows_asked_first_bank_0_0;
       rows_read_first_bank_0_1 <= rows_asked_first_bank_0_1;
       rows_read_first_bank_1_0 <= rows_asked_first_bank_1_0;
       rows_read_first_bank_1_1 <= rows_asked_first_bank_1_1;
-      rows_read_one_0_0 <= rows_asked_one_0_0;
+      rows_read_one_0_0 <= coarsetransform_ready_column_inside_2;
       rows_read_one_1_0 <= rows_asked_one_1_0;
       rows_read_one_1_1 <= rows_asked_one_1_1;
       rows_ready_codes_0 <= to_integer(rows_read_codes_0);

@@ -65,7 +65,7 @@ begin
       latency_clocks => 35,
       flush_groups => 3020,
       gap_groups => 1536,
-      core_id => x"21700e5a",
+      core_id => x"2b4a1918",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

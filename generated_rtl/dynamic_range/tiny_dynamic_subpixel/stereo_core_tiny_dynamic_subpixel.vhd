@@ -1047,27 +1047,19 @@ architecture rtl of stereo_core_tiny_dynamic_subpixel is
   signal map_disparity_0 : natural range 0 to 65535;
   signal map_passed_0, map_valid, map_start_of_frame, map_end_of_line : boolean;
   -- other
-  signal other_0, other_4 : natural range 0 to 65534;
-  signal other_1, other_2, other_5, other_6, other_17, other_18, other_20, other_21 : natural range 0 to 8192;
-  signal other_3, other_7, other_19, other_22 : natural range 0 to 2042;
-  signal other_8, other_9, other_24, other_26 : natural range 0 to 257;
-  signal other_10 : natural range 0 to 254;
-  signal other_11 : natural range 0 to 252;
-  signal other_12 : natural range 0 to 248;
-  signal other_13 : natural range 0 to 240;
-  signal other_14 : natural range 0 to 224;
-  signal other_15 : natural range 0 to 192;
-  signal other_16 : natural range 0 to 128;
-  signal other_23, other_27, other_28, other_29, other_30, other_31 : boolean;
-  signal other_25 : natural range 0 to 30;
-  signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
-  signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
-  signal coarserows_reference_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal coarsedelay_delayed_0_memory_write_data : unsigned(5 downto 0);
-  signal coarsetransform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal coarsetransform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal coarse_pixels_read_word_0_memory_write_data : unsigned(23 downto 0);
+  signal other_0, other_1, other_2, other_7, other_12, other_31 : boolean;
+  signal other_3, other_8 : natural range 0 to 65534;
+  signal other_4, other_5, other_9, other_10, other_22, other_23, other_25, other_26 : natural range 0 to 8192;
+  signal other_6, other_11, other_24, other_27 : natural range 0 to 2042;
+  signal other_13, other_14, other_29, other_30 : natural range 0 to 257;
+  signal other_15 : natural range 0 to 254;
+  signal other_16 : natural range 0 to 252;
+  signal other_17 : natural range 0 to 248;
+  signal other_18 : natural range 0 to 240;
+  signal other_19 : natural range 0 to 224;
+  signal other_20 : natural range 0 to 192;
+  signal other_21 : natural range 0 to 128;
+  signal other_28 : natural range 0 to 30;
   signal lowwindow_leaving_3_memory_write_data : unsigned(27 downto 0);
   signal lowwindow_leaving_2_memory_write_data : unsigned(27 downto 0);
   signal lowwindow_leaving_1_memory_write_data : unsigned(27 downto 0);
@@ -1121,6 +1113,14 @@ architecture rtl of stereo_core_tiny_dynamic_subpixel is
   signal ranges_pixels_read_words_0_memory_write_data : unsigned(7 downto 0);
   signal coarseleftright_found_0_memory_write_data : unsigned(2 downto 0);
   signal coarseleftright_held_0_memory_write_data : unsigned(12 downto 0);
+  signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
+  signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
+  signal coarserows_reference_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal coarsedelay_delayed_0_memory_write_data : unsigned(5 downto 0);
+  signal coarsetransform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal coarsetransform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal coarse_pixels_read_word_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -1132,70 +1132,6 @@ begin
   disparity_valid <= as_bit(map_valid);
   disparity_start_of_frame <= as_bit(map_start_of_frame);
   disparity_end_of_line <= as_bit(map_end_of_line);
-
-  coarserows_search_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_1, 6);
-  coarserows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_1,
-      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_1_memory_write_data);
-
-  coarserows_search_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_0, 30);
-  coarserows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 30)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_0,
-      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_0_memory_write_data);
-
-  coarserows_reference_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_1, 6);
-  coarserows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_1,
-      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_1_memory_write_data);
-
-  coarserows_reference_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_0, 30);
-  coarserows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 30)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_0,
-      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_0_memory_write_data);
-
-  coarsedelay_delayed_0_memory_write_data <= to_unsigned(coarseraster_features_reference_0, 6);
-  coarsedelay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 6)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_ring_read_address, read_data => coarsedelay_delayed_0,
-      write_address => coarsedelay_ring_write_address, write_data => coarsedelay_delayed_0_memory_write_data);
-
-  coarsetransform_left_rows_read_words_0_memory_write_data <= coarsetransform_left_rows_write_words_0;
-  coarsetransform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_left_rows_read_words_0,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_left_rows_read_words_0_memory_write_data);
-
-  coarsetransform_right_rows_read_words_0_memory_write_data <= coarsetransform_right_rows_write_words_0;
-  coarsetransform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_right_rows_read_words_0,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_right_rows_read_words_0_memory_write_data);
-
-  coarse_pixels_read_word_0_memory_write_data <= to_unsigned(coarse_pixels_total, 24);
-  coarse_pixels_read_word_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 24)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => coarse_pixels_sum_column, read_data => coarse_pixels_read_word_0,
-      write_address => coarse_pixels_total_column, write_data => coarse_pixels_read_word_0_memory_write_data);
 
   lowwindow_leaving_3_memory_write_data <= to_unsigned(lowcost_column_0_15, 7) & to_unsigned(lowcost_column_0_14, 7) & to_unsigned(lowcost_column_0_13, 7) & to_unsigned(lowcost_column_0_12, 7);
   lowwindow_leaving_3_memory : entity work.line_memory
@@ -1621,6 +1557,70 @@ begin
       read_address => coarseleftright_ring_read_address, read_data => coarseleftright_held_0,
       write_address => coarseleftright_ring_write_address, write_data => coarseleftright_held_0_memory_write_data);
 
+  coarserows_search_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_1, 6);
+  coarserows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 24, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_1,
+      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_1_memory_write_data);
+
+  coarserows_search_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_0, 30);
+  coarserows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 24, width => 30)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_0,
+      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_0_memory_write_data);
+
+  coarserows_reference_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_1, 6);
+  coarserows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 24, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_1,
+      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_1_memory_write_data);
+
+  coarserows_reference_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_0, 30);
+  coarserows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 24, width => 30)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_0,
+      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_0_memory_write_data);
+
+  coarsedelay_delayed_0_memory_write_data <= to_unsigned(coarseraster_features_reference_0, 6);
+  coarsedelay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 6)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsedelay_ring_read_address, read_data => coarsedelay_delayed_0,
+      write_address => coarsedelay_ring_write_address, write_data => coarsedelay_delayed_0_memory_write_data);
+
+  coarsetransform_left_rows_read_words_0_memory_write_data <= coarsetransform_left_rows_write_words_0;
+  coarsetransform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 24, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsetransform_counter_column, read_data => coarsetransform_left_rows_read_words_0,
+      write_address => coarsetransform_write_column, write_data => coarsetransform_left_rows_read_words_0_memory_write_data);
+
+  coarsetransform_right_rows_read_words_0_memory_write_data <= coarsetransform_right_rows_write_words_0;
+  coarsetransform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 24, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarsetransform_counter_column, read_data => coarsetransform_right_rows_read_words_0,
+      write_address => coarsetransform_write_column, write_data => coarsetransform_right_rows_read_words_0_memory_write_data);
+
+  coarse_pixels_read_word_0_memory_write_data <= to_unsigned(coarse_pixels_total, 24);
+  coarse_pixels_read_word_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => coarse_pixels_sum_column, read_data => coarse_pixels_read_word_0,
+      write_address => coarse_pixels_total_column, write_data => coarse_pixels_read_word_0_memory_write_data);
+
   process (clock)
     variable coarse_pixels_column_any, coarse_pixels_column_is_equal, coarse_pixels_column_is_equal_2 : boolean;
     variable coarse_pixels_column_all, coarse_pixels_first_row_is_equal, coarse_pixels_first_row_choice : boolean;
@@ -1652,9 +1652,9 @@ begin
     variable coarseslice0cost_pixels_first_5_0_value_4, coarseslice0cost_pixels_first_6_0_value : boolean;
     variable coarseslice0cost_pixels_first_6_0_value_2, coarseslice0cost_pixels_first_6_0_value_3 : boolean;
     variable coarseslice0cost_pixels_first_6_0_value_4, coarseslice0other_cost_0_1_all : boolean;
-    variable coarseslice0other_cost_0_1_is_not_less, coarseslice0other_cost_0_1_all_2 : boolean;
-    variable coarseslice0other_cost_0_2_is_not_less, coarseslice0other_cost_0_3_is_not_less : boolean;
-    variable coarseslice0other_cost_0_4_is_not_less, coarseslice0other_cost_0_5_is_not_less : boolean;
+    variable coarseslice0other_cost_0_1_choice, coarseslice0other_cost_0_2_choice : boolean;
+    variable coarseslice0other_cost_0_3_choice, coarseslice0other_cost_0_4_choice : boolean;
+    variable coarseslice0other_cost_0_5_choice, coarseslice0other_cost_0_6_choice : boolean;
     variable coarseslice0winner1_of_pair_0_0_is_less, coarseslice0winner1_of_pair_0_2_is_less : boolean;
     variable coarseslice0winner1_of_pair_0_4_is_less, coarseslice0winner1_of_pair_0_6_is_less : boolean;
     variable coarseslice0winner1_of_four_0_0_is_less, coarseslice0winner1_of_four_0_4_is_less : boolean;
@@ -2163,44 +2163,6 @@ begin
     variable bases_base_1_2_choice, bases_base_1_2_choice_2, rows_newest_column_choice : natural range 0 to 65535;
     variable rows_newest_column_choice_2 : natural range 0 to 65535;
     variable coarse_pixels_total_choice : natural range 0 to 16777215;
-    variable coarseslice0other_cost_0_1_choice, coarseslice0other_cost_0_1_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_1_choice_3, coarseslice0other_cost_0_1_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_1_choice_5, coarseslice0other_cost_0_1_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_2_choice, coarseslice0other_cost_0_2_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_2_choice_3, coarseslice0other_cost_0_2_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_2_choice_5, coarseslice0other_cost_0_2_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_3_choice, coarseslice0other_cost_0_3_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_3_choice_3, coarseslice0other_cost_0_3_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_3_choice_5, coarseslice0other_cost_0_3_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_4_choice, coarseslice0other_cost_0_4_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_4_choice_3, coarseslice0other_cost_0_4_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_4_choice_5, coarseslice0other_cost_0_4_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_5_choice, coarseslice0other_cost_0_5_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_5_choice_3, coarseslice0other_cost_0_5_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_5_choice_5, coarseslice0other_cost_0_5_choice_6 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_6_choice, coarseslice0other_cost_0_6_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_6_choice_3, coarseslice0other_cost_0_6_choice_4 : natural range 0 to 294;
-    variable coarseslice0other_cost_0_7_choice, coarseslice0other_cost_0_7_choice_2 : natural range 0 to 294;
-    variable coarseslice0other_winner_0_0_choice, coarseslice0other_winner_0_0_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_0_choice_3, coarseslice0other_winner_0_0_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_0_choice_5, coarseslice0other_winner_0_0_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_1_choice, coarseslice0other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_1_choice_3, coarseslice0other_winner_0_1_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_1_choice_5, coarseslice0other_winner_0_1_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_2_choice, coarseslice0other_winner_0_2_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_2_choice_3, coarseslice0other_winner_0_2_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_2_choice_5, coarseslice0other_winner_0_2_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_3_choice, coarseslice0other_winner_0_3_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_3_choice_3, coarseslice0other_winner_0_3_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_3_choice_5, coarseslice0other_winner_0_3_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_4_choice, coarseslice0other_winner_0_4_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_4_choice_3, coarseslice0other_winner_0_4_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_4_choice_5, coarseslice0other_winner_0_4_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_5_choice, coarseslice0other_winner_0_5_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_5_choice_3, coarseslice0other_winner_0_5_choice_4 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_5_choice_5, coarseslice0other_winner_0_5_choice_6 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_6_choice, coarseslice0other_winner_0_6_choice_2 : natural range 0 to 7;
-    variable coarseslice0other_winner_0_7_choice, coarseslice0other_winner_0_7_choice_2 : natural range 0 to 7;
     variable coarseleftright_address_0_value, ranges_pair_0_choice_6, ranges_pair_0_choice_10 : natural range 0 to 7;
     variable ranges_range_choice_5, ranges_range_choice_10, targets_walk_place_choice : natural range 0 to 7;
     variable targets_column_range_choice_23, targets_column_range_choice_24 : natural range 0 to 7;
@@ -2211,7 +2173,7 @@ begin
     variable targets_around_choice_16, targets_around_choice_17, targets_around_choice_18 : natural range 0 to 7;
     variable targets_around_choice_29, targets_around_choice_31, bases_address_0_choice_2 : natural range 0 to 7;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
-    variable coarseleftright_checked_passed_0_difference, ranges_counts_difference : integer range -6 to 8;
+    variable coarseleftright_checked_passed_0_sum, ranges_counts_difference : integer range -6 to 8;
     variable ranges_counts_difference_2, ranges_counts_difference_3, ranges_counts_difference_4 : integer range -6 to 8;
     variable ranges_column_choice_5, ranges_column_choice_6 : natural range 0 to 31;
     variable ranges_counts_sum : natural range 1 to 8;
@@ -2326,7 +2288,7 @@ begin
     variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 1025 to 4094;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
-    variable other_25_choice : natural range 11 to 15;
+    variable other_28_choice : natural range 11 to 15;
   begin
     if rising_edge(clock) then
       -- coarse
@@ -2424,7 +2386,7 @@ begin
         (((coarsetransform_counter_column / 8) mod 2) = 1) or (((coarsetransform_counter_column / 4) mod 2) = 1) or
         (((coarsetransform_counter_column / 2) mod 2) = 1);
       coarsetransform_from_first_0_value := ((coarsetransform_centre_group / 4) mod 2) = 1;
-      coarsetransform_from_first_0_differs := (other_25 / 2) /= 0;
+      coarsetransform_from_first_0_differs := (other_28 / 2) /= 0;
       coarsetransform_from_first_0_value_2 := ((coarsetransform_centre_group / 8) mod 2) = 1;
       coarsetransform_left_0 <= coarse_pixels_out_left;
       coarsetransform_right_0 <= coarse_pixels_out_right;
@@ -2445,7 +2407,7 @@ begin
       coarsetransform_from_first_0 <= coarsetransform_from_first_0_differs and coarsetransform_from_first_0_value_2
         when (not ((coarsetransform_centre_group / 16) = 1)) and ((not coarsetransform_from_first_0_value) or
         ((coarsetransform_centre_group mod 4) = 0)) else coarsetransform_from_first_0_differs;
-      coarsetransform_up_to_last_0 <= (not (((other_25 / 16) = 1) and ((((other_25 / 8) mod 2) = 1) or (((other_25 / 2)
+      coarsetransform_up_to_last_0 <= (not (((other_28 / 16) = 1) and ((((other_28 / 8) mod 2) = 1) or (((other_28 / 2)
         mod 4) = 3)))) and (not (coarsetransform_from_first_0_value_2 and (coarsetransform_from_first_0_value or
         (((coarsetransform_centre_group / 2) mod 2) = 1) or ((coarsetransform_centre_group mod 2) = 1)))) and (not
         ((coarsetransform_centre_group / 16) = 1));
@@ -2460,13 +2422,13 @@ begin
       coarsetransform_right_column_3 <= to_integer(coarsetransform_right_rows_ready_words_0(31 downto 24));
       coarsetransform_right_column_4 <= coarsetransform_right_rows_ready_newest_0;
       coarsetransform_columns_inside_0 <= coarsetransform_up_to_last_0 and coarsetransform_from_first_0;
-      coarsetransform_columns_start_of_frame <= (other_24 mod 2) = 1;
-      coarsetransform_columns_valid <= (other_24 / 256) = 1;
-      coarsetransform_left_code_column_box_0_0 <= coarsetransform_left_code_column_box_0_1;
-      coarsetransform_left_code_column_box_0_1 <= coarsetransform_left_code_column_box_0_4;
-      coarsetransform_left_code_column_box_0_2 <= coarsetransform_left_code_column_box_0_3;
+      coarsetransform_columns_start_of_frame <= (other_29 mod 2) = 1;
+      coarsetransform_columns_valid <= (other_29 / 256) = 1;
+      coarsetransform_left_code_column_box_0_0 <= coarsetransform_left_code_column_box_0_2;
+      coarsetransform_left_code_column_box_0_1 <= coarsetransform_left_code_column_box_0_3;
+      coarsetransform_left_code_column_box_0_2 <= coarsetransform_left_code_column_box_0_4;
       coarsetransform_left_code_column_box_0_3 <= coarsetransform_left_code_row_earlier_0_0;
-      coarsetransform_left_code_column_box_0_4 <= coarsetransform_left_code_row_earlier_0_1;
+      coarsetransform_left_code_column_box_0_4 <= bases_rises_1_1;
       coarsetransform_left_code_column_centre <= coarsetransform_left_column_2;
       coarsetransform_left_code_column_near <= coarsetransform_left_column_1 + coarsetransform_left_column_3;
       coarsetransform_left_code_column_outer <= (510 - coarsetransform_left_column_0) - coarsetransform_left_column_4;
@@ -2480,9 +2442,9 @@ begin
         (coarsetransform_left_code_column_outer / 2)) * 2) + (coarsetransform_left_code_column_outer mod 2);
       coarsetransform_left_code_column_response_2 <= coarsetransform_left_code_column_upper +
         coarsetransform_left_code_column_lower;
-      coarsetransform_left_code_row_earlier_0_0 <= coarsetransform_left_code_row_earlier_0_2;
-      coarsetransform_left_code_row_earlier_0_1 <= coarsetransform_left_code_earlier;
-      coarsetransform_left_code_row_earlier_0_2 <= coarsetransform_right_code_column_box_0_0;
+      coarsetransform_left_code_row_earlier_0_0 <= bases_rises_1_0;
+      coarsetransform_left_code_row_earlier_0_1 <= coarsetransform_left_code_row_earlier_0_2;
+      coarsetransform_left_code_row_earlier_0_2 <= coarsetransform_left_code_column_box_0_0;
       coarsetransform_left_code_row_centre_0 <= coarsetransform_left_code_row_column_0_1;
       coarsetransform_left_code_row_centre_1 <= coarsetransform_left_code_row_column_1_1;
       coarsetransform_left_code_row_centre_2 <= coarsetransform_left_code_row_column_2_1;
@@ -2510,15 +2472,15 @@ begin
         coarsetransform_left_code_row_after_1) mod 16384;
       coarsetransform_left_code_row_odd_2 <= (coarsetransform_left_code_row_before_2 -
         coarsetransform_left_code_row_after_2) mod 16384;
-      coarsetransform_left_code_row_signs <= ((other_20 / 8192) * 2) + (other_21 / 8192) +
+      coarsetransform_left_code_row_signs <= ((other_25 / 8192) * 2) + (other_26 / 8192) +
         ((((coarsetransform_left_code_row_even_2 + coarsetransform_left_code_row_odd_1) mod 16384) / 8192) * 8) +
         ((((coarsetransform_left_code_row_odd_1 - coarsetransform_left_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((coarsetransform_left_code_row_even_1 - coarsetransform_left_code_row_odd_2) mod 16384) / 8192) * 4) +
         ((((coarsetransform_left_code_row_even_1 + coarsetransform_left_code_row_odd_2) mod 16384) / 8192) * 16);
-      coarsetransform_left_code_earlier <= bases_rises_1_1;
+      coarsetransform_left_code_earlier <= coarsetransform_right_code_column_box_0_0;
       coarsetransform_left_code_bits <= coarsetransform_left_code_row_signs when coarsetransform_filtering_4_inside_0
         else 0;
-      coarsetransform_right_code_column_box_0_0 <= bases_rises_1_0;
+      coarsetransform_right_code_column_box_0_0 <= coarsetransform_left_code_column_box_0_1;
       coarsetransform_right_code_column_centre <= coarsetransform_right_column_2;
       coarsetransform_right_code_column_near <= coarsetransform_right_column_1 + coarsetransform_right_column_3;
       coarsetransform_right_code_column_outer <= (510 - coarsetransform_right_column_0) -
@@ -2560,7 +2522,7 @@ begin
         coarsetransform_right_code_row_after_1) mod 16384;
       coarsetransform_right_code_row_odd_2 <= (coarsetransform_right_code_row_before_2 -
         coarsetransform_right_code_row_after_2) mod 16384;
-      coarsetransform_right_code_row_signs <= ((other_17 / 8192) * 2) + (other_18 / 8192) +
+      coarsetransform_right_code_row_signs <= ((other_22 / 8192) * 2) + (other_23 / 8192) +
         ((((coarsetransform_right_code_row_even_2 + coarsetransform_right_code_row_odd_1) mod 16384) / 8192) * 8) +
         ((((coarsetransform_right_code_row_odd_1 - coarsetransform_right_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((coarsetransform_right_code_row_even_1 - coarsetransform_right_code_row_odd_2) mod 16384) / 8192) * 4) +
@@ -2588,7 +2550,7 @@ begin
         coarsetransform_counter_column <= 0 when coarsetransform_counter_group_is_equal or coarse_pixels_out_start else
           (coarsetransform_counter_column + 1) mod 32;
       end if;
-      if (other_24 / 256) = 1 then
+      if (other_29 / 256) = 1 then
         coarsetransform_left_rows_write_words_0 <= to_unsigned(coarsetransform_left_rows_ready_newest_0, 8) &
           coarsetransform_left_rows_ready_words_0(31 downto 8);
         coarsetransform_right_rows_write_words_0 <= to_unsigned(coarsetransform_right_rows_ready_newest_0, 8) &
@@ -3522,192 +3484,44 @@ begin
       coarseslice0window_tag_start_of_frame <= coarseslice0window_centre_start_of_frame_2;
       coarseslice0window_tag_end_of_line <= coarseslice0window_centre_end_of_line_2;
       -- coarseslice0other
-      coarseslice0other_cost_0_1_all := ((coarseslice0other_cost_0_7 - coarseslice0window_sum_0_6) < 0) and (not
-        coarseslice0window_tag_first_column) and coarseslice0window_tag_output_column;
-      coarseslice0other_cost_0_1_is_not_less := (coarseslice0other_cost_0_2 - coarseslice0window_sum_0_1) >= 0;
-      coarseslice0other_cost_0_1_choice := coarseslice0window_sum_0_1 when coarseslice0other_cost_0_1_is_not_less else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_1_choice_2 := coarseslice0other_cost_0_1_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_all_2 := ((coarseslice0other_cost_0_7 - coarseslice0window_sum_0_6) >= 0) and (not
-        coarseslice0window_tag_first_column) and coarseslice0window_tag_output_column;
-      coarseslice0other_cost_0_1_choice_3 := coarseslice0window_sum_0_1 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_choice_4 := coarseslice0other_cost_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_1;
-      coarseslice0other_cost_0_1_choice_5 := coarseslice0other_cost_0_1_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_1_choice_4;
-      coarseslice0other_cost_0_1_choice_6 := coarseslice0other_cost_0_1_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_1_choice_5;
-      coarseslice0other_cost_0_2_is_not_less := (coarseslice0other_cost_0_3 - coarseslice0window_sum_0_2) >= 0;
-      coarseslice0other_cost_0_2_choice := coarseslice0window_sum_0_2 when coarseslice0other_cost_0_2_is_not_less else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_2_choice_2 := coarseslice0other_cost_0_2_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_3 := coarseslice0window_sum_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_4 := coarseslice0other_cost_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_2;
-      coarseslice0other_cost_0_2_choice_5 := coarseslice0other_cost_0_2_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_2_choice_4;
-      coarseslice0other_cost_0_2_choice_6 := coarseslice0other_cost_0_2_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_2_choice_5;
-      coarseslice0other_cost_0_3_is_not_less := (coarseslice0other_cost_0_4 - coarseslice0window_sum_0_3) >= 0;
-      coarseslice0other_cost_0_3_choice := coarseslice0window_sum_0_3 when coarseslice0other_cost_0_3_is_not_less else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_3_choice_2 := coarseslice0other_cost_0_3_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_3 := coarseslice0window_sum_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_4 := coarseslice0other_cost_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_3;
-      coarseslice0other_cost_0_3_choice_5 := coarseslice0other_cost_0_3_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_3_choice_4;
-      coarseslice0other_cost_0_3_choice_6 := coarseslice0other_cost_0_3_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_3_choice_5;
-      coarseslice0other_cost_0_4_is_not_less := (coarseslice0other_cost_0_5 - coarseslice0window_sum_0_4) >= 0;
-      coarseslice0other_cost_0_4_choice := coarseslice0window_sum_0_4 when coarseslice0other_cost_0_4_is_not_less else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_4_choice_2 := coarseslice0other_cost_0_4_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_3 := coarseslice0window_sum_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_4 := coarseslice0other_cost_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_4;
-      coarseslice0other_cost_0_4_choice_5 := coarseslice0other_cost_0_4_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_4_choice_4;
-      coarseslice0other_cost_0_4_choice_6 := coarseslice0other_cost_0_4_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_4_choice_5;
-      coarseslice0other_cost_0_5_is_not_less := (coarseslice0other_cost_0_6 - coarseslice0window_sum_0_5) >= 0;
-      coarseslice0other_cost_0_5_choice := coarseslice0window_sum_0_5 when coarseslice0other_cost_0_5_is_not_less else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_5_choice_2 := coarseslice0other_cost_0_5_choice when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_3 := coarseslice0window_sum_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_4 := coarseslice0other_cost_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_5;
-      coarseslice0other_cost_0_5_choice_5 := coarseslice0other_cost_0_5_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_5_choice_4;
-      coarseslice0other_cost_0_5_choice_6 := coarseslice0other_cost_0_5_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_5_choice_5;
-      coarseslice0other_cost_0_6_choice := coarseslice0other_cost_0_7 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_6_choice_2 := coarseslice0window_sum_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_cost_0_6;
-      coarseslice0other_cost_0_6_choice_3 := coarseslice0other_cost_0_6_choice_2 when
-        coarseslice0window_tag_output_column else coarseslice0other_cost_0_6_choice;
-      coarseslice0other_cost_0_6_choice_4 := coarseslice0other_cost_0_6_choice_2 when coarseslice0other_cost_0_1_all_2
-        else coarseslice0other_cost_0_6_choice_3;
-      coarseslice0other_winner_0_0_choice := 0 when (coarseslice0other_cost_0_1 - coarseslice0window_sum_0_0) >= 0 else
-        coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_0_choice_2 := coarseslice0other_winner_0_0_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_3 := 0 when coarseslice0window_tag_valid else coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_4 := coarseslice0other_winner_0_1 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_0;
-      coarseslice0other_winner_0_0_choice_5 := coarseslice0other_winner_0_0_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_0_choice_4;
-      coarseslice0other_winner_0_0_choice_6 := coarseslice0other_winner_0_0_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_0_choice_5;
-      coarseslice0other_winner_0_1_choice := 1 when coarseslice0other_cost_0_1_is_not_less else
-        coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_1_choice_2 := coarseslice0other_winner_0_1_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_3 := 1 when coarseslice0window_tag_valid else coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_4 := coarseslice0other_winner_0_2 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_1;
-      coarseslice0other_winner_0_1_choice_5 := coarseslice0other_winner_0_1_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_1_choice_4;
-      coarseslice0other_winner_0_1_choice_6 := coarseslice0other_winner_0_1_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_1_choice_5;
-      coarseslice0other_winner_0_2_choice := 2 when coarseslice0other_cost_0_2_is_not_less else
-        coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_2_choice_2 := coarseslice0other_winner_0_2_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_3 := 2 when coarseslice0window_tag_valid else coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_4 := coarseslice0other_winner_0_3 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_2;
-      coarseslice0other_winner_0_2_choice_5 := coarseslice0other_winner_0_2_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_2_choice_4;
-      coarseslice0other_winner_0_2_choice_6 := coarseslice0other_winner_0_2_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_2_choice_5;
-      coarseslice0other_winner_0_3_choice := 3 when coarseslice0other_cost_0_3_is_not_less else
-        coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_3_choice_2 := coarseslice0other_winner_0_3_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_3 := 3 when coarseslice0window_tag_valid else coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_4 := coarseslice0other_winner_0_4 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_3;
-      coarseslice0other_winner_0_3_choice_5 := coarseslice0other_winner_0_3_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_3_choice_4;
-      coarseslice0other_winner_0_3_choice_6 := coarseslice0other_winner_0_3_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_3_choice_5;
-      coarseslice0other_winner_0_4_choice := 4 when coarseslice0other_cost_0_4_is_not_less else
-        coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_4_choice_2 := coarseslice0other_winner_0_4_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_3 := 4 when coarseslice0window_tag_valid else coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_4 := coarseslice0other_winner_0_5 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_4;
-      coarseslice0other_winner_0_4_choice_5 := coarseslice0other_winner_0_4_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_4_choice_4;
-      coarseslice0other_winner_0_4_choice_6 := coarseslice0other_winner_0_4_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_4_choice_5;
-      coarseslice0other_winner_0_5_choice := 5 when coarseslice0other_cost_0_5_is_not_less else
-        coarseslice0other_winner_0_6;
-      coarseslice0other_winner_0_5_choice_2 := coarseslice0other_winner_0_5_choice when coarseslice0window_tag_valid
-        else coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_3 := 5 when coarseslice0window_tag_valid else coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_4 := coarseslice0other_winner_0_6 when coarseslice0window_tag_valid else
-        coarseslice0other_winner_0_5;
-      coarseslice0other_winner_0_5_choice_5 := coarseslice0other_winner_0_5_choice_3 when
-        coarseslice0window_tag_output_column else coarseslice0other_winner_0_5_choice_4;
-      coarseslice0other_winner_0_5_choice_6 := coarseslice0other_winner_0_5_choice_2 when
-        coarseslice0other_cost_0_1_all_2 else coarseslice0other_winner_0_5_choice_5;
-      coarseslice0other_cost_0_1 <= coarseslice0other_cost_0_1_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_1_choice_6;
-      coarseslice0other_cost_0_2 <= coarseslice0other_cost_0_2_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_2_choice_6;
-      coarseslice0other_cost_0_3 <= coarseslice0other_cost_0_3_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_3_choice_6;
-      coarseslice0other_cost_0_4 <= coarseslice0other_cost_0_4_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_4_choice_6;
-      coarseslice0other_cost_0_5 <= coarseslice0other_cost_0_5_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_5_choice_6;
-      coarseslice0other_cost_0_6 <= coarseslice0other_cost_0_6_choice when coarseslice0other_cost_0_1_all else
-        coarseslice0other_cost_0_6_choice_4;
-      coarseslice0other_winner_0_0 <= coarseslice0other_winner_0_0_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_0_choice_6;
-      coarseslice0other_winner_0_1 <= coarseslice0other_winner_0_1_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_1_choice_6;
-      coarseslice0other_winner_0_2 <= coarseslice0other_winner_0_2_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_2_choice_6;
-      coarseslice0other_winner_0_3 <= coarseslice0other_winner_0_3_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_3_choice_6;
-      coarseslice0other_winner_0_4 <= coarseslice0other_winner_0_4_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_4_choice_6;
-      coarseslice0other_winner_0_5 <= coarseslice0other_winner_0_5_choice_2 when coarseslice0other_cost_0_1_all else
-        coarseslice0other_winner_0_5_choice_6;
-      coarseslice0other_winner_out_0 <= coarseslice0other_winner_0_0;
-      coarseslice0other_cost_0_7_choice := coarseslice0window_sum_0_7 when coarseslice0window_tag_output_column else 0;
-      coarseslice0other_cost_0_7_choice_2 := coarseslice0window_sum_0_7 when coarseslice0other_cost_0_1_all_2 else
-        coarseslice0other_cost_0_7_choice;
-      coarseslice0other_winner_0_6_choice := 6 when coarseslice0window_tag_output_column else
-        coarseslice0other_winner_0_7;
-      coarseslice0other_winner_0_6_choice_2 := 6 when coarseslice0other_cost_0_1_all_2 else
-        coarseslice0other_winner_0_6_choice;
-      coarseslice0other_winner_0_7_choice := 7 when coarseslice0window_tag_output_column else 0;
-      coarseslice0other_winner_0_7_choice_2 := 7 when coarseslice0other_cost_0_1_all_2 else
-        coarseslice0other_winner_0_7_choice;
+      coarseslice0other_cost_0_1_all := coarseslice0window_tag_output_column and coarseslice0window_tag_first_column;
+      coarseslice0other_cost_0_1_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_2 -
+        coarseslice0window_sum_0_1) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_2_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_3 -
+        coarseslice0window_sum_0_2) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_3_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_4 -
+        coarseslice0window_sum_0_3) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_4_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_5 -
+        coarseslice0window_sum_0_4) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_5_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_6 -
+        coarseslice0window_sum_0_5) >= 0 else coarseslice0other_cost_0_1_all;
+      coarseslice0other_cost_0_6_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_7 -
+        coarseslice0window_sum_0_6) >= 0 else coarseslice0other_cost_0_1_all;
       if coarseslice0window_tag_valid then
-        coarseslice0other_cost_0_7 <= coarseslice0window_sum_0_7 when coarseslice0other_cost_0_1_all else
-          coarseslice0other_cost_0_7_choice_2;
-        coarseslice0other_winner_0_6 <= coarseslice0other_winner_0_7 when coarseslice0other_cost_0_1_all else
-          coarseslice0other_winner_0_6_choice_2;
-        coarseslice0other_winner_0_7 <= 7 when coarseslice0other_cost_0_1_all else
-          coarseslice0other_winner_0_7_choice_2;
+        coarseslice0other_cost_0_1 <= coarseslice0window_sum_0_1 when coarseslice0other_cost_0_1_choice else
+          coarseslice0other_cost_0_2;
+        coarseslice0other_cost_0_2 <= coarseslice0window_sum_0_2 when coarseslice0other_cost_0_2_choice else
+          coarseslice0other_cost_0_3;
+        coarseslice0other_cost_0_3 <= coarseslice0window_sum_0_3 when coarseslice0other_cost_0_3_choice else
+          coarseslice0other_cost_0_4;
+        coarseslice0other_cost_0_4 <= coarseslice0window_sum_0_4 when coarseslice0other_cost_0_4_choice else
+          coarseslice0other_cost_0_5;
+        coarseslice0other_cost_0_5 <= coarseslice0window_sum_0_5 when coarseslice0other_cost_0_5_choice else
+          coarseslice0other_cost_0_6;
+        coarseslice0other_cost_0_6 <= coarseslice0window_sum_0_6 when coarseslice0other_cost_0_6_choice else
+          coarseslice0other_cost_0_7;
+        coarseslice0other_cost_0_7 <= coarseslice0window_sum_0_7 when coarseslice0window_tag_output_column else 0;
+        coarseslice0other_winner_0_0 <= 0 when coarseslice0window_tag_output_column and (((coarseslice0other_cost_0_1 -
+          coarseslice0window_sum_0_0) >= 0) or coarseslice0window_tag_first_column) else coarseslice0other_winner_0_1;
+        coarseslice0other_winner_0_1 <= 1 when coarseslice0other_cost_0_1_choice else coarseslice0other_winner_0_2;
+        coarseslice0other_winner_0_2 <= 2 when coarseslice0other_cost_0_2_choice else coarseslice0other_winner_0_3;
+        coarseslice0other_winner_0_3 <= 3 when coarseslice0other_cost_0_3_choice else coarseslice0other_winner_0_4;
+        coarseslice0other_winner_0_4 <= 4 when coarseslice0other_cost_0_4_choice else coarseslice0other_winner_0_5;
+        coarseslice0other_winner_0_5 <= 5 when coarseslice0other_cost_0_5_choice else coarseslice0other_winner_0_6;
+        coarseslice0other_winner_0_6 <= 6 when coarseslice0other_cost_0_6_choice else coarseslice0other_winner_0_7;
+        coarseslice0other_winner_0_7 <= 7 when coarseslice0window_tag_output_column else 0;
       end if;
+      coarseslice0other_winner_out_0 <= coarseslice0other_winner_0_0;
       -- coarseslice0winner1
       coarseslice0winner1_of_pair_0_0_is_less := (coarseslice0window_sum_0_1 - coarseslice0window_sum_0_0) < 0;
       coarseslice0winner1_of_pair_0_2_is_less := (coarseslice0window_sum_0_3 - coarseslice0window_sum_0_2) < 0;
@@ -3794,8 +3608,8 @@ begin
         / 4) = 1) or (((coarseleftright_ring_read_address / 2) mod 2) = 1) or ((coarseleftright_ring_read_address mod
         2) = 1));
       coarseleftright_address_0_value := to_integer(coarseleftright_held_0(6 downto 4));
-      coarseleftright_checked_passed_0_difference := (coarseleftright_answered_disparity_0 + 1) -
-        to_integer(coarseleftright_found_0);
+      coarseleftright_checked_passed_0_sum := (1 - to_integer(coarseleftright_found_0)) +
+        coarseleftright_answered_disparity_0;
       coarseleftright_other_1_0 <= coarseslice0other_winner_out_0;
       coarseleftright_other_2_0 <= coarseleftright_other_1_0;
       coarseleftright_other_3_0 <= coarseleftright_other_2_0;
@@ -3816,8 +3630,8 @@ begin
       coarseleftright_answered_tag_output_column <= coarseleftright_asking_tag_output_column;
       coarseleftright_answered_tag_start_of_frame <= coarseleftright_asking_tag_start_of_frame;
       coarseleftright_checked_disparity_0 <= coarseleftright_answered_disparity_0;
-      coarseleftright_checked_passed_0 <= coarseleftright_answered_passed_0 and
-        (coarseleftright_checked_passed_0_difference >= 0) and (coarseleftright_checked_passed_0_difference < 3);
+      coarseleftright_checked_passed_0 <= coarseleftright_answered_passed_0 and (coarseleftright_checked_passed_0_sum
+        >= 0) and (coarseleftright_checked_passed_0_sum < 3);
       coarseleftright_checked_tag_valid <= coarseleftright_answered_tag_valid;
       coarseleftright_checked_tag_output_column <= coarseleftright_answered_tag_output_column;
       coarseleftright_checked_tag_start_of_frame <= coarseleftright_answered_tag_start_of_frame;
@@ -4442,8 +4256,8 @@ begin
       transform_right_column_9 <= transform_right_rows_ready_newest_0;
       transform_columns_inside_0 <= transform_up_to_last_0 and transform_from_first_0;
       transform_columns_inside_1 <= transform_up_to_last_1 and transform_from_first_1;
-      transform_columns_start_of_frame <= (other_8 mod 2) = 1;
-      transform_columns_valid <= (other_8 / 256) = 1;
+      transform_columns_start_of_frame <= (other_13 mod 2) = 1;
+      transform_columns_valid <= (other_13 / 256) = 1;
       transform_left_code_column_box_0_0_0 <= transform_left_column_3;
       transform_left_code_column_box_0_1_0 <= transform_left_column_4;
       transform_left_code_column_box_0_2_0 <= transform_left_column_5;
@@ -4488,8 +4302,8 @@ begin
         mod 8192) * 2) + (transform_left_code_row_outer_2 mod 2);
       transform_left_code_row_odd_1 <= (transform_left_code_row_before_1 - transform_left_code_row_after_1) mod 16384;
       transform_left_code_row_odd_2 <= (transform_left_code_row_before_2 - transform_left_code_row_after_2) mod 16384;
-      transform_left_code_row_signs <= ((other_5 / 8192) * 2) + (other_6 / 8192) + ((((transform_left_code_row_even_2 +
-        transform_left_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_left_code_row_odd_1 -
+      transform_left_code_row_signs <= ((other_9 / 8192) * 2) + (other_10 / 8192) + ((((transform_left_code_row_even_2
+        + transform_left_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_left_code_row_odd_1 -
         transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
         transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
         transform_left_code_row_odd_2) mod 16384) / 8192) * 16);
@@ -4553,7 +4367,7 @@ begin
         transform_left_code_next_row_after_1) mod 65536;
       transform_left_code_next_row_odd_2 <= (transform_left_code_next_row_before_2 -
         transform_left_code_next_row_after_2) mod 65536;
-      transform_left_code_next_row_signs <= (other_4 / 32768) + ((transform_left_code_next_row_odd_0 / 32768) * 2) +
+      transform_left_code_next_row_signs <= (other_8 / 32768) + ((transform_left_code_next_row_odd_0 / 32768) * 2) +
         ((((transform_left_code_next_row_even_2 + transform_left_code_next_row_odd_1) mod 65536) / 32768) * 8) +
         ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
@@ -4605,7 +4419,7 @@ begin
         16384;
       transform_right_code_row_odd_2 <= (transform_right_code_row_before_2 - transform_right_code_row_after_2) mod
         16384;
-      transform_right_code_row_signs <= ((other_1 / 8192) * 2) + (other_2 / 8192) + ((((transform_right_code_row_even_2
+      transform_right_code_row_signs <= ((other_4 / 8192) * 2) + (other_5 / 8192) + ((((transform_right_code_row_even_2
         + transform_right_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_right_code_row_odd_1 -
         transform_right_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_right_code_row_even_1 -
         transform_right_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_right_code_row_even_1 +
@@ -4670,7 +4484,7 @@ begin
         transform_right_code_next_row_after_1) mod 65536;
       transform_right_code_next_row_odd_2 <= (transform_right_code_next_row_before_2 -
         transform_right_code_next_row_after_2) mod 65536;
-      transform_right_code_next_row_signs <= (other_0 / 32768) + ((transform_right_code_next_row_odd_0 / 32768) * 2) +
+      transform_right_code_next_row_signs <= (other_3 / 32768) + ((transform_right_code_next_row_odd_0 / 32768) * 2) +
         ((((transform_right_code_next_row_even_2 + transform_right_code_next_row_odd_1) mod 65536) / 32768) * 8) +
         ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
@@ -4716,7 +4530,7 @@ begin
           transform_counter_group_is_equal and transform_counter_group_is_equal_2 and hold_back_held_is_new and
           (to_integer(hold_back_held_0(0 downto 0)) = 1);
       end if;
-      if (other_8 / 256) = 1 then
+      if (other_13 / 256) = 1 then
         transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
           transform_left_rows_ready_words_0(31 downto 8);
         transform_left_rows_write_words_1 <= to_unsigned(transform_left_rows_ready_words_2, 8) &
@@ -6893,9 +6707,9 @@ begin
         lowwinner1_best_below_0_7;
       lowwinner2_best_above_0_0_choice := lowwinner1_best_first_0_1 when lowwinner1_best_index_0_0 else
         lowwinner1_best_above_0_0;
-      lowwinner2_best_above_0_1_choice := lowwinner1_best_first_0_3 when other_23 else lowwinner1_best_above_0_2;
-      lowwinner2_best_above_0_2_choice := lowwinner1_best_first_0_5 when other_27 else lowwinner1_best_above_0_4;
-      lowwinner2_best_above_0_3_choice := lowwinner1_best_first_0_7 when other_28 else lowwinner1_best_above_0_6;
+      lowwinner2_best_above_0_1_choice := lowwinner1_best_first_0_3 when other_31 else lowwinner1_best_above_0_2;
+      lowwinner2_best_above_0_2_choice := lowwinner1_best_first_0_5 when other_0 else lowwinner1_best_above_0_4;
+      lowwinner2_best_above_0_3_choice := lowwinner1_best_first_0_7 when other_1 else lowwinner1_best_above_0_6;
       lowwinner2_best_cost_0_0 <= lowwinner1_best_cost_0_1 when lowwinner2_best_cost_0_0_is_less else
         lowwinner1_best_cost_0_0;
       lowwinner2_best_cost_0_1 <= lowwinner1_best_cost_0_3 when lowwinner2_best_cost_0_1_is_less else
@@ -6991,50 +6805,50 @@ begin
       lowwinner4_tag_end_of_line <= lowwinner3_tag_end_of_line;
       -- highchain
       highchain_lane_0_0_choice := compared_tags_6_valid when rows_step_one_1_0 else
-        coarsetransform_left_code_column_box_0_0 and compared_tags_6_valid;
+        coarsetransform_left_code_row_earlier_0_1 and compared_tags_6_valid;
       if highchain_lane_0_0_choice then
-        highchain_lane_0_0 <= highchain_lane_0_4 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_1;
-        highchain_lane_0_1 <= highchain_lane_0_5 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_2;
-        highchain_lane_0_2 <= highchain_lane_0_6 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_3;
-        highchain_lane_0_3 <= highchain_lane_0_7 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_4;
-        highchain_lane_0_4 <= highchain_lane_0_8 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_5;
-        highchain_lane_0_5 <= highchain_lane_0_9 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_6;
-        highchain_lane_0_6 <= highchain_lane_0_10 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_7;
-        highchain_lane_0_7 <= highchain_lane_0_11 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_8;
-        highchain_lane_0_8 <= highchain_lane_0_12 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_9;
-        highchain_lane_0_9 <= highchain_lane_0_13 when coarsetransform_left_code_column_box_0_0 else
+        highchain_lane_0_0 <= highchain_lane_0_4 when coarsetransform_left_code_row_earlier_0_1 else highchain_lane_0_1;
+        highchain_lane_0_1 <= highchain_lane_0_5 when coarsetransform_left_code_row_earlier_0_1 else highchain_lane_0_2;
+        highchain_lane_0_2 <= highchain_lane_0_6 when coarsetransform_left_code_row_earlier_0_1 else highchain_lane_0_3;
+        highchain_lane_0_3 <= highchain_lane_0_7 when coarsetransform_left_code_row_earlier_0_1 else highchain_lane_0_4;
+        highchain_lane_0_4 <= highchain_lane_0_8 when coarsetransform_left_code_row_earlier_0_1 else highchain_lane_0_5;
+        highchain_lane_0_5 <= highchain_lane_0_9 when coarsetransform_left_code_row_earlier_0_1 else highchain_lane_0_6;
+        highchain_lane_0_6 <= highchain_lane_0_10 when coarsetransform_left_code_row_earlier_0_1 else
+          highchain_lane_0_7;
+        highchain_lane_0_7 <= highchain_lane_0_11 when coarsetransform_left_code_row_earlier_0_1 else
+          highchain_lane_0_8;
+        highchain_lane_0_8 <= highchain_lane_0_12 when coarsetransform_left_code_row_earlier_0_1 else
+          highchain_lane_0_9;
+        highchain_lane_0_9 <= highchain_lane_0_13 when coarsetransform_left_code_row_earlier_0_1 else
           highchain_lane_0_10;
-        highchain_lane_0_10 <= highchain_lane_0_14 when coarsetransform_left_code_column_box_0_0 else
+        highchain_lane_0_10 <= highchain_lane_0_14 when coarsetransform_left_code_row_earlier_0_1 else
           highchain_lane_0_11;
-        highchain_lane_0_11 <= highchain_lane_0_15 when coarsetransform_left_code_column_box_0_0 else
+        highchain_lane_0_11 <= highchain_lane_0_15 when coarsetransform_left_code_row_earlier_0_1 else
           highchain_lane_0_12;
-        highchain_lane_0_12 <= rows_codes_1_0_0 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_13;
-        highchain_lane_0_13 <= rows_codes_1_0_1 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_14;
-        highchain_lane_0_14 <= rows_codes_1_0_2 when coarsetransform_left_code_column_box_0_0 else highchain_lane_0_15;
-        highchain_lane_0_15 <= rows_codes_1_0_3 when coarsetransform_left_code_column_box_0_0 else rows_codes_1_0_0;
+        highchain_lane_0_12 <= rows_codes_1_0_0 when coarsetransform_left_code_row_earlier_0_1 else highchain_lane_0_13;
+        highchain_lane_0_13 <= rows_codes_1_0_1 when coarsetransform_left_code_row_earlier_0_1 else highchain_lane_0_14;
+        highchain_lane_0_14 <= rows_codes_1_0_2 when coarsetransform_left_code_row_earlier_0_1 else highchain_lane_0_15;
+        highchain_lane_0_15 <= rows_codes_1_0_3 when coarsetransform_left_code_row_earlier_0_1 else rows_codes_1_0_0;
       end if;
-      highchain_lane_1_0_choice := compared_tags_6_valid when rows_step_one_1_1 else
-        coarsetransform_left_code_column_box_0_2 and compared_tags_6_valid;
+      highchain_lane_1_0_choice := compared_tags_6_valid when rows_step_one_1_1 else coarsetransform_left_code_earlier
+        and compared_tags_6_valid;
       if highchain_lane_1_0_choice then
-        highchain_lane_1_0 <= highchain_lane_1_4 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_1;
-        highchain_lane_1_1 <= highchain_lane_1_5 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_2;
-        highchain_lane_1_2 <= highchain_lane_1_6 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_3;
-        highchain_lane_1_3 <= highchain_lane_1_7 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_4;
-        highchain_lane_1_4 <= highchain_lane_1_8 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_5;
-        highchain_lane_1_5 <= highchain_lane_1_9 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_6;
-        highchain_lane_1_6 <= highchain_lane_1_10 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_7;
-        highchain_lane_1_7 <= highchain_lane_1_11 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_8;
-        highchain_lane_1_8 <= highchain_lane_1_12 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_9;
-        highchain_lane_1_9 <= highchain_lane_1_13 when coarsetransform_left_code_column_box_0_2 else
-          highchain_lane_1_10;
-        highchain_lane_1_10 <= highchain_lane_1_14 when coarsetransform_left_code_column_box_0_2 else
-          highchain_lane_1_11;
-        highchain_lane_1_11 <= highchain_lane_1_15 when coarsetransform_left_code_column_box_0_2 else
-          highchain_lane_1_12;
-        highchain_lane_1_12 <= rows_codes_1_1_0 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_13;
-        highchain_lane_1_13 <= rows_codes_1_1_1 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_14;
-        highchain_lane_1_14 <= rows_codes_1_1_2 when coarsetransform_left_code_column_box_0_2 else highchain_lane_1_15;
-        highchain_lane_1_15 <= rows_codes_1_1_3 when coarsetransform_left_code_column_box_0_2 else rows_codes_1_1_0;
+        highchain_lane_1_0 <= highchain_lane_1_4 when coarsetransform_left_code_earlier else highchain_lane_1_1;
+        highchain_lane_1_1 <= highchain_lane_1_5 when coarsetransform_left_code_earlier else highchain_lane_1_2;
+        highchain_lane_1_2 <= highchain_lane_1_6 when coarsetransform_left_code_earlier else highchain_lane_1_3;
+        highchain_lane_1_3 <= highchain_lane_1_7 when coarsetransform_left_code_earlier else highchain_lane_1_4;
+        highchain_lane_1_4 <= highchain_lane_1_8 when coarsetransform_left_code_earlier else highchain_lane_1_5;
+        highchain_lane_1_5 <= highchain_lane_1_9 when coarsetransform_left_code_earlier else highchain_lane_1_6;
+        highchain_lane_1_6 <= highchain_lane_1_10 when coarsetransform_left_code_earlier else highchain_lane_1_7;
+        highchain_lane_1_7 <= highchain_lane_1_11 when coarsetransform_left_code_earlier else highchain_lane_1_8;
+        highchain_lane_1_8 <= highchain_lane_1_12 when coarsetransform_left_code_earlier else highchain_lane_1_9;
+        highchain_lane_1_9 <= highchain_lane_1_13 when coarsetransform_left_code_earlier else highchain_lane_1_10;
+        highchain_lane_1_10 <= highchain_lane_1_14 when coarsetransform_left_code_earlier else highchain_lane_1_11;
+        highchain_lane_1_11 <= highchain_lane_1_15 when coarsetransform_left_code_earlier else highchain_lane_1_12;
+        highchain_lane_1_12 <= rows_codes_1_1_0 when coarsetransform_left_code_earlier else highchain_lane_1_13;
+        highchain_lane_1_13 <= rows_codes_1_1_1 when coarsetransform_left_code_earlier else highchain_lane_1_14;
+        highchain_lane_1_14 <= rows_codes_1_1_2 when coarsetransform_left_code_earlier else highchain_lane_1_15;
+        highchain_lane_1_15 <= rows_codes_1_1_3 when coarsetransform_left_code_earlier else rows_codes_1_1_0;
       end if;
       -- highcost
       highcost_pixels_first_0_0_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_0 / 8) mod 2) = 1
@@ -8436,9 +8250,9 @@ begin
         highwinner1_best_below_0_7;
       highwinner2_best_above_0_0_choice := highwinner1_best_first_0_1 when highwinner1_best_index_0_0 else
         highwinner1_best_above_0_0;
-      highwinner2_best_above_0_1_choice := highwinner1_best_first_0_3 when other_29 else highwinner1_best_above_0_2;
-      highwinner2_best_above_0_2_choice := highwinner1_best_first_0_5 when other_30 else highwinner1_best_above_0_4;
-      highwinner2_best_above_0_3_choice := highwinner1_best_first_0_7 when other_31 else highwinner1_best_above_0_6;
+      highwinner2_best_above_0_1_choice := highwinner1_best_first_0_3 when other_2 else highwinner1_best_above_0_2;
+      highwinner2_best_above_0_2_choice := highwinner1_best_first_0_5 when other_7 else highwinner1_best_above_0_4;
+      highwinner2_best_above_0_3_choice := highwinner1_best_first_0_7 when other_12 else highwinner1_best_above_0_6;
       highwinner2_best_cost_0_0 <= highwinner1_best_cost_0_1 when highwinner2_best_cost_0_0_is_less else
         highwinner1_best_cost_0_0;
       highwinner2_best_cost_0_1 <= highwinner1_best_cost_0_3 when highwinner2_best_cost_0_1_is_less else
@@ -8701,7 +8515,7 @@ begin
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
       refinement_quotient_8_0 <= ((((2048 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 1024) +
-        ((other_10 / 2) * 2);
+        ((other_15 / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
@@ -8734,43 +8548,43 @@ begin
         refinement_tag_11_output_column;
       map_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and refinement_tag_11_output_column;
       -- other
-      other_25_choice := 15 when coarsetransform_centre_group_any else 11;
-      other_0 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) * 2;
-      other_1 <= as_number(((transform_right_code_row_before_0 - transform_right_code_row_after_0) < 0)) * 8192;
-      other_2 <= as_number((((other_3 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
-      other_3 <= ((transform_right_code_row_box_0_0 + transform_right_code_row_column_0_3) / 2) * 2;
-      other_4 <= (((transform_left_code_next_row_outer_0 / 2) - transform_left_code_next_row_centre_0) mod 32768) * 2;
-      other_5 <= as_number(((transform_left_code_row_before_0 - transform_left_code_row_after_0) < 0)) * 8192;
-      other_6 <= as_number((((other_7 / 2) - transform_left_code_row_centre_0) < 0)) * 8192;
-      other_7 <= ((transform_left_code_row_box_0_0 + transform_left_code_row_column_0_3) / 2) * 2;
-      other_8 <= other_9;
-      other_9 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_group = 4) and
+      other_28_choice := 15 when coarsetransform_centre_group_any else 11;
+      other_0 <= lowwinner1_best_cost_0_4_is_less;
+      other_1 <= lowwinner1_best_cost_0_6_is_less;
+      other_2 <= highwinner1_best_cost_0_2_is_less;
+      other_3 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) * 2;
+      other_4 <= as_number(((transform_right_code_row_before_0 - transform_right_code_row_after_0) < 0)) * 8192;
+      other_5 <= as_number((((other_6 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
+      other_6 <= ((transform_right_code_row_box_0_0 + transform_right_code_row_column_0_3) / 2) * 2;
+      other_7 <= highwinner1_best_cost_0_4_is_less;
+      other_8 <= (((transform_left_code_next_row_outer_0 / 2) - transform_left_code_next_row_centre_0) mod 32768) * 2;
+      other_9 <= as_number(((transform_left_code_row_before_0 - transform_left_code_row_after_0) < 0)) * 8192;
+      other_10 <= as_number((((other_11 / 2) - transform_left_code_row_centre_0) < 0)) * 8192;
+      other_11 <= ((transform_left_code_row_box_0_0 + transform_left_code_row_column_0_3) / 2) * 2;
+      other_12 <= highwinner1_best_cost_0_6_is_less;
+      other_13 <= other_14;
+      other_14 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_group = 4) and
         (transform_counter_column = 4)));
-      other_10 <= ((refinement_remainder_7_0_difference / 2048) * 2) + ((other_11 / 4) * 4);
-      other_11 <= ((refinement_remainder_6_0_difference / 2048) * 4) + ((other_12 / 8) * 8);
-      other_12 <= ((refinement_remainder_5_0_difference / 2048) * 8) + ((other_13 / 16) * 16);
-      other_13 <= ((refinement_remainder_4_0_difference / 2048) * 16) + ((other_14 / 32) * 32);
-      other_14 <= ((refinement_remainder_3_0_difference / 2048) * 32) + ((other_15 / 64) * 64);
-      other_15 <= ((refinement_remainder_2_0_difference / 2048) * 64) + ((other_16 / 128) * 128);
-      other_16 <= (refinement_remainder_1_0_difference / 2048) * 128;
-      other_17 <= as_number(((coarsetransform_right_code_row_before_0 - coarsetransform_right_code_row_after_0) < 0)) *
+      other_15 <= ((refinement_remainder_7_0_difference / 2048) * 2) + ((other_16 / 4) * 4);
+      other_16 <= ((refinement_remainder_6_0_difference / 2048) * 4) + ((other_17 / 8) * 8);
+      other_17 <= ((refinement_remainder_5_0_difference / 2048) * 8) + ((other_18 / 16) * 16);
+      other_18 <= ((refinement_remainder_4_0_difference / 2048) * 16) + ((other_19 / 32) * 32);
+      other_19 <= ((refinement_remainder_3_0_difference / 2048) * 32) + ((other_20 / 64) * 64);
+      other_20 <= ((refinement_remainder_2_0_difference / 2048) * 64) + ((other_21 / 128) * 128);
+      other_21 <= (refinement_remainder_1_0_difference / 2048) * 128;
+      other_22 <= as_number(((coarsetransform_right_code_row_before_0 - coarsetransform_right_code_row_after_0) < 0)) *
         8192;
-      other_18 <= as_number((((other_19 / 2) - coarsetransform_right_code_row_centre_0) < 0)) * 8192;
-      other_19 <= ((coarsetransform_right_code_column_response_0 + coarsetransform_right_code_row_column_0_3) / 2) * 2;
-      other_20 <= as_number(((coarsetransform_left_code_row_before_0 - coarsetransform_left_code_row_after_0) < 0)) *
+      other_23 <= as_number((((other_24 / 2) - coarsetransform_right_code_row_centre_0) < 0)) * 8192;
+      other_24 <= ((coarsetransform_right_code_column_response_0 + coarsetransform_right_code_row_column_0_3) / 2) * 2;
+      other_25 <= as_number(((coarsetransform_left_code_row_before_0 - coarsetransform_left_code_row_after_0) < 0)) *
         8192;
-      other_21 <= as_number((((other_22 / 2) - coarsetransform_left_code_row_centre_0) < 0)) * 8192;
-      other_22 <= ((coarsetransform_left_code_column_response_0 + coarsetransform_left_code_row_column_0_3) / 2) * 2;
-      other_23 <= lowwinner1_best_cost_0_2_is_less;
-      other_24 <= other_26;
-      other_25 <= ((other_25_choice + (coarsetransform_counter_column / 2)) mod 16) * 2;
-      other_26 <= (as_number(coarsetransform_valid) * 256) + as_number(((coarsetransform_counter_group = 2) and
+      other_26 <= as_number((((other_27 / 2) - coarsetransform_left_code_row_centre_0) < 0)) * 8192;
+      other_27 <= ((coarsetransform_left_code_column_response_0 + coarsetransform_left_code_row_column_0_3) / 2) * 2;
+      other_28 <= ((other_28_choice + (coarsetransform_counter_column / 2)) mod 16) * 2;
+      other_29 <= other_30;
+      other_30 <= (as_number(coarsetransform_valid) * 256) + as_number(((coarsetransform_counter_group = 2) and
         (coarsetransform_counter_column = 2)));
-      other_27 <= lowwinner1_best_cost_0_4_is_less;
-      other_28 <= lowwinner1_best_cost_0_6_is_less;
-      other_29 <= highwinner1_best_cost_0_2_is_less;
-      other_30 <= highwinner1_best_cost_0_4_is_less;
-      other_31 <= highwinner1_best_cost_0_6_is_less;
+      other_31 <= lowwinner1_best_cost_0_2_is_less;
       if reset = '1' then
         coarse_pixels_left <= 0;
         coarse_pixels_right <= 0;
@@ -9757,17 +9571,17 @@ begin
         map_valid <= false;
         map_start_of_frame <= false;
         map_end_of_line <= false;
-        other_8 <= 0;
-        other_9 <= 0;
-        other_17 <= 0;
-        other_18 <= 0;
-        other_19 <= 0;
-        other_20 <= 0;
-        other_21 <= 0;
+        other_13 <= 0;
+        other_14 <= 0;
         other_22 <= 0;
+        other_23 <= 0;
         other_24 <= 0;
         other_25 <= 0;
         other_26 <= 0;
+        other_27 <= 0;
+        other_28 <= 0;
+        other_29 <= 0;
+        other_30 <= 0;
       end if;
     end if;
   end process;

@@ -87,8 +87,8 @@ architecture rtl of stereo_core_tiny_phase_checks is
     return '0';
   end function;
 
-  signal in_valid : boolean;
   signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
   signal in_right_pixel : natural range 0 to 255;
   signal in_left_pixel : natural range 0 to 255;
   -- transform
@@ -589,19 +589,22 @@ architecture rtl of stereo_core_tiny_phase_checks is
   signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
   signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
-  signal other_0, other_16 : natural range 0 to 65534;
-  signal other_1, other_2, other_17, other_18 : natural range 0 to 8192;
-  signal other_3, other_19 : natural range 0 to 2042;
-  signal other_4, other_5 : natural range 0 to 257;
-  signal other_6, other_8 : unsigned(48 downto 0);
-  signal other_7 : natural range 0 to 8190;
-  signal other_9 : natural range 0 to 254;
-  signal other_10 : natural range 0 to 252;
-  signal other_11 : natural range 0 to 248;
-  signal other_12 : natural range 0 to 240;
-  signal other_13 : natural range 0 to 224;
-  signal other_14 : natural range 0 to 192;
-  signal other_15 : natural range 0 to 128;
+  signal other_0, other_1, other_16, other_17 : natural range 0 to 8192;
+  signal other_2, other_18 : natural range 0 to 2042;
+  signal other_3, other_4 : natural range 0 to 257;
+  signal other_5 : natural range 0 to 8190;
+  signal other_6, other_7 : unsigned(48 downto 0);
+  signal other_8 : natural range 0 to 254;
+  signal other_9 : natural range 0 to 252;
+  signal other_10 : natural range 0 to 248;
+  signal other_11 : natural range 0 to 240;
+  signal other_12 : natural range 0 to 224;
+  signal other_13 : natural range 0 to 192;
+  signal other_14 : natural range 0 to 128;
+  signal other_15, other_19 : natural range 0 to 65534;
+  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(11 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(11 downto 0);
@@ -613,13 +616,10 @@ architecture rtl of stereo_core_tiny_phase_checks is
   signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
 
 begin
-  in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
   in_right_pixel <= to_integer(unsigned(right_pixel));
   in_left_pixel <= to_integer(unsigned(left_pixel));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
@@ -627,6 +627,30 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  map_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 26, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => map_rows_read_words_0,
+      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_14_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 12);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -716,30 +740,6 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 26, width => 26)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_14_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
-
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_choice_2 : boolean;
@@ -770,97 +770,55 @@ begin
     variable slice0cost_pixels_first_3_0_value_4, slice0cost_pixels_first_3_0_value_5 : boolean;
     variable slice0cost_pixels_first_3_0_value_6, slice0cost_pixels_first_3_0_value_7 : boolean;
     variable slice0cost_pixels_first_3_0_value_8, slice0cost_pixels_first_3_0_value_9 : boolean;
-    variable slice0cost_pixels_first_3_0_value_10, slice0other_cost_0_0_all, slice0other_cost_0_0_is_less : boolean;
-    variable slice0other_cost_0_0_all_2, slice0other_cost_0_2_is_less, slice0other_cost_0_3_is_less : boolean;
-    variable slice0other_cost_0_4_is_less, slice0other_cost_0_5_is_less, slice0other_winner_0_1_choice : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
-    variable slice0winner1_best_cost_0_2_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_below_0_0_is_equal, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_above_0_0_is_equal, slice1cost_pixels_first_0_0_value : boolean;
-    variable slice1cost_pixels_first_0_0_value_2, slice1cost_pixels_first_0_0_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_value_4, slice1cost_pixels_first_0_0_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_value_6, slice1cost_pixels_first_0_0_value_7 : boolean;
-    variable slice1cost_pixels_first_0_0_value_8, slice1cost_pixels_first_0_0_value_9 : boolean;
-    variable slice1cost_pixels_first_0_0_value_10, slice1cost_pixels_first_1_0_value : boolean;
-    variable slice1cost_pixels_first_1_0_value_2, slice1cost_pixels_first_1_0_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_value_4, slice1cost_pixels_first_1_0_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_value_6, slice1cost_pixels_first_1_0_value_7 : boolean;
-    variable slice1cost_pixels_first_1_0_value_8, slice1cost_pixels_first_1_0_value_9 : boolean;
-    variable slice1cost_pixels_first_1_0_value_10, slice1cost_pixels_first_2_0_value : boolean;
-    variable slice1cost_pixels_first_2_0_value_2, slice1cost_pixels_first_2_0_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_value_4, slice1cost_pixels_first_2_0_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_value_6, slice1cost_pixels_first_2_0_value_7 : boolean;
-    variable slice1cost_pixels_first_2_0_value_8, slice1cost_pixels_first_2_0_value_9 : boolean;
-    variable slice1cost_pixels_first_2_0_value_10, slice1cost_pixels_first_3_0_value : boolean;
-    variable slice1cost_pixels_first_3_0_value_2, slice1cost_pixels_first_3_0_value_3 : boolean;
-    variable slice1cost_pixels_first_3_0_value_4, slice1cost_pixels_first_3_0_value_5 : boolean;
-    variable slice1cost_pixels_first_3_0_value_6, slice1cost_pixels_first_3_0_value_7 : boolean;
-    variable slice1cost_pixels_first_3_0_value_8, slice1cost_pixels_first_3_0_value_9 : boolean;
-    variable slice1cost_pixels_first_3_0_value_10, slice1other_cost_0_0_any, slice1other_cost_0_0_is_less : boolean;
-    variable slice1other_cost_0_1_is_less, slice1other_cost_0_2_is_less, slice1other_cost_0_3_is_less : boolean;
-    variable slice1other_cost_0_4_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_below_0_0_is_equal : boolean;
-    variable slice1winner3_best_cost_0_0_is_less, slice1winner3_best_above_0_0_is_equal : boolean;
-    variable slice1_best_cost_0_0_is_less, slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal : boolean;
-    variable refinement_divisor_0_0_is_less, leftright_holds_winners_all : boolean;
-    variable leftright_checked_tag_row_start_is_equal, leftright_checked_tag_row_start_any : boolean;
-    variable leftright_checked_tag_row_start_choice, leftright_checked_tag_row_start_is_equal_2 : boolean;
-    variable leftright_checked_tag_row_start_all, leftright_checked_tag_row_start_choice_2 : boolean;
-    variable leftright_checked_tag_row_start_all_2, map_counter_group_is_equal, map_line_ended_choice : boolean;
-    variable map_at_arrives_value, map_window_complete_all, map_window_complete_choice : boolean;
-    variable map_window_complete_choice_2, map_low_1_0_all : boolean;
-    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 9;
-    variable slice1other_winner_0_3_choice, slice1other_winner_0_3_choice_2 : natural range 0 to 9;
-    variable slice1other_winner_0_3_choice_3, slice1other_winner_0_3_choice_4 : natural range 0 to 9;
-    variable slice1other_winner_0_3_choice_5, map_counter_group_choice : natural range 0 to 9;
+    variable slice0cost_pixels_first_3_0_value_10, slice0other_cost_0_1_all, slice0other_cost_0_1_choice : boolean;
+    variable slice0other_cost_0_2_choice, slice0other_cost_0_3_choice, slice0other_cost_0_4_choice : boolean;
+    variable slice0other_cost_0_5_all, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_below_0_0_is_equal : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_above_0_0_is_equal : boolean;
+    variable slice1cost_pixels_first_0_0_value, slice1cost_pixels_first_0_0_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_value_3, slice1cost_pixels_first_0_0_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_value_5, slice1cost_pixels_first_0_0_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_value_7, slice1cost_pixels_first_0_0_value_8 : boolean;
+    variable slice1cost_pixels_first_0_0_value_9, slice1cost_pixels_first_0_0_value_10 : boolean;
+    variable slice1cost_pixels_first_1_0_value, slice1cost_pixels_first_1_0_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_value_3, slice1cost_pixels_first_1_0_value_4 : boolean;
+    variable slice1cost_pixels_first_1_0_value_5, slice1cost_pixels_first_1_0_value_6 : boolean;
+    variable slice1cost_pixels_first_1_0_value_7, slice1cost_pixels_first_1_0_value_8 : boolean;
+    variable slice1cost_pixels_first_1_0_value_9, slice1cost_pixels_first_1_0_value_10 : boolean;
+    variable slice1cost_pixels_first_2_0_value, slice1cost_pixels_first_2_0_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_value_3, slice1cost_pixels_first_2_0_value_4 : boolean;
+    variable slice1cost_pixels_first_2_0_value_5, slice1cost_pixels_first_2_0_value_6 : boolean;
+    variable slice1cost_pixels_first_2_0_value_7, slice1cost_pixels_first_2_0_value_8 : boolean;
+    variable slice1cost_pixels_first_2_0_value_9, slice1cost_pixels_first_2_0_value_10 : boolean;
+    variable slice1cost_pixels_first_3_0_value, slice1cost_pixels_first_3_0_value_2 : boolean;
+    variable slice1cost_pixels_first_3_0_value_3, slice1cost_pixels_first_3_0_value_4 : boolean;
+    variable slice1cost_pixels_first_3_0_value_5, slice1cost_pixels_first_3_0_value_6 : boolean;
+    variable slice1cost_pixels_first_3_0_value_7, slice1cost_pixels_first_3_0_value_8 : boolean;
+    variable slice1cost_pixels_first_3_0_value_9, slice1cost_pixels_first_3_0_value_10 : boolean;
+    variable slice1other_cost_0_0_any, slice1other_cost_0_0_choice, slice1other_cost_0_1_choice : boolean;
+    variable slice1other_cost_0_2_choice, slice1other_cost_0_3_choice, slice1other_cost_0_4_choice : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_1_is_less : boolean;
+    variable slice1winner1_best_cost_0_2_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_below_0_0_is_equal, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_above_0_0_is_equal, slice1_best_cost_0_0_is_less : boolean;
+    variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal, refinement_divisor_0_0_is_less : boolean;
+    variable leftright_holds_winners_all, leftright_checked_tag_row_start_is_equal : boolean;
+    variable leftright_checked_tag_row_start_any, leftright_checked_tag_row_start_choice : boolean;
+    variable leftright_checked_tag_row_start_is_equal_2, leftright_checked_tag_row_start_all : boolean;
+    variable leftright_checked_tag_row_start_choice_2, leftright_checked_tag_row_start_all_2 : boolean;
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value, map_window_complete_all : boolean;
+    variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 9;
     variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 31;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 31;
     variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 31;
     variable transform_centre_column_choice : natural range 35 to 59;
-    variable slice0other_cost_0_0_choice, slice0other_cost_0_0_choice_2 : natural range 0 to 304;
-    variable slice0other_cost_0_1_choice, slice0other_cost_0_1_choice_2 : natural range 0 to 304;
-    variable slice0other_cost_0_1_choice_3, slice0other_cost_0_1_choice_4 : natural range 0 to 304;
-    variable slice0other_cost_0_2_choice, slice0other_cost_0_2_choice_2 : natural range 0 to 304;
-    variable slice0other_cost_0_2_choice_3, slice0other_cost_0_2_choice_4 : natural range 0 to 304;
-    variable slice0other_cost_0_2_choice_5, slice0other_cost_0_2_choice_6 : natural range 0 to 304;
-    variable slice0other_cost_0_3_choice, slice0other_cost_0_3_choice_2 : natural range 0 to 304;
-    variable slice0other_cost_0_3_choice_3, slice0other_cost_0_3_choice_4 : natural range 0 to 304;
-    variable slice0other_cost_0_3_choice_5, slice0other_cost_0_3_choice_6 : natural range 0 to 304;
-    variable slice0other_cost_0_4_choice, slice0other_cost_0_4_choice_2 : natural range 0 to 304;
-    variable slice0other_cost_0_4_choice_3, slice0other_cost_0_4_choice_4 : natural range 0 to 304;
-    variable slice0other_cost_0_4_choice_5, slice0other_cost_0_4_choice_6 : natural range 0 to 304;
-    variable slice0other_cost_0_5_choice, slice0other_cost_0_5_choice_2 : natural range 0 to 304;
-    variable slice0other_cost_0_5_choice_3, slice0other_cost_0_5_choice_4 : natural range 0 to 304;
-    variable slice0other_cost_0_5_choice_5, slice0other_cost_0_5_choice_6 : natural range 0 to 304;
     variable slice0winner2_best_below_0_0_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 304;
     variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 304;
-    variable slice1other_cost_0_0_choice, slice1other_cost_0_0_choice_2 : natural range 0 to 304;
-    variable slice1other_cost_0_1_choice, slice1other_cost_0_1_choice_2 : natural range 0 to 304;
-    variable slice1other_cost_0_1_choice_3, slice1other_cost_0_1_choice_4 : natural range 0 to 304;
-    variable slice1other_cost_0_1_choice_5, slice1other_cost_0_2_choice : natural range 0 to 304;
-    variable slice1other_cost_0_2_choice_2, slice1other_cost_0_2_choice_3 : natural range 0 to 304;
-    variable slice1other_cost_0_2_choice_4, slice1other_cost_0_2_choice_5 : natural range 0 to 304;
-    variable slice1other_cost_0_3_choice, slice1other_cost_0_3_choice_2 : natural range 0 to 304;
-    variable slice1other_cost_0_3_choice_3, slice1other_cost_0_3_choice_4 : natural range 0 to 304;
-    variable slice1other_cost_0_3_choice_5, slice1other_cost_0_4_choice : natural range 0 to 304;
-    variable slice1other_cost_0_4_choice_2, slice1other_cost_0_4_choice_3 : natural range 0 to 304;
-    variable slice1other_cost_0_4_choice_4, slice1other_cost_0_4_choice_5 : natural range 0 to 304;
     variable slice1winner2_best_below_0_0_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 304;
     variable slice1winner3_best_below_0_0_choice, slice1winner3_best_above_0_0_choice : natural range 0 to 304;
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 304;
-    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 2;
-    variable slice0other_winner_0_2_choice_3, slice0other_winner_0_2_choice_4 : natural range 0 to 2;
-    variable slice0other_winner_0_2_choice_5, slice0other_winner_0_2_choice_6 : natural range 0 to 2;
-    variable slice0other_winner_0_3_choice, slice0other_winner_0_3_choice_2 : natural range 0 to 3;
-    variable slice0other_winner_0_3_choice_3, slice0other_winner_0_3_choice_4 : natural range 0 to 3;
-    variable slice0other_winner_0_3_choice_5, slice0other_winner_0_3_choice_6 : natural range 0 to 3;
-    variable slice0other_winner_0_4_choice, slice0other_winner_0_4_choice_2 : natural range 0 to 4;
-    variable slice0other_winner_0_4_choice_3, slice0other_winner_0_4_choice_4 : natural range 0 to 4;
-    variable slice0other_winner_0_4_choice_5, slice0other_winner_0_4_choice_6 : natural range 0 to 4;
-    variable slice0other_winner_0_5_choice, slice0other_winner_0_5_choice_2 : natural range 0 to 5;
-    variable slice0other_winner_0_5_choice_3, slice0other_winner_0_5_choice_4 : natural range 0 to 5;
-    variable slice0other_winner_0_5_choice_5, slice0other_winner_0_5_choice_6 : natural range 0 to 5;
     variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 511;
     variable slice0winner2_best_second_0_0_choice_3, slice0winner2_best_second_0_0_choice_4 : natural range 0 to 511;
     variable slice0winner3_best_second_0_0_choice, slice0winner3_best_second_0_0_choice_2 : natural range 0 to 511;
@@ -872,19 +830,6 @@ begin
     variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_2 : natural range 0 to 511;
     variable slice1_best_second_0_0_choice_3, slice1_best_second_0_0_choice_4 : natural range 0 to 511;
     variable refinement_divisor_0_0_choice : natural range 0 to 511;
-    variable slice1other_winner_0_0_choice, slice1other_winner_0_0_choice_2 : natural range 0 to 6;
-    variable slice1other_winner_0_1_choice, slice1other_winner_0_1_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_3, slice1other_winner_0_1_choice_4 : natural range 0 to 7;
-    variable slice1other_winner_0_1_choice_5, refinement_fraction_0_choice_2 : natural range 0 to 7;
-    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 8;
-    variable slice1other_winner_0_2_choice_3, slice1other_winner_0_2_choice_4 : natural range 0 to 8;
-    variable slice1other_winner_0_2_choice_5 : natural range 0 to 8;
-    variable slice1other_winner_0_4_choice, slice1other_winner_0_4_choice_2 : natural range 0 to 10;
-    variable slice1other_winner_0_4_choice_3, slice1other_winner_0_4_choice_4 : natural range 0 to 10;
-    variable slice1other_winner_0_4_choice_5 : natural range 0 to 10;
-    variable slice1other_winner_0_5_choice, slice1other_winner_0_5_choice_2 : natural range 0 to 11;
-    variable slice1other_winner_0_5_choice_3, slice1other_winner_0_5_choice_4 : natural range 0 to 11;
-    variable slice1other_winner_0_5_choice_5 : natural range 0 to 11;
     variable refinement_remainder_1_0_difference : natural range 513 to 1328;
     variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 513 to 2046;
     variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 513 to 2046;
@@ -892,6 +837,7 @@ begin
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable refinement_fraction_0_choice : natural range 0 to 255;
+    variable refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable leftright_checked_passed_0_difference : integer range -14 to 16;
     variable map_of_column_0_a_choice : natural range 0 to 4095;
     variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
@@ -987,8 +933,8 @@ begin
       transform_right_column_9 <= transform_right_rows_ready_newest_0;
       transform_columns_inside_0 <= transform_up_to_last_0 and transform_from_first_0;
       transform_columns_inside_1 <= transform_up_to_last_1 and transform_from_first_1;
-      transform_columns_start_of_frame <= (other_4 mod 2) = 1;
-      transform_columns_valid <= (other_4 / 256) = 1;
+      transform_columns_start_of_frame <= (other_3 mod 2) = 1;
+      transform_columns_valid <= (other_3 / 256) = 1;
       transform_left_code_column_box_0_0_0 <= transform_left_column_3;
       transform_left_code_column_box_0_1_0 <= transform_left_column_4;
       transform_left_code_column_box_0_2_0 <= transform_left_column_5;
@@ -1033,7 +979,7 @@ begin
         mod 8192) * 2) + (transform_left_code_row_outer_2 mod 2);
       transform_left_code_row_odd_1 <= (transform_left_code_row_after_1 - transform_left_code_row_before_1) mod 16384;
       transform_left_code_row_odd_2 <= (transform_left_code_row_after_2 - transform_left_code_row_before_2) mod 16384;
-      transform_left_code_row_signs <= ((other_1 / 8192) * 2) + (other_2 / 8192) + ((((transform_left_code_row_even_2 +
+      transform_left_code_row_signs <= ((other_0 / 8192) * 2) + (other_1 / 8192) + ((((transform_left_code_row_even_2 +
         transform_left_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_left_code_row_odd_1 -
         transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
         transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
@@ -1098,7 +1044,7 @@ begin
         transform_left_code_next_row_before_1) mod 65536;
       transform_left_code_next_row_odd_2 <= (transform_left_code_next_row_after_2 -
         transform_left_code_next_row_before_2) mod 65536;
-      transform_left_code_next_row_signs <= (other_0 / 32768) + ((transform_left_code_next_row_odd_0 / 32768) * 2) +
+      transform_left_code_next_row_signs <= (other_19 / 32768) + ((transform_left_code_next_row_odd_0 / 32768) * 2) +
         ((((transform_left_code_next_row_even_2 + transform_left_code_next_row_odd_1) mod 65536) / 32768) * 8) +
         ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
@@ -1150,7 +1096,7 @@ begin
         16384;
       transform_right_code_row_odd_2 <= (transform_right_code_row_after_2 - transform_right_code_row_before_2) mod
         16384;
-      transform_right_code_row_signs <= ((other_17 / 8192) * 2) + (other_18 / 8192) +
+      transform_right_code_row_signs <= ((other_16 / 8192) * 2) + (other_17 / 8192) +
         ((((transform_right_code_row_even_2 + transform_right_code_row_odd_1) mod 16384) / 8192) * 8) +
         ((((transform_right_code_row_odd_1 - transform_right_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((transform_right_code_row_even_1 - transform_right_code_row_odd_2) mod 16384) / 8192) * 4) +
@@ -1215,7 +1161,7 @@ begin
         transform_right_code_next_row_before_1) mod 65536;
       transform_right_code_next_row_odd_2 <= (transform_right_code_next_row_after_2 -
         transform_right_code_next_row_before_2) mod 65536;
-      transform_right_code_next_row_signs <= (other_16 / 32768) + ((transform_right_code_next_row_odd_0 / 32768) * 2) +
+      transform_right_code_next_row_signs <= (other_15 / 32768) + ((transform_right_code_next_row_odd_0 / 32768) * 2) +
         ((((transform_right_code_next_row_even_2 + transform_right_code_next_row_odd_1) mod 65536) / 32768) * 8) +
         ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
@@ -1260,7 +1206,7 @@ begin
           in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
           transform_counter_next_frame_choice;
       end if;
-      if (other_4 / 256) = 1 then
+      if (other_3 / 256) = 1 then
         transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
           transform_left_rows_ready_words_0(31 downto 8);
         transform_left_rows_write_words_1 <= to_unsigned(transform_left_rows_ready_words_2, 8) &
@@ -2043,129 +1989,30 @@ begin
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0other
-      slice0other_cost_0_0_all := ((slice0window_sum_0_1 - slice0other_cost_0_0) >= 0) and (not
-        slice0window_tag_first_column) and slice0window_tag_output_column;
-      slice0other_cost_0_0_is_less := (slice0window_sum_0_1 - slice0other_cost_0_0) < 0;
-      slice0other_cost_0_0_all_2 := slice0other_cost_0_0_is_less and (not slice0window_tag_first_column) and
-        slice0window_tag_output_column;
-      slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0window_tag_output_column else 0;
-      slice0other_cost_0_0_choice_2 := slice0window_sum_0_0 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_0_choice;
+      slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
+      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0window_sum_0_1 - slice0other_cost_0_0)
+        < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_2_choice := slice0window_tag_output_column when (slice0window_sum_0_2 - slice0other_cost_0_1)
+        < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_3_choice := slice0window_tag_output_column when (slice0window_sum_0_3 - slice0other_cost_0_2)
+        < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_4_choice := slice0window_tag_output_column when (slice0window_sum_0_4 - slice0other_cost_0_3)
+        < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_5_all := slice0window_tag_output_column and (((slice0window_sum_0_5 - slice0other_cost_0_4) <
+        0) or slice0window_tag_first_column);
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_0_choice_2;
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column else 0;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_1;
+        slice0other_cost_0_3 <= slice0window_sum_0_3 when slice0other_cost_0_3_choice else slice0other_cost_0_2;
+        slice0other_cost_0_4 <= slice0window_sum_0_4 when slice0other_cost_0_4_choice else slice0other_cost_0_3;
+        slice0other_cost_0_5 <= slice0window_sum_0_5 when slice0other_cost_0_5_all else slice0other_cost_0_4;
+        slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
+        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_choice else as_number(slice0other_winner_0_1);
+        slice0other_winner_0_3 <= 3 when slice0other_cost_0_3_choice else slice0other_winner_0_2;
+        slice0other_winner_0_4 <= 4 when slice0other_cost_0_4_choice else slice0other_winner_0_3;
+        slice0other_winner_0_5 <= 5 when slice0other_cost_0_5_all else slice0other_winner_0_4;
       end if;
-      slice0other_cost_0_1_choice := slice0other_cost_0_0 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_2 := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
-      slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice_2 when slice0window_tag_output_column else
-        slice0other_cost_0_1_choice;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_1_choice_3;
-      slice0other_cost_0_2_is_less := (slice0window_sum_0_2 - slice0other_cost_0_1) < 0;
-      slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0other_cost_0_2_is_less else slice0other_cost_0_1;
-      slice0other_cost_0_2_choice_2 := slice0other_cost_0_2_choice when slice0window_tag_valid else
-        slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_3 := slice0window_sum_0_2 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_5 := slice0other_cost_0_2_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_2_choice_4;
-      slice0other_cost_0_2_choice_6 := slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_2_choice_5;
-      slice0other_cost_0_3_is_less := (slice0window_sum_0_3 - slice0other_cost_0_2) < 0;
-      slice0other_cost_0_3_choice := slice0window_sum_0_3 when slice0other_cost_0_3_is_less else slice0other_cost_0_2;
-      slice0other_cost_0_3_choice_2 := slice0other_cost_0_3_choice when slice0window_tag_valid else
-        slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_3 := slice0window_sum_0_3 when slice0window_tag_valid else slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_4 := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_3;
-      slice0other_cost_0_3_choice_5 := slice0other_cost_0_3_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_3_choice_4;
-      slice0other_cost_0_3_choice_6 := slice0other_cost_0_3_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_3_choice_5;
-      slice0other_cost_0_4_is_less := (slice0window_sum_0_4 - slice0other_cost_0_3) < 0;
-      slice0other_cost_0_4_choice := slice0window_sum_0_4 when slice0other_cost_0_4_is_less else slice0other_cost_0_3;
-      slice0other_cost_0_4_choice_2 := slice0other_cost_0_4_choice when slice0window_tag_valid else
-        slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_3 := slice0window_sum_0_4 when slice0window_tag_valid else slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_4 := slice0other_cost_0_3 when slice0window_tag_valid else slice0other_cost_0_4;
-      slice0other_cost_0_4_choice_5 := slice0other_cost_0_4_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_4_choice_4;
-      slice0other_cost_0_4_choice_6 := slice0other_cost_0_4_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_4_choice_5;
-      slice0other_cost_0_5_is_less := (slice0window_sum_0_5 - slice0other_cost_0_4) < 0;
-      slice0other_cost_0_5_choice := slice0window_sum_0_5 when slice0other_cost_0_5_is_less else slice0other_cost_0_4;
-      slice0other_cost_0_5_choice_2 := slice0other_cost_0_5_choice when slice0window_tag_valid else
-        slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_3 := slice0window_sum_0_5 when slice0window_tag_valid else slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_4 := slice0other_cost_0_4 when slice0window_tag_valid else slice0other_cost_0_5;
-      slice0other_cost_0_5_choice_5 := slice0other_cost_0_5_choice_3 when slice0window_tag_output_column else
-        slice0other_cost_0_5_choice_4;
-      slice0other_cost_0_5_choice_6 := slice0other_cost_0_5_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_cost_0_5_choice_5;
-      slice0other_winner_0_1_choice := slice0window_tag_output_column when slice0other_cost_0_0_is_less else
-        slice0window_tag_first_column and slice0window_tag_output_column;
-      slice0other_winner_0_2_choice := 2 when slice0other_cost_0_2_is_less else as_number(slice0other_winner_0_1);
-      slice0other_winner_0_2_choice_2 := slice0other_winner_0_2_choice when slice0window_tag_valid else
-        slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_3 := 2 when slice0window_tag_valid else slice0other_winner_0_2;
-      if slice0window_tag_valid then
-        slice0other_winner_0_2_choice_4 := as_number(slice0other_winner_0_1);
-      else
-        slice0other_winner_0_2_choice_4 := slice0other_winner_0_2;
-      end if;
-      slice0other_winner_0_2_choice_5 := slice0other_winner_0_2_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_2_choice_4;
-      slice0other_winner_0_2_choice_6 := slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_2_choice_5;
-      slice0other_winner_0_3_choice := 3 when slice0other_cost_0_3_is_less else slice0other_winner_0_2;
-      slice0other_winner_0_3_choice_2 := slice0other_winner_0_3_choice when slice0window_tag_valid else
-        slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_3 := 3 when slice0window_tag_valid else slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_4 := slice0other_winner_0_2 when slice0window_tag_valid else slice0other_winner_0_3;
-      slice0other_winner_0_3_choice_5 := slice0other_winner_0_3_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_3_choice_4;
-      slice0other_winner_0_3_choice_6 := slice0other_winner_0_3_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_3_choice_5;
-      slice0other_winner_0_4_choice := 4 when slice0other_cost_0_4_is_less else slice0other_winner_0_3;
-      slice0other_winner_0_4_choice_2 := slice0other_winner_0_4_choice when slice0window_tag_valid else
-        slice0other_winner_0_4;
-      slice0other_winner_0_4_choice_3 := 4 when slice0window_tag_valid else slice0other_winner_0_4;
-      if slice0window_tag_valid then
-        slice0other_winner_0_4_choice_4 := slice0other_winner_0_3;
-      else
-        slice0other_winner_0_4_choice_4 := slice0other_winner_0_4;
-      end if;
-      slice0other_winner_0_4_choice_5 := slice0other_winner_0_4_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_4_choice_4;
-      slice0other_winner_0_4_choice_6 := slice0other_winner_0_4_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_4_choice_5;
-      slice0other_winner_0_5_choice := 5 when slice0other_cost_0_5_is_less else slice0other_winner_0_4;
-      slice0other_winner_0_5_choice_2 := slice0other_winner_0_5_choice when slice0window_tag_valid else
-        slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_4 := slice0other_winner_0_4 when slice0window_tag_valid else slice0other_winner_0_5;
-      slice0other_winner_0_5_choice_5 := slice0other_winner_0_5_choice_3 when slice0window_tag_output_column else
-        slice0other_winner_0_5_choice_4;
-      slice0other_winner_0_5_choice_6 := slice0other_winner_0_5_choice_2 when slice0other_cost_0_0_all_2 else
-        slice0other_winner_0_5_choice_5;
-      slice0other_cost_0_1 <= slice0other_cost_0_1_choice when slice0other_cost_0_0_all else
-        slice0other_cost_0_1_choice_4;
-      slice0other_cost_0_2 <= slice0other_cost_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_2_choice_6;
-      slice0other_cost_0_3 <= slice0other_cost_0_3_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_3_choice_6;
-      slice0other_cost_0_4 <= slice0other_cost_0_4_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_4_choice_6;
-      slice0other_cost_0_5 <= slice0other_cost_0_5_choice_2 when slice0other_cost_0_0_all else
-        slice0other_cost_0_5_choice_6;
-      slice0other_winner_0_1 <= (slice0window_tag_valid and slice0other_winner_0_1_choice) or (slice0other_winner_0_1
-        and (not slice0window_tag_valid));
-      slice0other_winner_0_2 <= slice0other_winner_0_2_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_2_choice_6;
-      slice0other_winner_0_3 <= slice0other_winner_0_3_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_3_choice_6;
-      slice0other_winner_0_4 <= slice0other_winner_0_4_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_4_choice_6;
-      slice0other_winner_0_5 <= slice0other_winner_0_5_choice_2 when slice0other_cost_0_0_all else
-        slice0other_winner_0_5_choice_6;
       slice0other_cost_out_0 <= slice0other_cost_0_5;
       slice0other_winner_out_0 <= slice0other_winner_0_5;
       -- slice0winner1
@@ -2827,112 +2674,31 @@ begin
       slice1window_sum_0_4 <= slice1window_partial_0_2_4 + slice1cost_column_0_4;
       slice1window_sum_0_5 <= slice1window_partial_0_2_5 + slice1cost_column_0_5;
       -- slice1other
-      slice1other_cost_0_0_any := (not slice0winner1_tag_first_column) or (not slice0winner1_tag_output_column);
-      slice1other_cost_0_0_is_less := (slice1window_sum_0_0 - slice0other_cost_out_0) < 0;
-      slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice1other_cost_0_0_is_less else slice0other_cost_out_0;
-      slice1other_cost_0_0_choice_2 := slice1other_cost_0_0_choice when slice0winner1_tag_output_column else
-        slice0other_cost_out_0;
-      slice1other_winner_0_0_choice := 6 when slice1other_cost_0_0_is_less else slice0other_winner_out_0;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_tag_output_column else
-        slice0other_winner_out_0;
+      slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
+      slice1other_cost_0_0_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_0 -
+        slice0other_cost_out_0) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_1 -
+        slice1other_cost_0_0) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_2_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_2 -
+        slice1other_cost_0_1) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_3_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_3 -
+        slice1other_cost_0_2) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_4_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_4 -
+        slice1other_cost_0_3) < 0 else slice1other_cost_0_0_any;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_0 <= slice1other_cost_0_0_choice_2 when slice1other_cost_0_0_any else slice1window_sum_0_0;
-        slice1other_winner_0_0 <= slice1other_winner_0_0_choice_2 when slice1other_cost_0_0_any else 6;
+        slice1other_cost_0_0 <= slice0other_cost_out_0 when slice1other_cost_0_0_choice else slice1window_sum_0_0;
+        slice1other_cost_0_1 <= slice1other_cost_0_0 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice1other_cost_0_1 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
+        slice1other_cost_0_3 <= slice1other_cost_0_2 when slice1other_cost_0_3_choice else slice1window_sum_0_3;
+        slice1other_cost_0_4 <= slice1other_cost_0_3 when slice1other_cost_0_4_choice else slice1window_sum_0_4;
+        slice1other_winner_0_0 <= slice0other_winner_out_0 when slice1other_cost_0_0_choice else 6;
+        slice1other_winner_0_1 <= slice1other_winner_0_0 when slice1other_cost_0_1_choice else 7;
+        slice1other_winner_0_2 <= slice1other_winner_0_1 when slice1other_cost_0_2_choice else 8;
+        slice1other_winner_0_3 <= slice1other_winner_0_2 when slice1other_cost_0_3_choice else 9;
+        slice1other_winner_0_4 <= slice1other_winner_0_3 when slice1other_cost_0_4_choice else 10;
+        slice1other_winner_0_5 <= slice1other_winner_0_4 when (not slice0winner1_tag_output_column) or ((not
+          slice0winner1_tag_first_column) and ((slice1window_sum_0_5 - slice1other_cost_0_4) >= 0)) else 11;
       end if;
-      slice1other_cost_0_1_is_less := (slice1window_sum_0_1 - slice1other_cost_0_0) < 0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_less else slice1other_cost_0_0;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_0 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_2_is_less := (slice1window_sum_0_2 - slice1other_cost_0_1) < 0;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice1other_cost_0_2_is_less else slice1other_cost_0_1;
-      slice1other_cost_0_2_choice_2 := slice1other_cost_0_2_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_3 := slice1other_cost_0_1 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_2_choice_3;
-      slice1other_cost_0_2_choice_5 := slice1window_sum_0_2 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_3_is_less := (slice1window_sum_0_3 - slice1other_cost_0_2) < 0;
-      slice1other_cost_0_3_choice := slice1window_sum_0_3 when slice1other_cost_0_3_is_less else slice1other_cost_0_2;
-      slice1other_cost_0_3_choice_2 := slice1other_cost_0_3_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_3;
-      slice1other_cost_0_3_choice_3 := slice1other_cost_0_2 when slice0winner1_tag_valid else slice1other_cost_0_3;
-      slice1other_cost_0_3_choice_4 := slice1other_cost_0_3_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_3_choice_3;
-      slice1other_cost_0_3_choice_5 := slice1window_sum_0_3 when slice0winner1_tag_valid else slice1other_cost_0_3;
-      slice1other_cost_0_4_is_less := (slice1window_sum_0_4 - slice1other_cost_0_3) < 0;
-      slice1other_cost_0_4_choice := slice1window_sum_0_4 when slice1other_cost_0_4_is_less else slice1other_cost_0_3;
-      slice1other_cost_0_4_choice_2 := slice1other_cost_0_4_choice when slice0winner1_tag_valid else
-        slice1other_cost_0_4;
-      slice1other_cost_0_4_choice_3 := slice1other_cost_0_3 when slice0winner1_tag_valid else slice1other_cost_0_4;
-      slice1other_cost_0_4_choice_4 := slice1other_cost_0_4_choice_2 when slice0winner1_tag_output_column else
-        slice1other_cost_0_4_choice_3;
-      slice1other_cost_0_4_choice_5 := slice1window_sum_0_4 when slice0winner1_tag_valid else slice1other_cost_0_4;
-      slice1other_winner_0_1_choice := 7 when slice1other_cost_0_1_is_less else slice1other_winner_0_0;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_0 when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 7 when slice0winner1_tag_valid else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice := 8 when slice1other_cost_0_2_is_less else slice1other_winner_0_1;
-      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_2;
-      if slice0winner1_tag_valid then
-        slice1other_winner_0_2_choice_3 := slice1other_winner_0_1;
-      else
-        slice1other_winner_0_2_choice_3 := slice1other_winner_0_2;
-      end if;
-      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_2_choice_3;
-      slice1other_winner_0_2_choice_5 := 8 when slice0winner1_tag_valid else slice1other_winner_0_2;
-      slice1other_winner_0_3_choice := 9 when slice1other_cost_0_3_is_less else slice1other_winner_0_2;
-      slice1other_winner_0_3_choice_2 := slice1other_winner_0_3_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_3;
-      slice1other_winner_0_3_choice_3 := slice1other_winner_0_2 when slice0winner1_tag_valid else
-        slice1other_winner_0_3;
-      slice1other_winner_0_3_choice_4 := slice1other_winner_0_3_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_3_choice_3;
-      slice1other_winner_0_3_choice_5 := 9 when slice0winner1_tag_valid else slice1other_winner_0_3;
-      slice1other_winner_0_4_choice := 10 when slice1other_cost_0_4_is_less else slice1other_winner_0_3;
-      slice1other_winner_0_4_choice_2 := slice1other_winner_0_4_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_4;
-      slice1other_winner_0_4_choice_3 := slice1other_winner_0_3 when slice0winner1_tag_valid else
-        slice1other_winner_0_4;
-      slice1other_winner_0_4_choice_4 := slice1other_winner_0_4_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_4_choice_3;
-      slice1other_winner_0_4_choice_5 := 10 when slice0winner1_tag_valid else slice1other_winner_0_4;
-      slice1other_winner_0_5_choice := 11 when (slice1window_sum_0_5 - slice1other_cost_0_4) < 0 else
-        slice1other_winner_0_4;
-      slice1other_winner_0_5_choice_2 := slice1other_winner_0_5_choice when slice0winner1_tag_valid else
-        slice1other_winner_0_5;
-      slice1other_winner_0_5_choice_3 := slice1other_winner_0_4 when slice0winner1_tag_valid else
-        slice1other_winner_0_5;
-      slice1other_winner_0_5_choice_4 := slice1other_winner_0_5_choice_2 when slice0winner1_tag_output_column else
-        slice1other_winner_0_5_choice_3;
-      slice1other_winner_0_5_choice_5 := 11 when slice0winner1_tag_valid else slice1other_winner_0_5;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_1_choice_5;
-      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_2_choice_5;
-      slice1other_cost_0_3 <= slice1other_cost_0_3_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_3_choice_5;
-      slice1other_cost_0_4 <= slice1other_cost_0_4_choice_4 when slice1other_cost_0_0_any else
-        slice1other_cost_0_4_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_1_choice_5;
-      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_2_choice_5;
-      slice1other_winner_0_3 <= slice1other_winner_0_3_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_3_choice_5;
-      slice1other_winner_0_4 <= slice1other_winner_0_4_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_4_choice_5;
-      slice1other_winner_0_5 <= slice1other_winner_0_5_choice_4 when slice1other_cost_0_0_any else
-        slice1other_winner_0_5_choice_5;
       slice1other_winner_out_0 <= slice1other_winner_0_5;
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
@@ -3223,7 +2989,7 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((1024 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 512) + ((other_9
+      refinement_quotient_8_0 <= ((((1024 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 512) + ((other_8
         / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -3319,7 +3085,7 @@ begin
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_of_column_0_a_choice := other_7 / 2;
+        map_of_column_0_a_choice := other_5 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c_choice := map_column_1 / 2;
@@ -3480,31 +3246,31 @@ begin
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= (((transform_left_code_next_row_outer_0 / 2) - transform_left_code_next_row_centre_0) mod 32768) * 2;
-      other_1 <= as_number(((transform_left_code_row_after_0 - transform_left_code_row_before_0) < 0)) * 8192;
-      other_2 <= as_number((((other_3 / 2) - transform_left_code_row_centre_0) < 0)) * 8192;
-      other_3 <= ((transform_left_code_row_box_0_0 + transform_left_code_row_column_0_3) / 2) * 2;
-      other_4 <= other_5;
-      other_5 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 5) and
+      other_0 <= as_number(((transform_left_code_row_after_0 - transform_left_code_row_before_0) < 0)) * 8192;
+      other_1 <= as_number((((other_2 / 2) - transform_left_code_row_centre_0) < 0)) * 8192;
+      other_2 <= ((transform_left_code_row_box_0_0 + transform_left_code_row_column_0_3) / 2) * 2;
+      other_3 <= other_4;
+      other_4 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 5) and
         (transform_counter_group = 4)));
-      other_6 <= other_8;
-      other_7 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
-      other_8 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 19))), 1) &
+      other_5 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
+      other_6 <= other_7;
+      other_7 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 19))), 1) &
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_9 <= ((refinement_remainder_7_0_difference / 1024) * 2) + ((other_10 / 4) * 4);
-      other_10 <= ((refinement_remainder_6_0_difference / 1024) * 4) + ((other_11 / 8) * 8);
-      other_11 <= ((refinement_remainder_5_0_difference / 1024) * 8) + ((other_12 / 16) * 16);
-      other_12 <= ((refinement_remainder_4_0_difference / 1024) * 16) + ((other_13 / 32) * 32);
-      other_13 <= ((refinement_remainder_3_0_difference / 1024) * 32) + ((other_14 / 64) * 64);
-      other_14 <= ((refinement_remainder_2_0_difference / 1024) * 64) + ((other_15 / 128) * 128);
-      other_15 <= (refinement_remainder_1_0_difference / 1024) * 128;
-      other_16 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) *
+      other_8 <= ((refinement_remainder_7_0_difference / 1024) * 2) + ((other_9 / 4) * 4);
+      other_9 <= ((refinement_remainder_6_0_difference / 1024) * 4) + ((other_10 / 8) * 8);
+      other_10 <= ((refinement_remainder_5_0_difference / 1024) * 8) + ((other_11 / 16) * 16);
+      other_11 <= ((refinement_remainder_4_0_difference / 1024) * 16) + ((other_12 / 32) * 32);
+      other_12 <= ((refinement_remainder_3_0_difference / 1024) * 32) + ((other_13 / 64) * 64);
+      other_13 <= ((refinement_remainder_2_0_difference / 1024) * 64) + ((other_14 / 128) * 128);
+      other_14 <= (refinement_remainder_1_0_difference / 1024) * 128;
+      other_15 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) *
         2;
-      other_17 <= as_number(((transform_right_code_row_after_0 - transform_right_code_row_before_0) < 0)) * 8192;
-      other_18 <= as_number((((other_19 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
-      other_19 <= ((transform_right_code_row_box_0_0 + transform_right_code_row_column_0_3) / 2) * 2;
+      other_16 <= as_number(((transform_right_code_row_after_0 - transform_right_code_row_before_0) < 0)) * 8192;
+      other_17 <= as_number((((other_18 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
+      other_18 <= ((transform_right_code_row_box_0_0 + transform_right_code_row_column_0_3) / 2) * 2;
+      other_19 <= (((transform_left_code_next_row_outer_0 / 2) - transform_left_code_next_row_centre_0) mod 32768) * 2;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -3708,10 +3474,10 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
+        other_3 <= 0;
         other_4 <= 0;
-        other_5 <= 0;
         other_6 <= to_unsigned(0, 49);
-        other_8 <= to_unsigned(0, 49);
+        other_7 <= to_unsigned(0, 49);
       end if;
     end if;
   end process;

@@ -645,8 +645,8 @@ architecture rtl of stereo_core_tiny_sgm_12bit_all is
   signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
   signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
-  signal other_0, other_2 : unsigned(48 downto 0);
-  signal other_1 : natural range 0 to 8190;
+  signal other_0 : natural range 0 to 8190;
+  signal other_1, other_2 : unsigned(48 downto 0);
   signal other_3 : natural range 0 to 67108863;
   signal other_4 : unsigned(25 downto 0);
   signal other_5 : natural range 0 to 254;
@@ -656,6 +656,10 @@ architecture rtl of stereo_core_tiny_sgm_12bit_all is
   signal other_9 : natural range 0 to 224;
   signal other_10 : natural range 0 to 192;
   signal other_11 : natural range 0 to 128;
+  signal other_4_memory_write_data : unsigned(25 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal sums_sum_delay_held_3_memory_write_data : unsigned(26 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(26 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(26 downto 0);
@@ -680,10 +684,6 @@ architecture rtl of stereo_core_tiny_sgm_12bit_all is
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(21 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal other_4_memory_write_data : unsigned(25 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -695,6 +695,38 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  other_4_memory : entity work.line_memory
+    generic map (depth => 38, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => other_4,
+      write_address => map_at_column, write_data => other_4_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 38, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   sums_sum_delay_held_3_memory_write_data <= to_unsigned(sums_turn_ready_sums_3, 27);
   sums_sum_delay_held_3_memory : entity work.line_memory
@@ -814,7 +846,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
   forward_above_delay_held_1_memory_write_data <= ((to_unsigned(forward_above_total_7, 8) & to_unsigned(to_integer(((to_unsigned(forward_above_total_5, 8) & to_unsigned(0, 7)) or (to_unsigned(forward_above_total_4, 15)))), 21)) or (to_unsigned(forward_above_total_6, 15) & to_unsigned(0, 14)));
   forward_above_delay_held_1_memory : entity work.line_memory
@@ -822,7 +854,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
   forward_above_delay_held_0_memory_write_data <= ((to_unsigned(forward_above_total_3, 8) & to_unsigned(to_integer(((to_unsigned(forward_above_total_1, 8) & to_unsigned(0, 7)) or (to_unsigned(forward_above_total_0, 15)))), 21)) or (to_unsigned(forward_above_total_2, 15) & to_unsigned(0, 14)));
   forward_above_delay_held_0_memory : entity work.line_memory
@@ -830,7 +862,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
   forward_cost_delay_held_2_memory_write_data <= ((to_unsigned(entry_cost_11, 8) & to_unsigned(0, 6)) or (to_unsigned(entry_cost_10, 14)));
   forward_cost_delay_held_2_memory : entity work.line_memory
@@ -838,7 +870,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_2,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_2_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_2_memory_write_data);
 
   forward_cost_delay_held_1_memory_write_data <= ((((((((to_unsigned(entry_cost_8, 14) & to_unsigned(0, 18)) or (to_unsigned(entry_cost_9, 8) & to_unsigned(0, 24)))) or (to_unsigned(entry_cost_7, 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_5, 32)))) or (to_unsigned(entry_cost_6, 26) & to_unsigned(0, 6)));
   forward_cost_delay_held_1_memory : entity work.line_memory
@@ -846,7 +878,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
   forward_cost_delay_held_0_memory_write_data <= ((((((((to_unsigned(entry_cost_3, 14) & to_unsigned(0, 18)) or (to_unsigned(entry_cost_4, 8) & to_unsigned(0, 24)))) or (to_unsigned(entry_cost_2, 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_0, 32)))) or (to_unsigned(entry_cost_1, 26) & to_unsigned(0, 6)));
   forward_cost_delay_held_0_memory : entity work.line_memory
@@ -854,7 +886,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 22);
   rows_search_rows_read_words_0_memory : entity work.line_memory
@@ -888,38 +920,6 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_4_memory : entity work.line_memory
-    generic map (depth => 38, width => 26)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => other_4,
-      write_address => map_at_column, write_data => other_4_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 14)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
-
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
@@ -942,7 +942,7 @@ begin
     variable winnersother_cost_0_1_choice, winnersother_cost_0_2_choice, winnersother_cost_0_3_choice : boolean;
     variable winnersother_cost_0_4_choice, winnersother_cost_0_5_choice, winnersother_cost_0_6_choice : boolean;
     variable winnersother_cost_0_7_choice, winnersother_cost_0_8_choice, winnersother_cost_0_9_choice : boolean;
-    variable winnersother_winner_0_0_choice, winnersother_cost_0_10_choice, winnersother_cost_0_11_all : boolean;
+    variable winnersother_cost_0_10_choice, winnersother_cost_0_11_all, winnersother_winner_0_0_choice : boolean;
     variable winnerswinner1_best_cost_0_0_is_less, winnerswinner1_best_cost_0_1_is_less : boolean;
     variable winnerswinner1_best_cost_0_2_is_less, winnerswinner1_best_cost_0_3_is_less : boolean;
     variable winnerswinner1_best_cost_0_4_is_less, winnerswinner1_best_cost_0_5_is_less : boolean;
@@ -1034,35 +1034,6 @@ begin
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 132;
     variable forward_above_write_words_0_choice_2, forward_above_write_words_1_choice_2 : natural range 0 to 127;
     variable sums_turn_waiting_read_place_choice, sums_turn_waiting_read_place_choice_2 : natural range 0 to 63;
-    variable winnersother_cost_0_1_choice_2, winnersother_cost_0_1_choice_3 : natural range 0 to 1022;
-    variable winnersother_cost_0_1_choice_4, winnersother_cost_0_2_choice_2 : natural range 0 to 1022;
-    variable winnersother_cost_0_2_choice_3, winnersother_cost_0_2_choice_4 : natural range 0 to 1022;
-    variable winnersother_cost_0_3_choice_2, winnersother_cost_0_3_choice_3 : natural range 0 to 1022;
-    variable winnersother_cost_0_3_choice_4, winnersother_cost_0_4_choice_2 : natural range 0 to 1022;
-    variable winnersother_cost_0_4_choice_3, winnersother_cost_0_4_choice_4 : natural range 0 to 1022;
-    variable winnersother_cost_0_5_choice_2, winnersother_cost_0_5_choice_3 : natural range 0 to 1022;
-    variable winnersother_cost_0_5_choice_4, winnersother_cost_0_6_choice_2 : natural range 0 to 1022;
-    variable winnersother_cost_0_6_choice_3, winnersother_cost_0_6_choice_4 : natural range 0 to 1022;
-    variable winnersother_cost_0_7_choice_2, winnersother_cost_0_7_choice_3 : natural range 0 to 1022;
-    variable winnersother_cost_0_7_choice_4, winnersother_cost_0_8_choice_2 : natural range 0 to 1022;
-    variable winnersother_cost_0_8_choice_3, winnersother_cost_0_8_choice_4 : natural range 0 to 1022;
-    variable winnersother_cost_0_9_choice_2, winnersother_cost_0_9_choice_3 : natural range 0 to 1022;
-    variable winnersother_cost_0_9_choice_4 : natural range 0 to 1022;
-    variable winnersother_winner_0_0_choice_2, winnersother_winner_0_0_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_0_choice_4, winnersother_winner_0_1_choice : natural range 0 to 11;
-    variable winnersother_winner_0_1_choice_2, winnersother_winner_0_1_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_2_choice, winnersother_winner_0_2_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_2_choice_3, winnersother_winner_0_3_choice : natural range 0 to 11;
-    variable winnersother_winner_0_3_choice_2, winnersother_winner_0_3_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_4_choice, winnersother_winner_0_4_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_4_choice_3, winnersother_winner_0_5_choice : natural range 0 to 11;
-    variable winnersother_winner_0_5_choice_2, winnersother_winner_0_5_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_6_choice, winnersother_winner_0_6_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_6_choice_3, winnersother_winner_0_7_choice : natural range 0 to 11;
-    variable winnersother_winner_0_7_choice_2, winnersother_winner_0_7_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_8_choice, winnersother_winner_0_8_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_8_choice_3, winnersother_winner_0_9_choice : natural range 0 to 11;
-    variable winnersother_winner_0_9_choice_2, winnersother_winner_0_9_choice_3 : natural range 0 to 11;
     variable winnerswinner1_held_0_0_choice, winnerswinner1_held_0_1_choice : natural range 0 to 1023;
     variable winnerswinner1_held_0_2_choice, winnerswinner1_held_0_3_choice : natural range 0 to 1023;
     variable winnerswinner1_held_0_4_choice, winnerswinner1_held_0_5_choice : natural range 0 to 1023;
@@ -1428,10 +1399,10 @@ begin
         slice0window_partial_0_1_4 <= (slice0cost_column_0_4 + slice0window_partial_0_0_4) mod 65536;
         slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
         slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
-        slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
         slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
         slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
       end if;
+      slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
       slice0window_sum_0_0 <= (slice0cost_column_0_0 + slice0window_partial_0_1_0) mod 65536;
       slice0window_sum_0_1 <= (slice0cost_column_0_1 + slice0window_partial_0_1_1) mod 65536;
       slice0window_sum_0_2 <= (slice0cost_column_0_2 + slice0window_partial_0_1_2) mod 65536;
@@ -1443,30 +1414,29 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       if slice0window_tag_valid then
-        slice0window_tag_first_column <= slice1cost_tag_first_column;
+        slice0window_tag_first_column <= slice0window_centre_first_column_0;
       end if;
       -- slice0mask
-      slice0mask_inside_0_choice := (not slice0window_centre_first_column_0) and ((slice0mask_column / 16) = 3) when
-        (not (((slice0mask_column / 8) mod 2) = 1)) and ((not (((slice0mask_column / 4) mod 2) = 1)) or
-        ((slice0mask_column mod 4) = 0)) else ((slice0mask_column / 32) = 1) and (not
-        slice0window_centre_first_column_0);
+      slice0mask_inside_0_choice := (not slice1cost_tag_first_column) and ((slice0mask_column / 16) = 3) when (not
+        (((slice0mask_column / 8) mod 2) = 1)) and ((not (((slice0mask_column / 4) mod 2) = 1)) or ((slice0mask_column
+        mod 4) = 0)) else ((slice0mask_column / 32) = 1) and (not slice1cost_tag_first_column);
       slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
       slice0mask_inside_2_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_2;
       slice0mask_inside_3_choice := slice0mask_inside_2 when slice0cost_tag_valid else slice0mask_inside_3;
       slice0mask_inside_4_choice := slice0mask_inside_3 when slice0cost_tag_valid else slice0mask_inside_4;
       slice0mask_inside_0 <= (not slice0cost_tag_valid) and slice0mask_inside_0 when slice0mask_inside_0_choice else
         slice0cost_tag_valid or slice0mask_inside_0;
-      slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1 when slice0window_centre_first_column_0
-        else slice0mask_inside_1_choice;
-      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice0window_centre_first_column_0
-        else slice0mask_inside_2_choice;
-      slice0mask_inside_3 <= (not slice0cost_tag_valid) and slice0mask_inside_3 when slice0window_centre_first_column_0
-        else slice0mask_inside_3_choice;
-      slice0mask_inside_4 <= (not slice0cost_tag_valid) and slice0mask_inside_4 when slice0window_centre_first_column_0
-        else slice0mask_inside_4_choice;
+      slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1 when slice1cost_tag_first_column else
+        slice0mask_inside_1_choice;
+      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice1cost_tag_first_column else
+        slice0mask_inside_2_choice;
+      slice0mask_inside_3 <= (not slice0cost_tag_valid) and slice0mask_inside_3 when slice1cost_tag_first_column else
+        slice0mask_inside_3_choice;
+      slice0mask_inside_4 <= (not slice0cost_tag_valid) and slice0mask_inside_4 when slice1cost_tag_first_column else
+        slice0mask_inside_4_choice;
       slice0mask_left_out <= slice0mask_inside_4;
       if slice0cost_tag_valid then
-        slice0mask_column <= 0 when slice0window_centre_first_column_0 else (slice0mask_column + 1) mod 64;
+        slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 64;
       end if;
       -- slice0
       slice0_held_0_0 <= 63 when (8191 < slice0window_sum_0_0) or (not slice0mask_inside_0) else (slice0window_sum_0_0
@@ -1507,7 +1477,7 @@ begin
       slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
       slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
       if slice0_tag_0_valid then
-        slice0_tag_0_first_column <= slice2cost_tag_first_column;
+        slice0_tag_0_first_column <= slice1window_centre_first_column_0;
       end if;
       -- slice1shift
       if slice0shift_tag_valid then
@@ -1574,7 +1544,9 @@ begin
       slice1cost_column_0_2 <= slice1cost_single_0_2 + slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2);
       slice1cost_column_0_3 <= slice1cost_single_0_3 + slice1cost_pair_0_3 + as_number(slice1cost_negative_0_3);
       slice1cost_column_0_4 <= slice1cost_single_0_4 + slice1cost_pair_0_4 + as_number(slice1cost_negative_0_4);
-      slice1cost_tag_first_column <= slice0cost_tag_first_column;
+      if slice0cost_tag_valid then
+        slice1cost_tag_first_column <= slice0cost_tag_first_column;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1594,7 +1566,7 @@ begin
       slice1window_sum_0_2 <= (slice1cost_column_0_2 + slice1window_partial_0_1_2) mod 65536;
       slice1window_sum_0_3 <= (slice1cost_column_0_3 + slice1window_partial_0_1_3) mod 65536;
       slice1window_sum_0_4 <= (slice1cost_column_0_4 + slice1window_partial_0_1_4) mod 65536;
-      slice1window_tag_first_column <= slice1window_centre_first_column_0;
+      slice1window_tag_first_column <= slice2cost_tag_first_column;
       -- slice1mask
       slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside_0;
       slice1mask_inside_0_choice := slice1mask_inside_0_all when slice0window_tag_first_column else
@@ -1897,7 +1869,7 @@ begin
           forward_smallest_next_next_smallest_0;
         forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
           (forward_cost_delay_ring_read_address + 1) mod 8;
-        forward_cost_delay_ring_write_address <= forward_above_delay_ring_read_address;
+        forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
         forward_left_pair_2 <= forward_left_pair_2_choice;
@@ -2034,7 +2006,7 @@ begin
           forward_above_tree_next_next_smallest_0;
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
           (forward_above_delay_ring_read_address + 1) mod 8;
-        forward_above_delay_ring_write_address <= forward_cost_delay_ring_read_address;
+        forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
         forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 128;
         forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(28 downto 7)) - forward_above_smallest_copy_0)
@@ -2595,141 +2567,55 @@ begin
         sums_tags_held_13_first_column);
       winnersmask_inside_11 <= (not winnersmask_inside_11_choice) and (sums_tags_moved or winnersmask_inside_11);
       -- winnersother
-      winnersother_cost_0_1_choice := winnersmask_inside_1 when (winnersother_cost_0_2 - sums_sum_0_1) >= 0 else
-        sums_tag_first_column and winnersmask_inside_1;
-      winnersother_cost_0_1_choice_2 := sums_sum_0_1 when winnersother_cost_0_1_choice else winnersother_cost_0_2;
-      winnersother_cost_0_1_choice_3 := winnersother_cost_0_1_choice_2 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_1_choice_4 := winnersother_cost_0_2 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_2_choice := winnersmask_inside_2 when (winnersother_cost_0_3 - sums_sum_0_2) >= 0 else
-        sums_tag_first_column and winnersmask_inside_2;
-      winnersother_cost_0_2_choice_2 := sums_sum_0_2 when winnersother_cost_0_2_choice else winnersother_cost_0_3;
-      winnersother_cost_0_2_choice_3 := winnersother_cost_0_2_choice_2 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_4 := winnersother_cost_0_3 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_3_choice := winnersmask_inside_3 when (winnersother_cost_0_4 - sums_sum_0_3) >= 0 else
-        sums_tag_first_column and winnersmask_inside_3;
-      winnersother_cost_0_3_choice_2 := sums_sum_0_3 when winnersother_cost_0_3_choice else winnersother_cost_0_4;
-      winnersother_cost_0_3_choice_3 := winnersother_cost_0_3_choice_2 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_4 := winnersother_cost_0_4 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_4_choice := winnersmask_inside_4 when (winnersother_cost_0_5 - sums_sum_0_4) >= 0 else
-        sums_tag_first_column and winnersmask_inside_4;
-      winnersother_cost_0_4_choice_2 := sums_sum_0_4 when winnersother_cost_0_4_choice else winnersother_cost_0_5;
-      winnersother_cost_0_4_choice_3 := winnersother_cost_0_4_choice_2 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_4 := winnersother_cost_0_5 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_5_choice := winnersmask_inside_5 when (winnersother_cost_0_6 - sums_sum_0_5) >= 0 else
-        sums_tag_first_column and winnersmask_inside_5;
-      winnersother_cost_0_5_choice_2 := sums_sum_0_5 when winnersother_cost_0_5_choice else winnersother_cost_0_6;
-      winnersother_cost_0_5_choice_3 := winnersother_cost_0_5_choice_2 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_4 := winnersother_cost_0_6 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_6_choice := winnersmask_inside_6 when (winnersother_cost_0_7 - sums_sum_0_6) >= 0 else
-        sums_tag_first_column and winnersmask_inside_6;
-      winnersother_cost_0_6_choice_2 := sums_sum_0_6 when winnersother_cost_0_6_choice else winnersother_cost_0_7;
-      winnersother_cost_0_6_choice_3 := winnersother_cost_0_6_choice_2 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_4 := winnersother_cost_0_7 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_7_choice := winnersmask_inside_7 when (winnersother_cost_0_8 - sums_sum_0_7) >= 0 else
-        sums_tag_first_column and winnersmask_inside_7;
-      winnersother_cost_0_7_choice_2 := sums_sum_0_7 when winnersother_cost_0_7_choice else winnersother_cost_0_8;
-      winnersother_cost_0_7_choice_3 := winnersother_cost_0_7_choice_2 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_4 := winnersother_cost_0_8 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_8_choice := winnersmask_inside_8 when (winnersother_cost_0_9 - sums_sum_0_8) >= 0 else
-        sums_tag_first_column and winnersmask_inside_8;
-      winnersother_cost_0_8_choice_2 := sums_sum_0_8 when winnersother_cost_0_8_choice else winnersother_cost_0_9;
-      winnersother_cost_0_8_choice_3 := winnersother_cost_0_8_choice_2 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_4 := winnersother_cost_0_9 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_9_choice := winnersmask_inside_9 when (winnersother_cost_0_10 - sums_sum_0_9) >= 0 else
-        sums_tag_first_column and winnersmask_inside_9;
-      winnersother_cost_0_9_choice_2 := sums_sum_0_9 when winnersother_cost_0_9_choice else winnersother_cost_0_10;
-      winnersother_cost_0_9_choice_3 := winnersother_cost_0_9_choice_2 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_4 := winnersother_cost_0_10 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_winner_0_0_choice := winnersmask_inside_0 when sums_tag_first_column else ((winnersother_cost_0_1 -
-        sums_sum_0_0) >= 0) and winnersmask_inside_0;
-      winnersother_winner_0_0_choice_2 := 0 when winnersother_winner_0_0_choice else winnersother_winner_0_1;
-      winnersother_winner_0_0_choice_3 := winnersother_winner_0_0_choice_2 when sums_tag_valid else
-        winnersother_winner_0_0;
-      winnersother_winner_0_0_choice_4 := winnersother_winner_0_1 when sums_tag_valid else winnersother_winner_0_0;
-      winnersother_winner_0_1_choice := 1 when winnersother_cost_0_1_choice else winnersother_winner_0_2;
-      winnersother_winner_0_1_choice_2 := winnersother_winner_0_1_choice when sums_tag_valid else
-        winnersother_winner_0_1;
-      winnersother_winner_0_1_choice_3 := winnersother_winner_0_2 when sums_tag_valid else winnersother_winner_0_1;
-      winnersother_winner_0_2_choice := 2 when winnersother_cost_0_2_choice else winnersother_winner_0_3;
-      winnersother_winner_0_2_choice_2 := winnersother_winner_0_2_choice when sums_tag_valid else
-        winnersother_winner_0_2;
-      winnersother_winner_0_2_choice_3 := winnersother_winner_0_3 when sums_tag_valid else winnersother_winner_0_2;
-      winnersother_winner_0_3_choice := 3 when winnersother_cost_0_3_choice else winnersother_winner_0_4;
-      winnersother_winner_0_3_choice_2 := winnersother_winner_0_3_choice when sums_tag_valid else
-        winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_3 := winnersother_winner_0_4 when sums_tag_valid else winnersother_winner_0_3;
-      winnersother_winner_0_4_choice := 4 when winnersother_cost_0_4_choice else winnersother_winner_0_5;
-      winnersother_winner_0_4_choice_2 := winnersother_winner_0_4_choice when sums_tag_valid else
-        winnersother_winner_0_4;
-      winnersother_winner_0_4_choice_3 := winnersother_winner_0_5 when sums_tag_valid else winnersother_winner_0_4;
-      winnersother_winner_0_5_choice := 5 when winnersother_cost_0_5_choice else winnersother_winner_0_6;
-      winnersother_winner_0_5_choice_2 := winnersother_winner_0_5_choice when sums_tag_valid else
-        winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_3 := winnersother_winner_0_6 when sums_tag_valid else winnersother_winner_0_5;
-      winnersother_winner_0_6_choice := 6 when winnersother_cost_0_6_choice else winnersother_winner_0_7;
-      winnersother_winner_0_6_choice_2 := winnersother_winner_0_6_choice when sums_tag_valid else
-        winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_3 := winnersother_winner_0_7 when sums_tag_valid else winnersother_winner_0_6;
-      winnersother_winner_0_7_choice := 7 when winnersother_cost_0_7_choice else winnersother_winner_0_8;
-      winnersother_winner_0_7_choice_2 := winnersother_winner_0_7_choice when sums_tag_valid else
-        winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_3 := winnersother_winner_0_8 when sums_tag_valid else winnersother_winner_0_7;
-      winnersother_winner_0_8_choice := 8 when winnersother_cost_0_8_choice else winnersother_winner_0_9;
-      winnersother_winner_0_8_choice_2 := winnersother_winner_0_8_choice when sums_tag_valid else
-        winnersother_winner_0_8;
-      winnersother_winner_0_8_choice_3 := winnersother_winner_0_9 when sums_tag_valid else winnersother_winner_0_8;
-      winnersother_winner_0_9_choice := 9 when winnersother_cost_0_9_choice else winnersother_winner_0_10;
-      winnersother_winner_0_9_choice_2 := winnersother_winner_0_9_choice when sums_tag_valid else
-        winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_3 := winnersother_winner_0_10 when sums_tag_valid else winnersother_winner_0_9;
-      winnersother_cost_0_1 <= winnersother_cost_0_1_choice_3 when sums_tag_output_column else
-        winnersother_cost_0_1_choice_4;
-      winnersother_cost_0_2 <= winnersother_cost_0_2_choice_3 when sums_tag_output_column else
-        winnersother_cost_0_2_choice_4;
-      winnersother_cost_0_3 <= winnersother_cost_0_3_choice_3 when sums_tag_output_column else
-        winnersother_cost_0_3_choice_4;
-      winnersother_cost_0_4 <= winnersother_cost_0_4_choice_3 when sums_tag_output_column else
-        winnersother_cost_0_4_choice_4;
-      winnersother_cost_0_5 <= winnersother_cost_0_5_choice_3 when sums_tag_output_column else
-        winnersother_cost_0_5_choice_4;
-      winnersother_cost_0_6 <= winnersother_cost_0_6_choice_3 when sums_tag_output_column else
-        winnersother_cost_0_6_choice_4;
-      winnersother_cost_0_7 <= winnersother_cost_0_7_choice_3 when sums_tag_output_column else
-        winnersother_cost_0_7_choice_4;
-      winnersother_cost_0_8 <= winnersother_cost_0_8_choice_3 when sums_tag_output_column else
-        winnersother_cost_0_8_choice_4;
-      winnersother_cost_0_9 <= winnersother_cost_0_9_choice_3 when sums_tag_output_column else
-        winnersother_cost_0_9_choice_4;
-      winnersother_winner_0_0 <= winnersother_winner_0_0_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_0_choice_4;
-      winnersother_winner_0_1 <= winnersother_winner_0_1_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_1_choice_3;
-      winnersother_winner_0_2 <= winnersother_winner_0_2_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_2_choice_3;
-      winnersother_winner_0_3 <= winnersother_winner_0_3_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_3_choice_3;
-      winnersother_winner_0_4 <= winnersother_winner_0_4_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_4_choice_3;
-      winnersother_winner_0_5 <= winnersother_winner_0_5_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_5_choice_3;
-      winnersother_winner_0_6 <= winnersother_winner_0_6_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_6_choice_3;
-      winnersother_winner_0_7 <= winnersother_winner_0_7_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_7_choice_3;
-      winnersother_winner_0_8 <= winnersother_winner_0_8_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_8_choice_3;
-      winnersother_winner_0_9 <= winnersother_winner_0_9_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_9_choice_3;
-      winnersother_winner_out_0 <= winnersother_winner_0_0;
+      winnersother_cost_0_1_choice := sums_tag_output_column and winnersmask_inside_1 when (winnersother_cost_0_2 -
+        sums_sum_0_1) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_1;
+      winnersother_cost_0_2_choice := sums_tag_output_column and winnersmask_inside_2 when (winnersother_cost_0_3 -
+        sums_sum_0_2) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_2;
+      winnersother_cost_0_3_choice := sums_tag_output_column and winnersmask_inside_3 when (winnersother_cost_0_4 -
+        sums_sum_0_3) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_3;
+      winnersother_cost_0_4_choice := sums_tag_output_column and winnersmask_inside_4 when (winnersother_cost_0_5 -
+        sums_sum_0_4) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_4;
+      winnersother_cost_0_5_choice := sums_tag_output_column and winnersmask_inside_5 when (winnersother_cost_0_6 -
+        sums_sum_0_5) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_5;
+      winnersother_cost_0_6_choice := sums_tag_output_column and winnersmask_inside_6 when (winnersother_cost_0_7 -
+        sums_sum_0_6) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_6;
+      winnersother_cost_0_7_choice := sums_tag_output_column and winnersmask_inside_7 when (winnersother_cost_0_8 -
+        sums_sum_0_7) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_7;
+      winnersother_cost_0_8_choice := sums_tag_output_column and winnersmask_inside_8 when (winnersother_cost_0_9 -
+        sums_sum_0_8) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_8;
+      winnersother_cost_0_9_choice := sums_tag_output_column and winnersmask_inside_9 when (winnersother_cost_0_10 -
+        sums_sum_0_9) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_9;
       winnersother_cost_0_10_choice := sums_tag_output_column and winnersmask_inside_10 when (winnersother_cost_0_11 -
-        sums_sum_0_10) >= 0 else sums_tag_output_column and sums_tag_first_column and winnersmask_inside_10;
+        sums_sum_0_10) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_10;
       winnersother_cost_0_11_all := sums_tag_output_column and winnersmask_inside_11;
+      winnersother_winner_0_0_choice := sums_tag_output_column and winnersmask_inside_0 when sums_tag_first_column else
+        sums_tag_output_column and ((winnersother_cost_0_1 - sums_sum_0_0) >= 0) and winnersmask_inside_0;
       if sums_tag_valid then
+        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_choice else winnersother_cost_0_2;
+        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_choice else winnersother_cost_0_3;
+        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_choice else winnersother_cost_0_4;
+        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_choice else winnersother_cost_0_5;
+        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_choice else winnersother_cost_0_6;
+        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_choice else winnersother_cost_0_7;
+        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_choice else winnersother_cost_0_8;
+        winnersother_cost_0_8 <= sums_sum_0_8 when winnersother_cost_0_8_choice else winnersother_cost_0_9;
+        winnersother_cost_0_9 <= sums_sum_0_9 when winnersother_cost_0_9_choice else winnersother_cost_0_10;
         winnersother_cost_0_10 <= sums_sum_0_10 when winnersother_cost_0_10_choice else winnersother_cost_0_11;
         winnersother_cost_0_11 <= sums_sum_0_11 when winnersother_cost_0_11_all else 0;
+        winnersother_winner_0_0 <= 0 when winnersother_winner_0_0_choice else winnersother_winner_0_1;
+        winnersother_winner_0_1 <= 1 when winnersother_cost_0_1_choice else winnersother_winner_0_2;
+        winnersother_winner_0_2 <= 2 when winnersother_cost_0_2_choice else winnersother_winner_0_3;
+        winnersother_winner_0_3 <= 3 when winnersother_cost_0_3_choice else winnersother_winner_0_4;
+        winnersother_winner_0_4 <= 4 when winnersother_cost_0_4_choice else winnersother_winner_0_5;
+        winnersother_winner_0_5 <= 5 when winnersother_cost_0_5_choice else winnersother_winner_0_6;
+        winnersother_winner_0_6 <= 6 when winnersother_cost_0_6_choice else winnersother_winner_0_7;
+        winnersother_winner_0_7 <= 7 when winnersother_cost_0_7_choice else winnersother_winner_0_8;
+        winnersother_winner_0_8 <= 8 when winnersother_cost_0_8_choice else winnersother_winner_0_9;
+        winnersother_winner_0_9 <= 9 when winnersother_cost_0_9_choice else winnersother_winner_0_10;
         winnersother_winner_0_10 <= 10 when winnersother_cost_0_10_choice else winnersother_winner_0_11;
         winnersother_winner_0_11 <= 11 when winnersother_cost_0_11_all else 0;
       end if;
+      winnersother_winner_out_0 <= winnersother_winner_0_0;
       -- winnerswinner1
       winnerswinner1_held_0_0_choice := sums_sum_0_0 when winnersmask_inside_0 else 1023;
       winnerswinner1_held_0_1_choice := sums_sum_0_1 when winnersmask_inside_1 else 1023;
@@ -3302,11 +3188,11 @@ begin
         (((map_counter_group / 2) /= 6) or (not ((map_counter_group mod 2) = 1))) and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group;
       map_line_ended_choice := turn_ready_tag_map_column when turn_ready_tag_valid else map_line_ended;
-      map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
+      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_of_column_0_a_choice := other_1 / 2;
+        map_of_column_0_a_choice := other_0 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c_choice := map_column_1 / 2;
@@ -3354,7 +3240,7 @@ begin
       map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
       map_counter_group <= map_counter_group_choice * 4 when turn_ready_tag_start_of_frame and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group_choice_3;
-      map_counter_next_frame <= to_integer(other_0(40 downto 40)) = 1;
+      map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
         8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
       map_arrives <= turn_ready_tag_row_start_all_2;
@@ -3363,13 +3249,13 @@ begin
         turn_ready_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_write_column <= to_integer(other_0(5 downto 0));
+      map_write_column <= to_integer(other_1(5 downto 0));
       map_column_1 <= other_3 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= to_integer(other_0(24 downto 24)) = 1;
-      map_at_top <= to_integer(other_0(32 downto 32)) = 1;
-      map_at_output <= to_integer(other_0(48 downto 48)) = 1;
+      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
       map_of_column_0_a <= map_of_column_0_a_choice;
       map_of_column_0_b <= map_column_1 / 2;
       map_of_column_0_c <= map_of_column_0_c_choice;
@@ -3445,7 +3331,7 @@ begin
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (other_3 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= to_integer(other_0(5 downto 0));
+        map_at_column <= to_integer(other_1(5 downto 0));
       end if;
       map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
@@ -3467,8 +3353,8 @@ begin
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= other_2;
-      other_1 <= ((other_3 mod 8192) / 2) * 2;
+      other_0 <= ((other_3 mod 8192) / 2) * 2;
+      other_1 <= other_2;
       other_2 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
@@ -3559,7 +3445,6 @@ begin
         slice0cost_tag_end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_output_column_0 <= false;
-        slice0window_centre_first_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
@@ -3584,8 +3469,9 @@ begin
         slice0_tag_2_first_column <= false;
         slice0_tag_2_start_of_frame <= false;
         slice0_tag_2_end_of_line <= false;
-        slice1window_centre_first_column_0 <= false;
+        slice1cost_tag_first_column <= false;
         slice1window_tag_first_column <= false;
+        slice2cost_tag_first_column <= false;
         entry_next_tag_valid <= false;
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
@@ -3856,7 +3742,7 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= to_unsigned(0, 49);
+        other_1 <= to_unsigned(0, 49);
         other_2 <= to_unsigned(0, 49);
       end if;
     end if;

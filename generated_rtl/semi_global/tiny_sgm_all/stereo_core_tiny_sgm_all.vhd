@@ -797,6 +797,12 @@ architecture rtl of stereo_core_tiny_sgm_all is
   signal other_9 : natural range 0 to 224;
   signal other_10 : natural range 0 to 192;
   signal other_11 : natural range 0 to 128;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal other_4_memory_write_data : unsigned(25 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -818,12 +824,6 @@ architecture rtl of stereo_core_tiny_sgm_all is
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal other_4_memory_write_data : unsigned(25 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -835,6 +835,54 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  other_4_memory : entity work.line_memory
+    generic map (depth => 29, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => other_4,
+      write_address => map_at_column, write_data => other_4_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -930,7 +978,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
   forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
   forward_above_delay_held_1_memory : entity work.line_memory
@@ -938,7 +986,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
   forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
   forward_above_delay_held_0_memory : entity work.line_memory
@@ -946,7 +994,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
   forward_cost_delay_held_1_memory_write_data <= to_unsigned(entry_cost_11, 4) & to_unsigned(entry_cost_10, 4) & to_unsigned(entry_cost_9, 4) & to_unsigned(entry_cost_8, 4);
   forward_cost_delay_held_1_memory : entity work.line_memory
@@ -954,7 +1002,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
   forward_cost_delay_held_0_memory_write_data <= to_unsigned(entry_cost_7, 4) & to_unsigned(entry_cost_6, 4) & to_unsigned(entry_cost_5, 4) & to_unsigned(entry_cost_4, 4) & to_unsigned(entry_cost_3, 4) & to_unsigned(entry_cost_2, 4) & to_unsigned(entry_cost_1, 4) & to_unsigned(entry_cost_0, 4);
   forward_cost_delay_held_0_memory : entity work.line_memory
@@ -962,7 +1010,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -1003,54 +1051,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_4_memory : entity work.line_memory
-    generic map (depth => 29, width => 26)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => other_4,
-      write_address => map_at_column, write_data => other_4_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 14)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1366,123 +1366,124 @@ begin
     variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
     variable entry_order_complete_all, entry_order_complete_any, entry_order_turned_output_column_choice : boolean;
     variable forward_left_start_cost_0_value, sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
-    variable winnersother_cost_0_0_any, winnersother_cost_0_0_choice, winnersother_cost_0_0_is_equal : boolean;
-    variable winnersother_cost_0_0_choice_2, winnersother_cost_0_0_value, winnersother_cost_0_0_choice_3 : boolean;
-    variable winnersother_cost_0_0_value_2, winnersother_cost_0_0_choice_4, winnersother_cost_0_0_value_3 : boolean;
-    variable winnersother_cost_0_0_choice_5, winnersother_cost_0_0_value_4, winnersother_cost_0_0_choice_6 : boolean;
-    variable winnersother_cost_0_0_any_2, winnersother_cost_0_0_choice_7, winnersother_cost_0_0_all : boolean;
-    variable winnersother_cost_0_0_choice_8, winnersother_cost_0_0_all_2, winnersother_cost_0_2_value : boolean;
-    variable winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2 : boolean;
-    variable winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4 : boolean;
-    variable winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5 : boolean;
-    variable winnersother_cost_0_2_choice_6, winnersother_cost_0_2_choice_7, winnersother_cost_0_3_any : boolean;
+    variable winnersother_cost_0_1_any, winnersother_cost_0_1_choice, winnersother_cost_0_1_is_equal : boolean;
+    variable winnersother_cost_0_1_choice_2, winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3 : boolean;
+    variable winnersother_cost_0_1_value_2, winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3 : boolean;
+    variable winnersother_cost_0_1_choice_5, winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6 : boolean;
+    variable winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8, winnersother_cost_0_1_all : boolean;
+    variable winnersother_cost_0_2_value, winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2 : boolean;
+    variable winnersother_cost_0_2_value_2, winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3 : boolean;
+    variable winnersother_cost_0_2_choice_4, winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5 : boolean;
+    variable winnersother_cost_0_2_value_5, winnersother_cost_0_2_choice_6, winnersother_cost_0_2_choice_7 : boolean;
+    variable winnersother_cost_0_2_choice_8, winnersother_cost_0_2_all, winnersother_cost_0_3_any : boolean;
     variable winnersother_cost_0_3_choice, winnersother_cost_0_3_is_equal, winnersother_cost_0_3_choice_2 : boolean;
     variable winnersother_cost_0_3_value, winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2 : boolean;
     variable winnersother_cost_0_3_choice_4, winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5 : boolean;
     variable winnersother_cost_0_3_value_4, winnersother_cost_0_3_choice_6, winnersother_cost_0_3_choice_7 : boolean;
-    variable winnersother_cost_0_4_value, winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2 : boolean;
-    variable winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3 : boolean;
-    variable winnersother_cost_0_4_choice_4, winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5 : boolean;
-    variable winnersother_cost_0_4_value_5, winnersother_cost_0_4_choice_6, winnersother_cost_0_4_choice_7 : boolean;
-    variable winnersother_cost_0_5_any, winnersother_cost_0_5_choice, winnersother_cost_0_5_is_equal : boolean;
-    variable winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3 : boolean;
-    variable winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3 : boolean;
-    variable winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6 : boolean;
-    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
+    variable winnersother_cost_0_3_choice_8, winnersother_cost_0_3_all, winnersother_cost_0_4_value : boolean;
+    variable winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value_2 : boolean;
+    variable winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_4 : boolean;
+    variable winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_5 : boolean;
+    variable winnersother_cost_0_4_choice_6, winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8 : boolean;
+    variable winnersother_cost_0_4_all, winnersother_cost_0_5_any, winnersother_cost_0_5_choice : boolean;
+    variable winnersother_cost_0_5_is_equal, winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value : boolean;
+    variable winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4 : boolean;
+    variable winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4 : boolean;
+    variable winnersother_cost_0_5_choice_6, winnersother_cost_0_5_choice_7, winnersother_cost_0_5_choice_8 : boolean;
+    variable winnersother_cost_0_5_all, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
     variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3 : boolean;
     variable winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4 : boolean;
     variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6 : boolean;
-    variable winnersother_cost_0_6_choice_7, winnersother_cost_0_7_any, winnersother_cost_0_7_choice : boolean;
-    variable winnersother_cost_0_7_is_equal, winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value : boolean;
-    variable winnersother_cost_0_7_choice_3, winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4 : boolean;
-    variable winnersother_cost_0_7_value_3, winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4 : boolean;
-    variable winnersother_cost_0_7_choice_6, winnersother_cost_0_7_choice_7, winnersother_cost_0_8_value : boolean;
-    variable winnersother_cost_0_8_choice, winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2 : boolean;
-    variable winnersother_cost_0_8_choice_3, winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4 : boolean;
-    variable winnersother_cost_0_8_value_4, winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5 : boolean;
-    variable winnersother_cost_0_8_choice_6, winnersother_cost_0_8_choice_7, winnersother_cost_0_9_any : boolean;
+    variable winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8, winnersother_cost_0_6_all : boolean;
+    variable winnersother_cost_0_7_any, winnersother_cost_0_7_choice, winnersother_cost_0_7_is_equal : boolean;
+    variable winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3 : boolean;
+    variable winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3 : boolean;
+    variable winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6 : boolean;
+    variable winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8, winnersother_cost_0_7_all : boolean;
+    variable winnersother_cost_0_8_value, winnersother_cost_0_8_choice, winnersother_cost_0_8_choice_2 : boolean;
+    variable winnersother_cost_0_8_value_2, winnersother_cost_0_8_choice_3, winnersother_cost_0_8_value_3 : boolean;
+    variable winnersother_cost_0_8_choice_4, winnersother_cost_0_8_value_4, winnersother_cost_0_8_choice_5 : boolean;
+    variable winnersother_cost_0_8_value_5, winnersother_cost_0_8_choice_6, winnersother_cost_0_8_choice_7 : boolean;
+    variable winnersother_cost_0_8_choice_8, winnersother_cost_0_8_all, winnersother_cost_0_9_any : boolean;
     variable winnersother_cost_0_9_choice, winnersother_cost_0_9_is_equal, winnersother_cost_0_9_choice_2 : boolean;
     variable winnersother_cost_0_9_value, winnersother_cost_0_9_choice_3, winnersother_cost_0_9_value_2 : boolean;
     variable winnersother_cost_0_9_choice_4, winnersother_cost_0_9_value_3, winnersother_cost_0_9_choice_5 : boolean;
     variable winnersother_cost_0_9_value_4, winnersother_cost_0_9_choice_6, winnersother_cost_0_9_choice_7 : boolean;
-    variable winnersother_cost_0_10_value, winnersother_cost_0_10_choice, winnersother_cost_0_10_choice_2 : boolean;
-    variable winnersother_cost_0_10_value_2, winnersother_cost_0_10_choice_3, winnersother_cost_0_10_value_3 : boolean;
-    variable winnersother_cost_0_10_choice_4, winnersother_cost_0_10_value_4, winnersother_cost_0_10_choice_5 : boolean;
-    variable winnersother_cost_0_10_value_5, winnersother_cost_0_10_choice_6, winnersother_cost_0_10_choice_7 : boolean;
-    variable winnersother_winner_0_1_choice, winnersother_winner_0_11_any, winnersother_winner_0_11_choice : boolean;
-    variable winnersother_winner_0_11_is_equal, winnersother_winner_0_11_choice_2 : boolean;
-    variable winnersother_winner_0_11_value, winnersother_winner_0_11_choice_3 : boolean;
-    variable winnersother_winner_0_11_value_2, winnersother_winner_0_11_choice_4 : boolean;
-    variable winnersother_winner_0_11_value_3, winnersother_winner_0_11_choice_5 : boolean;
-    variable winnersother_winner_0_11_value_4, winnersother_winner_0_11_choice_6 : boolean;
-    variable winnersother_winner_0_11_choice_7, winnerswinner1_best_index_0_0_choice : boolean;
-    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_2_choice : boolean;
-    variable winnerswinner1_best_index_0_2_choice_2, winnerswinner1_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_4, winnerswinner1_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_6, winnerswinner1_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_4_choice : boolean;
-    variable winnerswinner1_best_index_0_4_choice_2, winnerswinner1_best_index_0_4_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_4, winnerswinner1_best_index_0_4_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_6, winnerswinner1_best_index_0_4_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_3, winnerswinner1_best_index_0_5_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_5, winnerswinner1_best_index_0_5_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
-    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
-    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_2_choice : boolean;
-    variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
-    variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner2_best_below_0_0_is_equal, winnerswinner2_best_below_0_1_is_equal : boolean;
-    variable winnerswinner2_best_below_0_2_is_equal, winnerswinner2_best_at_start_0_0_choice : boolean;
-    variable winnerswinner2_best_at_start_0_1_choice, winnerswinner2_best_at_start_0_2_choice : boolean;
-    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner3_best_below_0_0_is_equal : boolean;
-    variable winnerswinner3_best_above_0_0_is_equal, winnerswinner3_best_at_start_0_0_choice : boolean;
-    variable winnerswinner4_best_index_0_0_choice, winnerswinner4_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner4_best_index_0_0_value, winnerswinner4_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner4_best_index_0_0_value_2, winnerswinner4_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner4_best_index_0_0_value_3, winnerswinner4_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner4_best_index_0_0_value_4, winnerswinner4_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_7, winnerswinner4_best_below_0_0_is_equal : boolean;
-    variable winnerswinner4_best_above_0_0_is_equal, winnerswinner4_best_at_start_0_0_choice : boolean;
-    variable refinement_passed_3_0_choice, refinement_passed_3_0_choice_2, refinement_divisor_0_0_is_less : boolean;
-    variable leftright_holds_winners_all, turn_order_address_any, turn_order_address_any_2 : boolean;
-    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_is_equal : boolean;
-    variable turn_ready_tag_row_start_choice, turn_ready_tag_row_start_choice_2 : boolean;
-    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
-    variable turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2, map_counter_group_is_equal : boolean;
-    variable map_line_ended_choice, map_at_arrives_value, map_window_complete_all, map_window_complete_choice : boolean;
-    variable map_window_complete_choice_2, map_low_1_0_all : boolean;
-    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
-    variable winnersother_winner_0_3_choice, winnersother_winner_0_3_choice_2 : natural range 0 to 3;
-    variable winnersother_winner_0_3_choice_3, winnersother_winner_0_3_choice_4 : natural range 0 to 3;
-    variable winnersother_winner_0_3_choice_5, winnersother_winner_0_3_choice_6 : natural range 0 to 3;
-    variable map_counter_group_choice : natural range 0 to 3;
+    variable winnersother_cost_0_9_choice_8, winnersother_cost_0_9_all, winnersother_cost_0_10_value : boolean;
+    variable winnersother_cost_0_10_choice, winnersother_cost_0_10_choice_2, winnersother_cost_0_10_value_2 : boolean;
+    variable winnersother_cost_0_10_choice_3, winnersother_cost_0_10_value_3, winnersother_cost_0_10_choice_4 : boolean;
+    variable winnersother_cost_0_10_value_4, winnersother_cost_0_10_choice_5, winnersother_cost_0_10_value_5 : boolean;
+    variable winnersother_cost_0_10_choice_6, winnersother_cost_0_10_choice_7 : boolean;
+    variable winnersother_cost_0_10_choice_8, winnersother_cost_0_10_all, winnersother_winner_0_11_any : boolean;
+    variable winnersother_winner_0_11_choice, winnersother_winner_0_11_is_equal : boolean;
+    variable winnersother_winner_0_11_choice_2, winnersother_winner_0_11_value : boolean;
+    variable winnersother_winner_0_11_choice_3, winnersother_winner_0_11_value_2 : boolean;
+    variable winnersother_winner_0_11_choice_4, winnersother_winner_0_11_value_3 : boolean;
+    variable winnersother_winner_0_11_choice_5, winnersother_winner_0_11_value_4 : boolean;
+    variable winnersother_winner_0_11_choice_6, winnersother_winner_0_11_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_7, winnerswinner1_best_index_0_1_choice : boolean;
+    variable winnerswinner1_best_index_0_1_choice_2, winnerswinner1_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_4, winnerswinner1_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_6, winnerswinner1_best_index_0_1_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_3_choice : boolean;
+    variable winnerswinner1_best_index_0_3_choice_2, winnerswinner1_best_index_0_3_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_4, winnerswinner1_best_index_0_3_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_6, winnerswinner1_best_index_0_3_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_4_choice, winnerswinner1_best_index_0_4_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_5_choice : boolean;
+    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_6, winnerswinner1_best_index_0_5_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_1_choice : boolean;
+    variable winnerswinner2_best_index_0_1_choice_2, winnerswinner2_best_index_0_1_value : boolean;
+    variable winnerswinner2_best_index_0_1_choice_3, winnerswinner2_best_index_0_1_value_2 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_4, winnerswinner2_best_index_0_1_value_3 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_5, winnerswinner2_best_index_0_1_value_4 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_6, winnerswinner2_best_index_0_1_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_2_choice, winnerswinner2_best_index_0_2_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_2_value, winnerswinner2_best_index_0_2_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_2_value_2, winnerswinner2_best_index_0_2_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_2_value_3, winnerswinner2_best_index_0_2_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_2_value_4, winnerswinner2_best_index_0_2_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner2_best_below_0_0_is_equal : boolean;
+    variable winnerswinner2_best_below_0_1_is_equal, winnerswinner2_best_below_0_2_is_equal : boolean;
+    variable winnerswinner2_best_at_start_0_0_choice, winnerswinner2_best_at_start_0_1_choice : boolean;
+    variable winnerswinner2_best_at_start_0_2_choice, winnerswinner3_best_index_0_0_choice : boolean;
+    variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
+    variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner3_best_below_0_0_is_equal, winnerswinner3_best_above_0_0_is_equal : boolean;
+    variable winnerswinner3_best_at_start_0_0_choice, winnerswinner4_best_index_0_0_choice : boolean;
+    variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
+    variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner4_best_below_0_0_is_equal, winnerswinner4_best_above_0_0_is_equal : boolean;
+    variable winnerswinner4_best_at_start_0_0_choice, refinement_passed_3_0_choice : boolean;
+    variable refinement_passed_3_0_choice_2, refinement_divisor_0_0_is_less, leftright_holds_winners_all : boolean;
+    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
+    variable turn_ready_tag_row_start_choice_2, turn_ready_tag_row_start_is_equal_2 : boolean;
+    variable turn_ready_tag_row_start_all, turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2 : boolean;
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value, map_window_complete_all : boolean;
+    variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 15;
@@ -1502,10 +1503,7 @@ begin
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
-    variable entry_order_address_choice_2, winnersother_winner_0_7_choice : natural range 0 to 7;
-    variable winnersother_winner_0_7_choice_2, winnersother_winner_0_7_choice_3 : natural range 0 to 7;
-    variable winnersother_winner_0_7_choice_4, winnersother_winner_0_7_choice_5 : natural range 0 to 7;
-    variable winnersother_winner_0_7_choice_6, refinement_fraction_0_choice_2 : natural range 0 to 7;
+    variable entry_order_address_choice_2, refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
     variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
@@ -1557,36 +1555,6 @@ begin
     variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 68;
     variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 68;
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 68;
-    variable winnersother_cost_0_0_choice_9, winnersother_cost_0_0_choice_10 : natural range 0 to 127;
-    variable winnersother_cost_0_1_choice, winnersother_cost_0_1_choice_2 : natural range 0 to 127;
-    variable winnersother_cost_0_1_choice_3, winnersother_cost_0_1_choice_4 : natural range 0 to 127;
-    variable winnersother_cost_0_2_choice_8, winnersother_cost_0_2_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_2_choice_10, winnersother_cost_0_2_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_2_choice_12, winnersother_cost_0_2_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_3_choice_8, winnersother_cost_0_3_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_3_choice_10, winnersother_cost_0_3_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_3_choice_12, winnersother_cost_0_3_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_4_choice_8, winnersother_cost_0_4_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_4_choice_10, winnersother_cost_0_4_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_4_choice_12, winnersother_cost_0_4_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_5_choice_10, winnersother_cost_0_5_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_5_choice_12, winnersother_cost_0_5_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_6_choice_8, winnersother_cost_0_6_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_6_choice_10, winnersother_cost_0_6_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_6_choice_12, winnersother_cost_0_6_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_7_choice_8, winnersother_cost_0_7_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_7_choice_10, winnersother_cost_0_7_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_7_choice_12, winnersother_cost_0_7_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_8_choice_8, winnersother_cost_0_8_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_8_choice_10, winnersother_cost_0_8_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_8_choice_12, winnersother_cost_0_8_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_9_choice_8, winnersother_cost_0_9_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_9_choice_10, winnersother_cost_0_9_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_9_choice_12, winnersother_cost_0_9_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_10_choice_8, winnersother_cost_0_10_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_10_choice_10, winnersother_cost_0_10_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_10_choice_12, winnersother_cost_0_10_choice_13 : natural range 0 to 127;
     variable winnerswinner2_best_below_0_0_choice, winnerswinner2_best_below_0_1_choice : natural range 0 to 127;
     variable winnerswinner2_best_below_0_2_choice, winnerswinner2_best_above_0_0_choice : natural range 0 to 127;
     variable winnerswinner2_best_above_0_1_choice, winnerswinner2_best_above_0_2_choice : natural range 0 to 127;
@@ -1603,30 +1571,6 @@ begin
     variable winnerswinner4_best_second_0_0_choice, winnerswinner4_best_second_0_0_choice_2 : natural range 0 to 127;
     variable winnerswinner4_best_second_0_0_choice_3, winnerswinner4_best_second_0_0_choice_4 : natural range 0 to 127;
     variable refinement_divisor_0_0_choice : natural range 0 to 127;
-    variable winnersother_winner_0_2_choice, winnersother_winner_0_2_choice_2 : natural range 0 to 2;
-    variable winnersother_winner_0_2_choice_3, winnersother_winner_0_2_choice_4 : natural range 0 to 2;
-    variable winnersother_winner_0_2_choice_5, winnersother_winner_0_2_choice_6 : natural range 0 to 2;
-    variable winnersother_winner_0_4_choice, winnersother_winner_0_4_choice_2 : natural range 0 to 4;
-    variable winnersother_winner_0_4_choice_3, winnersother_winner_0_4_choice_4 : natural range 0 to 4;
-    variable winnersother_winner_0_4_choice_5, winnersother_winner_0_4_choice_6 : natural range 0 to 4;
-    variable winnersother_winner_0_5_choice, winnersother_winner_0_5_choice_2 : natural range 0 to 5;
-    variable winnersother_winner_0_5_choice_3, winnersother_winner_0_5_choice_4 : natural range 0 to 5;
-    variable winnersother_winner_0_5_choice_5, winnersother_winner_0_5_choice_6 : natural range 0 to 5;
-    variable winnersother_winner_0_6_choice, winnersother_winner_0_6_choice_2 : natural range 0 to 6;
-    variable winnersother_winner_0_6_choice_3, winnersother_winner_0_6_choice_4 : natural range 0 to 6;
-    variable winnersother_winner_0_6_choice_5, winnersother_winner_0_6_choice_6 : natural range 0 to 6;
-    variable winnersother_winner_0_8_choice, winnersother_winner_0_8_choice_2 : natural range 0 to 8;
-    variable winnersother_winner_0_8_choice_3, winnersother_winner_0_8_choice_4 : natural range 0 to 8;
-    variable winnersother_winner_0_8_choice_5, winnersother_winner_0_8_choice_6 : natural range 0 to 8;
-    variable winnersother_winner_0_9_choice, winnersother_winner_0_9_choice_2 : natural range 0 to 9;
-    variable winnersother_winner_0_9_choice_3, winnersother_winner_0_9_choice_4 : natural range 0 to 9;
-    variable winnersother_winner_0_9_choice_5, winnersother_winner_0_9_choice_6 : natural range 0 to 9;
-    variable winnersother_winner_0_10_choice, winnersother_winner_0_10_choice_2 : natural range 0 to 10;
-    variable winnersother_winner_0_10_choice_3, winnersother_winner_0_10_choice_4 : natural range 0 to 10;
-    variable winnersother_winner_0_10_choice_5, winnersother_winner_0_10_choice_6 : natural range 0 to 10;
-    variable winnersother_winner_0_11_choice_8, winnersother_winner_0_11_choice_9 : natural range 0 to 11;
-    variable winnersother_winner_0_11_choice_10, winnersother_winner_0_11_choice_11 : natural range 0 to 11;
-    variable winnersother_winner_0_11_choice_12, winnersother_winner_0_11_choice_13 : natural range 0 to 11;
     variable refinement_remainder_1_0_difference : natural range 129 to 383;
     variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 129 to 510;
     variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 129 to 510;
@@ -5083,7 +5027,7 @@ begin
           forward_smallest_next_next_smallest_0;
         forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
           (forward_cost_delay_ring_read_address + 1) mod 8;
-        forward_cost_delay_ring_write_address <= forward_above_delay_ring_read_address;
+        forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
         forward_left_pair_2 <= forward_left_pair_2_choice;
@@ -5113,10 +5057,10 @@ begin
           forward_left_start_cost_6) mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 59) mod 64;
-        forward_left_first_0 <= sums_tags_held_3_first_column;
-        forward_left_first_1 <= forward_left_first_0;
+        forward_left_first_0 <= forward_first_3;
+        forward_left_first_1 <= forward_first_4;
         forward_left_first_2 <= forward_left_first_1;
-        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 64;
+        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_smallest_cost_0) mod 64;
         forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 64;
         forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 64;
         forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 64;
@@ -5220,7 +5164,7 @@ begin
           forward_above_tree_next_next_smallest_0;
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
           (forward_above_delay_ring_read_address + 1) mod 8;
-        forward_above_delay_ring_write_address <= forward_cost_delay_ring_read_address;
+        forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
         forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
         forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(29 downto 6)) - forward_above_smallest_copy_0)
@@ -5335,7 +5279,7 @@ begin
         forward_first_1 <= forward_first_0;
         forward_first_2 <= forward_first_1;
         forward_first_3 <= forward_first_2;
-        forward_first_4 <= forward_first_3;
+        forward_first_4 <= sums_tags_held_3_first_column;
         forward_cost_0_0 <= to_integer(forward_cost_delay_held_0(3 downto 0));
         forward_cost_0_1 <= to_integer(forward_cost_delay_held_0(7 downto 0)) / 16;
         forward_cost_0_2 <= to_integer(forward_cost_delay_held_0(11 downto 8));
@@ -5385,7 +5329,7 @@ begin
         forward_cost_3_10 <= forward_cost_2_10;
         forward_cost_3_11 <= forward_cost_2_11;
         forward_smallest_cost_0 <= forward_smallest_next_next_next_smallest_0;
-        forward_smallest_cost_1 <= forward_smallest_cost_0;
+        forward_smallest_cost_1 <= forward_left_smallest;
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
@@ -5690,7 +5634,7 @@ begin
       sums_tag_valid <= sums_tags_moved;
       sums_tag_map_column <= forward_above_comes_4;
       sums_tag_output_column <= sums_tags_held_4_output_column;
-      sums_tag_first_column <= forward_first_4;
+      sums_tag_first_column <= forward_left_first_0;
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
@@ -5710,49 +5654,33 @@ begin
         sums_turn_write_place <= sums_turn_place_8;
       end if;
       -- winnersother
-      winnersother_cost_0_0_any := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
-      winnersother_cost_0_0_choice := winnersother_cost_0_0_any when (winnersother_cost_0_0 mod 2) = 1 else not
+      winnersother_cost_0_1_any := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
+      winnersother_cost_0_1_choice := winnersother_cost_0_1_any when (winnersother_cost_0_0 mod 2) = 1 else not
         (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnersother_cost_0_0_is_equal := (sums_sum_0_1 mod 4) = 0;
-      winnersother_cost_0_0_choice_2 := winnersother_cost_0_0_choice when ((winnersother_cost_0_0 / 2) mod 2) = 1 else
-        ((winnersother_cost_0_0 mod 2) = 1) and winnersother_cost_0_0_is_equal;
-      winnersother_cost_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnersother_cost_0_0_choice_3 := (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_0_value
-        when winnersother_cost_0_0_choice_2 else (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) or
-        winnersother_cost_0_0_value;
-      winnersother_cost_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnersother_cost_0_0_choice_4 := (not (((winnersother_cost_0_0 / 8) mod 2) = 1)) or
-        winnersother_cost_0_0_value_2 when winnersother_cost_0_0_choice_3 else (not (((winnersother_cost_0_0 / 8) mod
-        2) = 1)) and winnersother_cost_0_0_value_2;
-      winnersother_cost_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnersother_cost_0_0_choice_5 := (not (((winnersother_cost_0_0 / 16) mod 2) = 1)) or
-        winnersother_cost_0_0_value_3 when winnersother_cost_0_0_choice_4 else (not (((winnersother_cost_0_0 / 16) mod
-        2) = 1)) and winnersother_cost_0_0_value_3;
-      winnersother_cost_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnersother_cost_0_0_choice_6 := (not (((winnersother_cost_0_0 / 32) mod 2) = 1)) or
-        winnersother_cost_0_0_value_4 when winnersother_cost_0_0_choice_5 else (not (((winnersother_cost_0_0 / 32) mod
-        2) = 1)) and winnersother_cost_0_0_value_4;
-      winnersother_cost_0_0_any_2 := (not ((winnersother_cost_0_0 / 64) = 1)) or ((sums_sum_0_1 / 64) = 1);
-      winnersother_cost_0_0_choice_7 := (not sums_tag_first_column) and winnersother_cost_0_0_any_2 when
-        winnersother_cost_0_0_choice_6 else (not sums_tag_first_column) and (not ((winnersother_cost_0_0 / 64) = 1))
-        and ((sums_sum_0_1 / 64) = 1);
-      winnersother_cost_0_0_all := winnersother_cost_0_0_choice_7 and sums_tag_output_column;
-      winnersother_cost_0_0_choice_8 := winnersother_cost_0_0_any_2 when winnersother_cost_0_0_choice_6 else (not
-        ((winnersother_cost_0_0 / 64) = 1)) and ((sums_sum_0_1 / 64) = 1);
-      winnersother_cost_0_0_all_2 := (not winnersother_cost_0_0_choice_8) and (not sums_tag_first_column) and
-        sums_tag_output_column;
-      winnersother_cost_0_0_choice_9 := sums_sum_0_0 when sums_tag_output_column else 0;
-      winnersother_cost_0_0_choice_10 := sums_sum_0_0 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_0_choice_9;
-      if sums_tag_valid then
-        winnersother_cost_0_0 <= sums_sum_0_0 when winnersother_cost_0_0_all else winnersother_cost_0_0_choice_10;
-      end if;
-      winnersother_cost_0_1_choice := winnersother_cost_0_0 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_1_choice_2 := sums_sum_0_1 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_1_choice_3 := winnersother_cost_0_1_choice_2 when sums_tag_output_column else
-        winnersother_cost_0_1_choice;
-      winnersother_cost_0_1_choice_4 := winnersother_cost_0_1_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_1_choice_3;
+      winnersother_cost_0_1_is_equal := (sums_sum_0_1 mod 4) = 0;
+      winnersother_cost_0_1_choice_2 := winnersother_cost_0_1_choice when ((winnersother_cost_0_0 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_0 mod 2) = 1) and winnersother_cost_0_1_is_equal;
+      winnersother_cost_0_1_value := ((sums_sum_0_1 / 4) mod 2) = 1;
+      winnersother_cost_0_1_choice_3 := (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_1_value
+        when winnersother_cost_0_1_choice_2 else (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) or
+        winnersother_cost_0_1_value;
+      winnersother_cost_0_1_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
+      winnersother_cost_0_1_choice_4 := (not (((winnersother_cost_0_0 / 8) mod 2) = 1)) or
+        winnersother_cost_0_1_value_2 when winnersother_cost_0_1_choice_3 else (not (((winnersother_cost_0_0 / 8) mod
+        2) = 1)) and winnersother_cost_0_1_value_2;
+      winnersother_cost_0_1_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
+      winnersother_cost_0_1_choice_5 := (not (((winnersother_cost_0_0 / 16) mod 2) = 1)) or
+        winnersother_cost_0_1_value_3 when winnersother_cost_0_1_choice_4 else (not (((winnersother_cost_0_0 / 16) mod
+        2) = 1)) and winnersother_cost_0_1_value_3;
+      winnersother_cost_0_1_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
+      winnersother_cost_0_1_choice_6 := (not (((winnersother_cost_0_0 / 32) mod 2) = 1)) or
+        winnersother_cost_0_1_value_4 when winnersother_cost_0_1_choice_5 else (not (((winnersother_cost_0_0 / 32) mod
+        2) = 1)) and winnersother_cost_0_1_value_4;
+      winnersother_cost_0_1_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_1 / 64) = 1) when
+        (winnersother_cost_0_0 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_1_choice_8 := winnersother_cost_0_1_choice_7 when winnersother_cost_0_1_choice_6 else (not
+        ((winnersother_cost_0_0 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 64) = 1);
+      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_8) and sums_tag_output_column;
       winnersother_cost_0_2_value := ((sums_sum_0_2 / 2) mod 2) = 1;
       winnersother_cost_0_2_choice := (not winnersother_cost_0_2_value) or (not ((sums_sum_0_2 mod 2) = 1)) when
         (winnersother_cost_0_1 mod 2) = 1 else not winnersother_cost_0_2_value;
@@ -5774,16 +5702,11 @@ begin
       winnersother_cost_0_2_choice_6 := (not (((winnersother_cost_0_1 / 32) mod 2) = 1)) or
         winnersother_cost_0_2_value_5 when winnersother_cost_0_2_choice_5 else (not (((winnersother_cost_0_1 / 32) mod
         2) = 1)) and winnersother_cost_0_2_value_5;
-      winnersother_cost_0_2_choice_7 := ((winnersother_cost_0_1 / 64) = 1) and (not ((sums_sum_0_2 / 64) = 1)) when
-        winnersother_cost_0_2_choice_6 else ((winnersother_cost_0_1 / 64) = 1) or (not ((sums_sum_0_2 / 64) = 1));
-      winnersother_cost_0_2_choice_8 := sums_sum_0_2 when winnersother_cost_0_2_choice_7 else winnersother_cost_0_1;
-      winnersother_cost_0_2_choice_9 := winnersother_cost_0_2_choice_8 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_10 := sums_sum_0_2 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_11 := winnersother_cost_0_1 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_12 := winnersother_cost_0_2_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_2_choice_11;
-      winnersother_cost_0_2_choice_13 := winnersother_cost_0_2_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_2_choice_12;
+      winnersother_cost_0_2_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_2 / 64) = 1) when
+        (winnersother_cost_0_1 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_2_choice_8 := winnersother_cost_0_2_choice_7 when winnersother_cost_0_2_choice_6 else (not
+        ((winnersother_cost_0_1 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 64) = 1);
+      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_8) and sums_tag_output_column;
       winnersother_cost_0_3_any := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1));
       winnersother_cost_0_3_choice := winnersother_cost_0_3_any when (winnersother_cost_0_2 mod 2) = 1 else not
         (((sums_sum_0_3 / 2) mod 2) = 1);
@@ -5806,16 +5729,11 @@ begin
       winnersother_cost_0_3_choice_6 := (not (((winnersother_cost_0_2 / 32) mod 2) = 1)) or
         winnersother_cost_0_3_value_4 when winnersother_cost_0_3_choice_5 else (not (((winnersother_cost_0_2 / 32) mod
         2) = 1)) and winnersother_cost_0_3_value_4;
-      winnersother_cost_0_3_choice_7 := ((winnersother_cost_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
-        winnersother_cost_0_3_choice_6 else ((winnersother_cost_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
-      winnersother_cost_0_3_choice_8 := sums_sum_0_3 when winnersother_cost_0_3_choice_7 else winnersother_cost_0_2;
-      winnersother_cost_0_3_choice_9 := winnersother_cost_0_3_choice_8 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_10 := sums_sum_0_3 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_11 := winnersother_cost_0_2 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_12 := winnersother_cost_0_3_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_3_choice_11;
-      winnersother_cost_0_3_choice_13 := winnersother_cost_0_3_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_3_choice_12;
+      winnersother_cost_0_3_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_3 / 64) = 1) when
+        (winnersother_cost_0_2 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_3_choice_8 := winnersother_cost_0_3_choice_7 when winnersother_cost_0_3_choice_6 else (not
+        ((winnersother_cost_0_2 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 64) = 1);
+      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_8) and sums_tag_output_column;
       winnersother_cost_0_4_value := ((sums_sum_0_4 / 2) mod 2) = 1;
       winnersother_cost_0_4_choice := (not winnersother_cost_0_4_value) or (not ((sums_sum_0_4 mod 2) = 1)) when
         (winnersother_cost_0_3 mod 2) = 1 else not winnersother_cost_0_4_value;
@@ -5837,16 +5755,11 @@ begin
       winnersother_cost_0_4_choice_6 := (not (((winnersother_cost_0_3 / 32) mod 2) = 1)) or
         winnersother_cost_0_4_value_5 when winnersother_cost_0_4_choice_5 else (not (((winnersother_cost_0_3 / 32) mod
         2) = 1)) and winnersother_cost_0_4_value_5;
-      winnersother_cost_0_4_choice_7 := ((winnersother_cost_0_3 / 64) = 1) and (not ((sums_sum_0_4 / 64) = 1)) when
-        winnersother_cost_0_4_choice_6 else ((winnersother_cost_0_3 / 64) = 1) or (not ((sums_sum_0_4 / 64) = 1));
-      winnersother_cost_0_4_choice_8 := sums_sum_0_4 when winnersother_cost_0_4_choice_7 else winnersother_cost_0_3;
-      winnersother_cost_0_4_choice_9 := winnersother_cost_0_4_choice_8 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_10 := sums_sum_0_4 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_11 := winnersother_cost_0_3 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_12 := winnersother_cost_0_4_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_4_choice_11;
-      winnersother_cost_0_4_choice_13 := winnersother_cost_0_4_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_4_choice_12;
+      winnersother_cost_0_4_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_4 / 64) = 1) when
+        (winnersother_cost_0_3 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_4_choice_8 := winnersother_cost_0_4_choice_7 when winnersother_cost_0_4_choice_6 else (not
+        ((winnersother_cost_0_3 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 64) = 1);
+      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_8) and sums_tag_output_column;
       winnersother_cost_0_5_any := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1));
       winnersother_cost_0_5_choice := winnersother_cost_0_5_any when (winnersother_cost_0_4 mod 2) = 1 else not
         (((sums_sum_0_5 / 2) mod 2) = 1);
@@ -5869,16 +5782,11 @@ begin
       winnersother_cost_0_5_choice_6 := (not (((winnersother_cost_0_4 / 32) mod 2) = 1)) or
         winnersother_cost_0_5_value_4 when winnersother_cost_0_5_choice_5 else (not (((winnersother_cost_0_4 / 32) mod
         2) = 1)) and winnersother_cost_0_5_value_4;
-      winnersother_cost_0_5_choice_7 := ((winnersother_cost_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
-        winnersother_cost_0_5_choice_6 else ((winnersother_cost_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
-      winnersother_cost_0_5_choice_8 := sums_sum_0_5 when winnersother_cost_0_5_choice_7 else winnersother_cost_0_4;
-      winnersother_cost_0_5_choice_9 := winnersother_cost_0_5_choice_8 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_10 := sums_sum_0_5 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_11 := winnersother_cost_0_4 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_12 := winnersother_cost_0_5_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_5_choice_11;
-      winnersother_cost_0_5_choice_13 := winnersother_cost_0_5_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_5_choice_12;
+      winnersother_cost_0_5_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_5 / 64) = 1) when
+        (winnersother_cost_0_4 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_5_choice_8 := winnersother_cost_0_5_choice_7 when winnersother_cost_0_5_choice_6 else (not
+        ((winnersother_cost_0_4 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 64) = 1);
+      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_8) and sums_tag_output_column;
       winnersother_cost_0_6_value := ((sums_sum_0_6 / 2) mod 2) = 1;
       winnersother_cost_0_6_choice := (not winnersother_cost_0_6_value) or (not ((sums_sum_0_6 mod 2) = 1)) when
         (winnersother_cost_0_5 mod 2) = 1 else not winnersother_cost_0_6_value;
@@ -5900,16 +5808,11 @@ begin
       winnersother_cost_0_6_choice_6 := (not (((winnersother_cost_0_5 / 32) mod 2) = 1)) or
         winnersother_cost_0_6_value_5 when winnersother_cost_0_6_choice_5 else (not (((winnersother_cost_0_5 / 32) mod
         2) = 1)) and winnersother_cost_0_6_value_5;
-      winnersother_cost_0_6_choice_7 := ((winnersother_cost_0_5 / 64) = 1) and (not ((sums_sum_0_6 / 64) = 1)) when
-        winnersother_cost_0_6_choice_6 else ((winnersother_cost_0_5 / 64) = 1) or (not ((sums_sum_0_6 / 64) = 1));
-      winnersother_cost_0_6_choice_8 := sums_sum_0_6 when winnersother_cost_0_6_choice_7 else winnersother_cost_0_5;
-      winnersother_cost_0_6_choice_9 := winnersother_cost_0_6_choice_8 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_10 := sums_sum_0_6 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_11 := winnersother_cost_0_5 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_12 := winnersother_cost_0_6_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_6_choice_11;
-      winnersother_cost_0_6_choice_13 := winnersother_cost_0_6_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_6_choice_12;
+      winnersother_cost_0_6_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_6 / 64) = 1) when
+        (winnersother_cost_0_5 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_6_choice_8 := winnersother_cost_0_6_choice_7 when winnersother_cost_0_6_choice_6 else (not
+        ((winnersother_cost_0_5 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 64) = 1);
+      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_8) and sums_tag_output_column;
       winnersother_cost_0_7_any := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1));
       winnersother_cost_0_7_choice := winnersother_cost_0_7_any when (winnersother_cost_0_6 mod 2) = 1 else not
         (((sums_sum_0_7 / 2) mod 2) = 1);
@@ -5932,16 +5835,11 @@ begin
       winnersother_cost_0_7_choice_6 := (not (((winnersother_cost_0_6 / 32) mod 2) = 1)) or
         winnersother_cost_0_7_value_4 when winnersother_cost_0_7_choice_5 else (not (((winnersother_cost_0_6 / 32) mod
         2) = 1)) and winnersother_cost_0_7_value_4;
-      winnersother_cost_0_7_choice_7 := ((winnersother_cost_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
-        winnersother_cost_0_7_choice_6 else ((winnersother_cost_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
-      winnersother_cost_0_7_choice_8 := sums_sum_0_7 when winnersother_cost_0_7_choice_7 else winnersother_cost_0_6;
-      winnersother_cost_0_7_choice_9 := winnersother_cost_0_7_choice_8 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_10 := sums_sum_0_7 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_11 := winnersother_cost_0_6 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_12 := winnersother_cost_0_7_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_7_choice_11;
-      winnersother_cost_0_7_choice_13 := winnersother_cost_0_7_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_7_choice_12;
+      winnersother_cost_0_7_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_7 / 64) = 1) when
+        (winnersother_cost_0_6 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_7_choice_8 := winnersother_cost_0_7_choice_7 when winnersother_cost_0_7_choice_6 else (not
+        ((winnersother_cost_0_6 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 64) = 1);
+      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_8) and sums_tag_output_column;
       winnersother_cost_0_8_value := ((sums_sum_0_8 / 2) mod 2) = 1;
       winnersother_cost_0_8_choice := (not winnersother_cost_0_8_value) or (not ((sums_sum_0_8 mod 2) = 1)) when
         (winnersother_cost_0_7 mod 2) = 1 else not winnersother_cost_0_8_value;
@@ -5963,16 +5861,11 @@ begin
       winnersother_cost_0_8_choice_6 := (not (((winnersother_cost_0_7 / 32) mod 2) = 1)) or
         winnersother_cost_0_8_value_5 when winnersother_cost_0_8_choice_5 else (not (((winnersother_cost_0_7 / 32) mod
         2) = 1)) and winnersother_cost_0_8_value_5;
-      winnersother_cost_0_8_choice_7 := ((winnersother_cost_0_7 / 64) = 1) and (not ((sums_sum_0_8 / 64) = 1)) when
-        winnersother_cost_0_8_choice_6 else ((winnersother_cost_0_7 / 64) = 1) or (not ((sums_sum_0_8 / 64) = 1));
-      winnersother_cost_0_8_choice_8 := sums_sum_0_8 when winnersother_cost_0_8_choice_7 else winnersother_cost_0_7;
-      winnersother_cost_0_8_choice_9 := winnersother_cost_0_8_choice_8 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_10 := sums_sum_0_8 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_11 := winnersother_cost_0_7 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_12 := winnersother_cost_0_8_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_8_choice_11;
-      winnersother_cost_0_8_choice_13 := winnersother_cost_0_8_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_8_choice_12;
+      winnersother_cost_0_8_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_8 / 64) = 1) when
+        (winnersother_cost_0_7 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_8_choice_8 := winnersother_cost_0_8_choice_7 when winnersother_cost_0_8_choice_6 else (not
+        ((winnersother_cost_0_7 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 64) = 1);
+      winnersother_cost_0_8_all := (not winnersother_cost_0_8_choice_8) and sums_tag_output_column;
       winnersother_cost_0_9_any := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1));
       winnersother_cost_0_9_choice := winnersother_cost_0_9_any when (winnersother_cost_0_8 mod 2) = 1 else not
         (((sums_sum_0_9 / 2) mod 2) = 1);
@@ -5995,16 +5888,11 @@ begin
       winnersother_cost_0_9_choice_6 := (not (((winnersother_cost_0_8 / 32) mod 2) = 1)) or
         winnersother_cost_0_9_value_4 when winnersother_cost_0_9_choice_5 else (not (((winnersother_cost_0_8 / 32) mod
         2) = 1)) and winnersother_cost_0_9_value_4;
-      winnersother_cost_0_9_choice_7 := ((winnersother_cost_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
-        winnersother_cost_0_9_choice_6 else ((winnersother_cost_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
-      winnersother_cost_0_9_choice_8 := sums_sum_0_9 when winnersother_cost_0_9_choice_7 else winnersother_cost_0_8;
-      winnersother_cost_0_9_choice_9 := winnersother_cost_0_9_choice_8 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_10 := sums_sum_0_9 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_11 := winnersother_cost_0_8 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_12 := winnersother_cost_0_9_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_9_choice_11;
-      winnersother_cost_0_9_choice_13 := winnersother_cost_0_9_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_9_choice_12;
+      winnersother_cost_0_9_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_9 / 64) = 1) when
+        (winnersother_cost_0_8 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_9_choice_8 := winnersother_cost_0_9_choice_7 when winnersother_cost_0_9_choice_6 else (not
+        ((winnersother_cost_0_8 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 64) = 1);
+      winnersother_cost_0_9_all := (not winnersother_cost_0_9_choice_8) and sums_tag_output_column;
       winnersother_cost_0_10_value := ((sums_sum_0_10 / 2) mod 2) = 1;
       winnersother_cost_0_10_choice := (not winnersother_cost_0_10_value) or (not ((sums_sum_0_10 mod 2) = 1)) when
         (winnersother_cost_0_9 mod 2) = 1 else not winnersother_cost_0_10_value;
@@ -6026,111 +5914,11 @@ begin
       winnersother_cost_0_10_choice_6 := (not (((winnersother_cost_0_9 / 32) mod 2) = 1)) or
         winnersother_cost_0_10_value_5 when winnersother_cost_0_10_choice_5 else (not (((winnersother_cost_0_9 / 32)
         mod 2) = 1)) and winnersother_cost_0_10_value_5;
-      winnersother_cost_0_10_choice_7 := ((winnersother_cost_0_9 / 64) = 1) and (not ((sums_sum_0_10 / 64) = 1)) when
-        winnersother_cost_0_10_choice_6 else ((winnersother_cost_0_9 / 64) = 1) or (not ((sums_sum_0_10 / 64) = 1));
-      winnersother_cost_0_10_choice_8 := sums_sum_0_10 when winnersother_cost_0_10_choice_7 else winnersother_cost_0_9;
-      winnersother_cost_0_10_choice_9 := winnersother_cost_0_10_choice_8 when sums_tag_valid else
-        winnersother_cost_0_10;
-      winnersother_cost_0_10_choice_10 := sums_sum_0_10 when sums_tag_valid else winnersother_cost_0_10;
-      winnersother_cost_0_10_choice_11 := winnersother_cost_0_9 when sums_tag_valid else winnersother_cost_0_10;
-      winnersother_cost_0_10_choice_12 := winnersother_cost_0_10_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_10_choice_11;
-      winnersother_cost_0_10_choice_13 := winnersother_cost_0_10_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_10_choice_12;
-      winnersother_winner_0_1_choice := sums_tag_output_column when sums_tag_valid else winnersother_winner_0_1;
-      winnersother_winner_0_2_choice := 2 when winnersother_cost_0_2_choice_7 else as_number(winnersother_winner_0_1);
-      winnersother_winner_0_2_choice_2 := winnersother_winner_0_2_choice when sums_tag_valid else
-        winnersother_winner_0_2;
-      winnersother_winner_0_2_choice_3 := 2 when sums_tag_valid else winnersother_winner_0_2;
-      if sums_tag_valid then
-        winnersother_winner_0_2_choice_4 := as_number(winnersother_winner_0_1);
-      else
-        winnersother_winner_0_2_choice_4 := winnersother_winner_0_2;
-      end if;
-      winnersother_winner_0_2_choice_5 := winnersother_winner_0_2_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_2_choice_4;
-      winnersother_winner_0_2_choice_6 := winnersother_winner_0_2_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_2_choice_5;
-      winnersother_winner_0_3_choice := 3 when winnersother_cost_0_3_choice_7 else winnersother_winner_0_2;
-      winnersother_winner_0_3_choice_2 := winnersother_winner_0_3_choice when sums_tag_valid else
-        winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_3 := 3 when sums_tag_valid else winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_4 := winnersother_winner_0_2 when sums_tag_valid else winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_5 := winnersother_winner_0_3_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_3_choice_4;
-      winnersother_winner_0_3_choice_6 := winnersother_winner_0_3_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_3_choice_5;
-      winnersother_winner_0_4_choice := 4 when winnersother_cost_0_4_choice_7 else winnersother_winner_0_3;
-      winnersother_winner_0_4_choice_2 := winnersother_winner_0_4_choice when sums_tag_valid else
-        winnersother_winner_0_4;
-      winnersother_winner_0_4_choice_3 := 4 when sums_tag_valid else winnersother_winner_0_4;
-      if sums_tag_valid then
-        winnersother_winner_0_4_choice_4 := winnersother_winner_0_3;
-      else
-        winnersother_winner_0_4_choice_4 := winnersother_winner_0_4;
-      end if;
-      winnersother_winner_0_4_choice_5 := winnersother_winner_0_4_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_4_choice_4;
-      winnersother_winner_0_4_choice_6 := winnersother_winner_0_4_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_4_choice_5;
-      winnersother_winner_0_5_choice := 5 when winnersother_cost_0_5_choice_7 else winnersother_winner_0_4;
-      winnersother_winner_0_5_choice_2 := winnersother_winner_0_5_choice when sums_tag_valid else
-        winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_3 := 5 when sums_tag_valid else winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_4 := winnersother_winner_0_4 when sums_tag_valid else winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_5 := winnersother_winner_0_5_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_5_choice_4;
-      winnersother_winner_0_5_choice_6 := winnersother_winner_0_5_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_5_choice_5;
-      winnersother_winner_0_6_choice := 6 when winnersother_cost_0_6_choice_7 else winnersother_winner_0_5;
-      winnersother_winner_0_6_choice_2 := winnersother_winner_0_6_choice when sums_tag_valid else
-        winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_3 := 6 when sums_tag_valid else winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_4 := winnersother_winner_0_5 when sums_tag_valid else winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_5 := winnersother_winner_0_6_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_6_choice_4;
-      winnersother_winner_0_6_choice_6 := winnersother_winner_0_6_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_6_choice_5;
-      winnersother_winner_0_7_choice := 7 when winnersother_cost_0_7_choice_7 else winnersother_winner_0_6;
-      winnersother_winner_0_7_choice_2 := winnersother_winner_0_7_choice when sums_tag_valid else
-        winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_3 := 7 when sums_tag_valid else winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_4 := winnersother_winner_0_6 when sums_tag_valid else winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_5 := winnersother_winner_0_7_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_7_choice_4;
-      winnersother_winner_0_7_choice_6 := winnersother_winner_0_7_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_7_choice_5;
-      winnersother_winner_0_8_choice := 8 when winnersother_cost_0_8_choice_7 else winnersother_winner_0_7;
-      winnersother_winner_0_8_choice_2 := winnersother_winner_0_8_choice when sums_tag_valid else
-        winnersother_winner_0_8;
-      winnersother_winner_0_8_choice_3 := 8 when sums_tag_valid else winnersother_winner_0_8;
-      if sums_tag_valid then
-        winnersother_winner_0_8_choice_4 := winnersother_winner_0_7;
-      else
-        winnersother_winner_0_8_choice_4 := winnersother_winner_0_8;
-      end if;
-      winnersother_winner_0_8_choice_5 := winnersother_winner_0_8_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_8_choice_4;
-      winnersother_winner_0_8_choice_6 := winnersother_winner_0_8_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_8_choice_5;
-      winnersother_winner_0_9_choice := 9 when winnersother_cost_0_9_choice_7 else winnersother_winner_0_8;
-      winnersother_winner_0_9_choice_2 := winnersother_winner_0_9_choice when sums_tag_valid else
-        winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_3 := 9 when sums_tag_valid else winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_4 := winnersother_winner_0_8 when sums_tag_valid else winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_5 := winnersother_winner_0_9_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_9_choice_4;
-      winnersother_winner_0_9_choice_6 := winnersother_winner_0_9_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_9_choice_5;
-      winnersother_winner_0_10_choice := 10 when winnersother_cost_0_10_choice_7 else winnersother_winner_0_9;
-      winnersother_winner_0_10_choice_2 := winnersother_winner_0_10_choice when sums_tag_valid else
-        winnersother_winner_0_10;
-      winnersother_winner_0_10_choice_3 := 10 when sums_tag_valid else winnersother_winner_0_10;
-      winnersother_winner_0_10_choice_4 := winnersother_winner_0_9 when sums_tag_valid else winnersother_winner_0_10;
-      winnersother_winner_0_10_choice_5 := winnersother_winner_0_10_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_10_choice_4;
-      winnersother_winner_0_10_choice_6 := winnersother_winner_0_10_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_10_choice_5;
+      winnersother_cost_0_10_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_10 / 64) = 1) when
+        (winnersother_cost_0_9 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_10_choice_8 := winnersother_cost_0_10_choice_7 when winnersother_cost_0_10_choice_6 else (not
+        ((winnersother_cost_0_9 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_10 / 64) = 1);
+      winnersother_cost_0_10_all := (not winnersother_cost_0_10_choice_8) and sums_tag_output_column;
       winnersother_winner_0_11_any := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) = 1));
       winnersother_winner_0_11_choice := winnersother_winner_0_11_any when (winnersother_cost_0_10 mod 2) = 1 else not
         (((sums_sum_0_11 / 2) mod 2) = 1);
@@ -6153,78 +5941,52 @@ begin
       winnersother_winner_0_11_choice_6 := (not (((winnersother_cost_0_10 / 32) mod 2) = 1)) or
         winnersother_winner_0_11_value_4 when winnersother_winner_0_11_choice_5 else (not (((winnersother_cost_0_10 /
         32) mod 2) = 1)) and winnersother_winner_0_11_value_4;
-      winnersother_winner_0_11_choice_7 := ((winnersother_cost_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1))
-        when winnersother_winner_0_11_choice_6 else ((winnersother_cost_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) =
-        1));
-      winnersother_winner_0_11_choice_8 := 11 when winnersother_winner_0_11_choice_7 else winnersother_winner_0_10;
-      winnersother_winner_0_11_choice_9 := winnersother_winner_0_11_choice_8 when sums_tag_valid else
-        winnersother_winner_0_11;
-      winnersother_winner_0_11_choice_10 := 11 when sums_tag_valid else winnersother_winner_0_11;
-      winnersother_winner_0_11_choice_11 := winnersother_winner_0_10 when sums_tag_valid else winnersother_winner_0_11;
-      winnersother_winner_0_11_choice_12 := winnersother_winner_0_11_choice_10 when sums_tag_output_column else
-        winnersother_winner_0_11_choice_11;
-      winnersother_winner_0_11_choice_13 := winnersother_winner_0_11_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_11_choice_12;
-      winnersother_cost_0_1 <= winnersother_cost_0_1_choice when winnersother_cost_0_0_all else
-        winnersother_cost_0_1_choice_4;
-      winnersother_cost_0_2 <= winnersother_cost_0_2_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_2_choice_13;
-      winnersother_cost_0_3 <= winnersother_cost_0_3_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_3_choice_13;
-      winnersother_cost_0_4 <= winnersother_cost_0_4_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_4_choice_13;
-      winnersother_cost_0_5 <= winnersother_cost_0_5_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_5_choice_13;
-      winnersother_cost_0_6 <= winnersother_cost_0_6_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_6_choice_13;
-      winnersother_cost_0_7 <= winnersother_cost_0_7_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_7_choice_13;
-      winnersother_cost_0_8 <= winnersother_cost_0_8_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_8_choice_13;
-      winnersother_cost_0_9 <= winnersother_cost_0_9_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_9_choice_13;
-      winnersother_cost_0_10 <= winnersother_cost_0_10_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_10_choice_13;
-      winnersother_winner_0_1 <= winnersother_winner_0_1 and (not sums_tag_valid) when winnersother_cost_0_0_choice_7
-        else winnersother_winner_0_1_choice;
-      winnersother_winner_0_2 <= winnersother_winner_0_2_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_2_choice_6;
-      winnersother_winner_0_3 <= winnersother_winner_0_3_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_3_choice_6;
-      winnersother_winner_0_4 <= winnersother_winner_0_4_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_4_choice_6;
-      winnersother_winner_0_5 <= winnersother_winner_0_5_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_5_choice_6;
-      winnersother_winner_0_6 <= winnersother_winner_0_6_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_6_choice_6;
-      winnersother_winner_0_7 <= winnersother_winner_0_7_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_7_choice_6;
-      winnersother_winner_0_8 <= winnersother_winner_0_8_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_8_choice_6;
-      winnersother_winner_0_9 <= winnersother_winner_0_9_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_9_choice_6;
-      winnersother_winner_0_10 <= winnersother_winner_0_10_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_10_choice_6;
-      winnersother_winner_0_11 <= winnersother_winner_0_11_choice_9 when winnersother_cost_0_0_all else
-        winnersother_winner_0_11_choice_13;
+      winnersother_winner_0_11_choice_7 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_10 / 64) = 1))
+        or ((sums_sum_0_11 / 64) = 1)) when winnersother_winner_0_11_choice_6 else (not sums_tag_first_column) and (not
+        ((winnersother_cost_0_10 / 64) = 1)) and ((sums_sum_0_11 / 64) = 1);
+      if sums_tag_valid then
+        winnersother_cost_0_0 <= sums_sum_0_0 when sums_tag_output_column else 0;
+        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_0;
+        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_1;
+        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_2;
+        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_3;
+        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_4;
+        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_5;
+        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_6;
+        winnersother_cost_0_8 <= sums_sum_0_8 when winnersother_cost_0_8_all else winnersother_cost_0_7;
+        winnersother_cost_0_9 <= sums_sum_0_9 when winnersother_cost_0_9_all else winnersother_cost_0_8;
+        winnersother_cost_0_10 <= sums_sum_0_10 when winnersother_cost_0_10_all else winnersother_cost_0_9;
+        winnersother_winner_0_1 <= winnersother_cost_0_1_all;
+        winnersother_winner_0_2 <= 2 when winnersother_cost_0_2_all else as_number(winnersother_winner_0_1);
+        winnersother_winner_0_3 <= 3 when winnersother_cost_0_3_all else winnersother_winner_0_2;
+        winnersother_winner_0_4 <= 4 when winnersother_cost_0_4_all else winnersother_winner_0_3;
+        winnersother_winner_0_5 <= 5 when winnersother_cost_0_5_all else winnersother_winner_0_4;
+        winnersother_winner_0_6 <= 6 when winnersother_cost_0_6_all else winnersother_winner_0_5;
+        winnersother_winner_0_7 <= 7 when winnersother_cost_0_7_all else winnersother_winner_0_6;
+        winnersother_winner_0_8 <= 8 when winnersother_cost_0_8_all else winnersother_winner_0_7;
+        winnersother_winner_0_9 <= 9 when winnersother_cost_0_9_all else winnersother_winner_0_8;
+        winnersother_winner_0_10 <= 10 when winnersother_cost_0_10_all else winnersother_winner_0_9;
+        winnersother_winner_0_11 <= 11 when (not winnersother_winner_0_11_choice_7) and sums_tag_output_column else
+          winnersother_winner_0_10;
+      end if;
       winnersother_winner_out_0 <= winnersother_winner_0_11;
       -- winnerswinner1
-      winnerswinner1_best_index_0_0_choice := winnersother_cost_0_0_any when (sums_sum_0_0 mod 2) = 1 else not
+      winnerswinner1_best_index_0_0_choice := winnersother_cost_0_1_any when (sums_sum_0_0 mod 2) = 1 else not
         (((sums_sum_0_1 / 2) mod 2) = 1);
       winnerswinner1_best_index_0_0_choice_2 := winnerswinner1_best_index_0_0_choice when ((sums_sum_0_0 / 2) mod 2) =
-        1 else ((sums_sum_0_0 mod 2) = 1) and winnersother_cost_0_0_is_equal;
-      winnerswinner1_best_index_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_0_value
+        1 else ((sums_sum_0_0 mod 2) = 1) and winnersother_cost_0_1_is_equal;
+      winnerswinner1_best_index_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_1_value
         when winnerswinner1_best_index_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2) = 1)) or
-        winnersother_cost_0_0_value;
-      winnerswinner1_best_index_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or winnersother_cost_0_0_value_2
+        winnersother_cost_0_1_value;
+      winnerswinner1_best_index_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or winnersother_cost_0_1_value_2
         when winnerswinner1_best_index_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod 2) = 1)) and
-        winnersother_cost_0_0_value_2;
+        winnersother_cost_0_1_value_2;
       winnerswinner1_best_index_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnersother_cost_0_0_value_3 when winnerswinner1_best_index_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
-        2) = 1)) and winnersother_cost_0_0_value_3;
+        winnersother_cost_0_1_value_3 when winnerswinner1_best_index_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
+        2) = 1)) and winnersother_cost_0_1_value_3;
       winnerswinner1_best_index_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-        winnersother_cost_0_0_value_4 when winnerswinner1_best_index_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
-        2) = 1)) and winnersother_cost_0_0_value_4;
+        winnersother_cost_0_1_value_4 when winnerswinner1_best_index_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
+        2) = 1)) and winnersother_cost_0_1_value_4;
       winnerswinner1_best_index_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
         winnerswinner1_best_index_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
       winnerswinner1_best_index_0_1_choice := winnersother_cost_0_3_any when (sums_sum_0_2 mod 2) = 1 else not

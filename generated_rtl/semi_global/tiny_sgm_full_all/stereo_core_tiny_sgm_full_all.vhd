@@ -809,18 +809,24 @@ architecture rtl of stereo_core_tiny_sgm_full_all is
   signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
   signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
-  signal other_0, other_2 : unsigned(48 downto 0);
-  signal other_1 : natural range 0 to 8190;
-  signal other_3 : natural range 0 to 67108863;
-  signal other_4 : unsigned(25 downto 0);
-  signal other_5 : natural range 0 to 254;
-  signal other_6 : natural range 0 to 252;
-  signal other_7 : natural range 0 to 248;
-  signal other_8 : natural range 0 to 240;
-  signal other_9 : natural range 0 to 224;
-  signal other_10 : natural range 0 to 192;
-  signal other_11 : natural range 0 to 128;
-  signal other_12, other_13, other_14, other_15 : boolean;
+  signal other_0, other_1, other_2, other_15 : boolean;
+  signal other_3, other_5 : unsigned(48 downto 0);
+  signal other_4 : natural range 0 to 8190;
+  signal other_6 : natural range 0 to 67108863;
+  signal other_7 : unsigned(25 downto 0);
+  signal other_8 : natural range 0 to 254;
+  signal other_9 : natural range 0 to 252;
+  signal other_10 : natural range 0 to 248;
+  signal other_11 : natural range 0 to 240;
+  signal other_12 : natural range 0 to 224;
+  signal other_13 : natural range 0 to 192;
+  signal other_14 : natural range 0 to 128;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal other_7_memory_write_data : unsigned(25 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -842,12 +848,6 @@ architecture rtl of stereo_core_tiny_sgm_full_all is
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal other_4_memory_write_data : unsigned(25 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -859,6 +859,54 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  other_7_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  other_7_memory : entity work.line_memory
+    generic map (depth => 38, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => other_7,
+      write_address => map_at_column, write_data => other_7_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 38, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -953,40 +1001,40 @@ begin
     generic map (depth => 5, width => 12)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_2,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
   forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
   forward_above_delay_held_1_memory : entity work.line_memory
     generic map (depth => 5, width => 30)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_1,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
   forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
   forward_above_delay_held_0_memory : entity work.line_memory
     generic map (depth => 5, width => 30)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_0,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
   forward_cost_delay_held_1_memory_write_data <= to_unsigned(entry_cost_11, 4) & to_unsigned(entry_cost_10, 4) & to_unsigned(entry_cost_9, 4) & to_unsigned(entry_cost_8, 4);
   forward_cost_delay_held_1_memory : entity work.line_memory
     generic map (depth => 5, width => 16)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_1,
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
   forward_cost_delay_held_0_memory_write_data <= to_unsigned(entry_cost_7, 4) & to_unsigned(entry_cost_6, 4) & to_unsigned(entry_cost_5, 4) & to_unsigned(entry_cost_4, 4) & to_unsigned(entry_cost_3, 4) & to_unsigned(entry_cost_2, 4) & to_unsigned(entry_cost_1, 4) & to_unsigned(entry_cost_0, 4);
   forward_cost_delay_held_0_memory : entity work.line_memory
     generic map (depth => 5, width => 32)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_0,
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -1027,54 +1075,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_4_memory : entity work.line_memory
-    generic map (depth => 38, width => 26)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => other_4,
-      write_address => map_at_column, write_data => other_4_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 14)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1440,17 +1440,17 @@ begin
     variable winnersother_cost_0_9_value_2, winnersother_cost_0_9_choice_4, winnersother_cost_0_9_value_3 : boolean;
     variable winnersother_cost_0_9_choice_5, winnersother_cost_0_9_value_4, winnersother_cost_0_9_choice_6 : boolean;
     variable winnersother_cost_0_9_choice_7, winnersother_cost_0_9_choice_8, winnersother_cost_0_9_all : boolean;
+    variable winnersother_cost_0_10_value, winnersother_cost_0_10_choice, winnersother_cost_0_10_choice_2 : boolean;
+    variable winnersother_cost_0_10_value_2, winnersother_cost_0_10_choice_3, winnersother_cost_0_10_value_3 : boolean;
+    variable winnersother_cost_0_10_choice_4, winnersother_cost_0_10_value_4, winnersother_cost_0_10_choice_5 : boolean;
+    variable winnersother_cost_0_10_value_5, winnersother_cost_0_10_choice_6, winnersother_cost_0_10_choice_7 : boolean;
+    variable winnersother_cost_0_10_choice_8, winnersother_cost_0_10_all, winnersother_cost_0_11_all : boolean;
     variable winnersother_winner_0_0_value, winnersother_winner_0_0_choice, winnersother_winner_0_0_choice_2 : boolean;
     variable winnersother_winner_0_0_value_2, winnersother_winner_0_0_choice_3 : boolean;
     variable winnersother_winner_0_0_value_3, winnersother_winner_0_0_choice_4 : boolean;
     variable winnersother_winner_0_0_value_4, winnersother_winner_0_0_choice_5 : boolean;
     variable winnersother_winner_0_0_value_5, winnersother_winner_0_0_choice_6 : boolean;
-    variable winnersother_winner_0_0_choice_7, winnersother_cost_0_10_value, winnersother_cost_0_10_choice : boolean;
-    variable winnersother_cost_0_10_choice_2, winnersother_cost_0_10_value_2, winnersother_cost_0_10_choice_3 : boolean;
-    variable winnersother_cost_0_10_value_3, winnersother_cost_0_10_choice_4, winnersother_cost_0_10_value_4 : boolean;
-    variable winnersother_cost_0_10_choice_5, winnersother_cost_0_10_value_5, winnersother_cost_0_10_choice_6 : boolean;
-    variable winnersother_cost_0_10_choice_7, winnersother_cost_0_10_choice_8, winnersother_cost_0_10_all : boolean;
-    variable winnersother_cost_0_11_all, winnerswinner1_best_index_0_0_choice : boolean;
+    variable winnersother_winner_0_0_choice_7, winnerswinner1_best_index_0_0_choice : boolean;
     variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_choice_3 : boolean;
     variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_choice_5 : boolean;
     variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_0_choice_7 : boolean;
@@ -1586,56 +1586,28 @@ begin
     variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 68;
     variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 68;
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 68;
-    variable winnersother_cost_0_1_choice_9, winnersother_cost_0_1_choice_10 : natural range 0 to 127;
-    variable winnersother_cost_0_1_choice_11, winnersother_cost_0_2_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_2_choice_10, winnersother_cost_0_2_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_3_choice_9, winnersother_cost_0_3_choice_10 : natural range 0 to 127;
-    variable winnersother_cost_0_3_choice_11, winnersother_cost_0_4_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_4_choice_10, winnersother_cost_0_4_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_5_choice_9, winnersother_cost_0_5_choice_10 : natural range 0 to 127;
-    variable winnersother_cost_0_5_choice_11, winnersother_cost_0_6_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_6_choice_10, winnersother_cost_0_6_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_7_choice_9, winnersother_cost_0_7_choice_10 : natural range 0 to 127;
-    variable winnersother_cost_0_7_choice_11, winnersother_cost_0_8_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_8_choice_10, winnersother_cost_0_8_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_9_choice_9, winnersother_cost_0_9_choice_10 : natural range 0 to 127;
-    variable winnersother_cost_0_9_choice_11, winnerswinner1_held_0_0_choice : natural range 0 to 127;
-    variable winnerswinner1_held_0_1_choice, winnerswinner1_held_0_2_choice : natural range 0 to 127;
-    variable winnerswinner1_held_0_3_choice, winnerswinner1_held_0_4_choice : natural range 0 to 127;
-    variable winnerswinner1_held_0_5_choice, winnerswinner1_held_0_6_choice : natural range 0 to 127;
-    variable winnerswinner1_held_0_7_choice, winnerswinner1_held_0_8_choice : natural range 0 to 127;
-    variable winnerswinner1_held_0_9_choice, winnerswinner1_held_0_10_choice : natural range 0 to 127;
-    variable winnerswinner1_held_0_11_choice, winnerswinner2_best_below_0_0_choice : natural range 0 to 127;
-    variable winnerswinner2_best_below_0_1_choice, winnerswinner2_best_below_0_2_choice : natural range 0 to 127;
-    variable winnerswinner2_best_above_0_0_choice, winnerswinner2_best_above_0_1_choice : natural range 0 to 127;
-    variable winnerswinner2_best_above_0_2_choice, winnerswinner2_best_second_0_0_choice : natural range 0 to 127;
-    variable winnerswinner2_best_second_0_0_choice_2, winnerswinner2_best_second_0_0_choice_3 : natural range 0 to 127;
-    variable winnerswinner2_best_second_0_0_choice_4, winnerswinner2_best_second_0_1_choice : natural range 0 to 127;
-    variable winnerswinner2_best_second_0_1_choice_2, winnerswinner2_best_second_0_1_choice_3 : natural range 0 to 127;
-    variable winnerswinner2_best_second_0_1_choice_4, winnerswinner2_best_second_0_2_choice : natural range 0 to 127;
-    variable winnerswinner2_best_second_0_2_choice_2, winnerswinner2_best_second_0_2_choice_3 : natural range 0 to 127;
-    variable winnerswinner2_best_second_0_2_choice_4, winnerswinner3_best_below_0_0_choice : natural range 0 to 127;
-    variable winnerswinner3_best_above_0_0_choice, winnerswinner3_best_second_0_0_choice : natural range 0 to 127;
-    variable winnerswinner3_best_second_0_0_choice_2, winnerswinner3_best_second_0_0_choice_3 : natural range 0 to 127;
-    variable winnerswinner3_best_second_0_0_choice_4, winnerswinner4_best_below_0_0_choice : natural range 0 to 127;
-    variable winnerswinner4_best_above_0_0_choice, winnerswinner4_best_second_0_0_choice : natural range 0 to 127;
-    variable winnerswinner4_best_second_0_0_choice_2, winnerswinner4_best_second_0_0_choice_3 : natural range 0 to 127;
-    variable winnerswinner4_best_second_0_0_choice_4, refinement_divisor_0_0_choice : natural range 0 to 127;
-    variable winnersother_winner_0_0_choice_8, winnersother_winner_0_0_choice_9 : natural range 0 to 11;
-    variable winnersother_winner_0_0_choice_10, winnersother_winner_0_1_choice : natural range 0 to 11;
-    variable winnersother_winner_0_1_choice_2, winnersother_winner_0_1_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_2_choice, winnersother_winner_0_2_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_2_choice_3, winnersother_winner_0_3_choice : natural range 0 to 11;
-    variable winnersother_winner_0_3_choice_2, winnersother_winner_0_3_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_4_choice, winnersother_winner_0_4_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_4_choice_3, winnersother_winner_0_5_choice : natural range 0 to 11;
-    variable winnersother_winner_0_5_choice_2, winnersother_winner_0_5_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_6_choice, winnersother_winner_0_6_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_6_choice_3, winnersother_winner_0_7_choice : natural range 0 to 11;
-    variable winnersother_winner_0_7_choice_2, winnersother_winner_0_7_choice_3 : natural range 0 to 11;
-    variable winnersother_winner_0_8_choice, winnersother_winner_0_8_choice_2 : natural range 0 to 11;
-    variable winnersother_winner_0_8_choice_3, winnersother_winner_0_9_choice : natural range 0 to 11;
-    variable winnersother_winner_0_9_choice_2, winnersother_winner_0_9_choice_3 : natural range 0 to 11;
+    variable winnerswinner1_held_0_0_choice, winnerswinner1_held_0_1_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_2_choice, winnerswinner1_held_0_3_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_4_choice, winnerswinner1_held_0_5_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_6_choice, winnerswinner1_held_0_7_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_8_choice, winnerswinner1_held_0_9_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_10_choice, winnerswinner1_held_0_11_choice : natural range 0 to 127;
+    variable winnerswinner2_best_below_0_0_choice, winnerswinner2_best_below_0_1_choice : natural range 0 to 127;
+    variable winnerswinner2_best_below_0_2_choice, winnerswinner2_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner2_best_above_0_1_choice, winnerswinner2_best_above_0_2_choice : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_0_choice, winnerswinner2_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_0_choice_3, winnerswinner2_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_1_choice, winnerswinner2_best_second_0_1_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_1_choice_3, winnerswinner2_best_second_0_1_choice_4 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_2_choice, winnerswinner2_best_second_0_2_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_2_choice_3, winnerswinner2_best_second_0_2_choice_4 : natural range 0 to 127;
+    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner3_best_second_0_0_choice, winnerswinner3_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner3_best_second_0_0_choice_3, winnerswinner3_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable winnerswinner4_best_below_0_0_choice, winnerswinner4_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner4_best_second_0_0_choice, winnerswinner4_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner4_best_second_0_0_choice_3, winnerswinner4_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable refinement_divisor_0_0_choice : natural range 0 to 127;
     variable refinement_remainder_1_0_difference : natural range 129 to 383;
     variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 129 to 510;
     variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 129 to 510;
@@ -3086,7 +3058,7 @@ begin
       delay_tag_map_column_is_less := raster_place_column < 39;
       delay_tag_first_column_is_equal := raster_place_column = 1;
       delay_split_search_inside_0_is_equal := (raster_place_column / 2) = 0;
-      delay_split_search_inside_0_all := (not other_12) and raster_features_valid and (raster_place_column = 0);
+      delay_split_search_inside_0_all := (not other_15) and raster_features_valid and (raster_place_column = 0);
       delay_split_search_inside_0_all_2 := (not delay_split_search_inside_0_all) and delay_split_inside_before_0;
       delay_split_inside_before_0_differs := raster_place_column /= 39;
       delay_split_inside_before_1_all := (not delay_split_search_inside_0_all) and delay_split_inside_before_1;
@@ -3862,10 +3834,10 @@ begin
         slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
         slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
         slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+        slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
         slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
         slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
       end if;
-      slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
       slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
       slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
       slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
@@ -3874,30 +3846,32 @@ begin
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_map_column <= slice0window_centre_map_column_0;
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
-      slice0window_tag_first_column <= slice0window_centre_first_column_0;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      if slice0window_tag_valid then
+        slice0window_tag_first_column <= slice1cost_tag_first_column;
+      end if;
       -- slice0mask
       slice0mask_inside_0_all := (not slice0cost_tag_valid) and slice0mask_inside_0;
-      slice0mask_inside_0_choice := slice0mask_inside_0_all when slice1cost_tag_first_column else slice0cost_tag_valid
-        or slice0mask_inside_0;
+      slice0mask_inside_0_choice := slice0mask_inside_0_all when slice0window_centre_first_column_0 else
+        slice0cost_tag_valid or slice0mask_inside_0;
       slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
       slice0mask_inside_2_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_2;
       slice0mask_inside_3_choice := slice0mask_inside_2 when slice0cost_tag_valid else slice0mask_inside_3;
       slice0mask_inside_4_choice := slice0mask_inside_3 when slice0cost_tag_valid else slice0mask_inside_4;
       slice0mask_inside_0 <= slice0mask_inside_0_choice when (slice0mask_column >= 1) and (slice0mask_column < 39) else
         slice0mask_inside_0_all;
-      slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1 when slice1cost_tag_first_column else
-        slice0mask_inside_1_choice;
-      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice1cost_tag_first_column else
-        slice0mask_inside_2_choice;
-      slice0mask_inside_3 <= (not slice0cost_tag_valid) and slice0mask_inside_3 when slice1cost_tag_first_column else
-        slice0mask_inside_3_choice;
-      slice0mask_inside_4 <= (not slice0cost_tag_valid) and slice0mask_inside_4 when slice1cost_tag_first_column else
-        slice0mask_inside_4_choice;
+      slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1 when slice0window_centre_first_column_0
+        else slice0mask_inside_1_choice;
+      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice0window_centre_first_column_0
+        else slice0mask_inside_2_choice;
+      slice0mask_inside_3 <= (not slice0cost_tag_valid) and slice0mask_inside_3 when slice0window_centre_first_column_0
+        else slice0mask_inside_3_choice;
+      slice0mask_inside_4 <= (not slice0cost_tag_valid) and slice0mask_inside_4 when slice0window_centre_first_column_0
+        else slice0mask_inside_4_choice;
       slice0mask_left_out <= slice0mask_inside_4;
       if slice0cost_tag_valid then
-        slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 64;
+        slice0mask_column <= 0 when slice0window_centre_first_column_0 else (slice0mask_column + 1) mod 64;
       end if;
       -- slice0
       slice0_held_0_0 <= slice0window_sum_0_0 / 16 when slice0mask_inside_0 else 13;
@@ -3933,7 +3907,7 @@ begin
       slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
       slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
       if slice0_tag_0_valid then
-        slice0_tag_0_first_column <= slice0window_tag_first_column;
+        slice0_tag_0_first_column <= slice2cost_tag_first_column;
       end if;
       -- slice1shift
       if slice0shift_tag_valid then
@@ -4578,9 +4552,7 @@ begin
       slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
       slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
       slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
-      if slice0cost_tag_valid then
-        slice1cost_tag_first_column <= slice0cost_tag_first_column;
-      end if;
+      slice1cost_tag_first_column <= slice0cost_tag_first_column;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -4593,31 +4565,31 @@ begin
         slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
         slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
         slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
-        slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       end if;
+      slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
       slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
       slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
-      slice1window_tag_first_column <= slice2cost_tag_first_column;
+      slice1window_tag_first_column <= slice1window_centre_first_column_0;
       -- slice1mask
       slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside_0;
-      slice1mask_inside_0_choice := slice1mask_inside_0_all when slice1window_centre_first_column_0 else
+      slice1mask_inside_0_choice := slice1mask_inside_0_all when slice0window_tag_first_column else
         slice0window_tag_valid or slice1mask_inside_0;
       slice1mask_inside_1_choice := slice1mask_inside_0 when slice0window_tag_valid else slice1mask_inside_1;
       slice1mask_inside_2_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_2;
       slice1mask_inside_3_choice := slice1mask_inside_2 when slice0window_tag_valid else slice1mask_inside_3;
       slice1mask_inside_4_choice := slice1mask_inside_3 when slice0window_tag_valid else slice1mask_inside_4;
       slice1mask_inside_0 <= slice1mask_inside_0_choice when slice0mask_left_out else slice1mask_inside_0_all;
-      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when
-        slice1window_centre_first_column_0 else slice1mask_inside_1_choice;
-      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when
-        slice1window_centre_first_column_0 else slice1mask_inside_2_choice;
-      slice1mask_inside_3 <= (not slice0window_tag_valid) and slice1mask_inside_3 when
-        slice1window_centre_first_column_0 else slice1mask_inside_3_choice;
-      slice1mask_inside_4 <= (not slice0window_tag_valid) and slice1mask_inside_4 when
-        slice1window_centre_first_column_0 else slice1mask_inside_4_choice;
+      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when slice0window_tag_first_column
+        else slice1mask_inside_1_choice;
+      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when slice0window_tag_first_column
+        else slice1mask_inside_2_choice;
+      slice1mask_inside_3 <= (not slice0window_tag_valid) and slice1mask_inside_3 when slice0window_tag_first_column
+        else slice1mask_inside_3_choice;
+      slice1mask_inside_4 <= (not slice0window_tag_valid) and slice1mask_inside_4 when slice0window_tag_first_column
+        else slice1mask_inside_4_choice;
       slice1mask_left_out <= slice1mask_inside_4;
       -- slice1
       slice1_held_0_0 <= slice1window_sum_0_0 / 16 when slice1mask_inside_0 else 13;
@@ -5881,10 +5853,8 @@ begin
         (winnersother_cost_0_2 / 64) = 1 else not sums_tag_first_column;
       winnersother_cost_0_1_choice_8 := winnersother_cost_0_1_choice_7 when winnersother_cost_0_1_choice_6 else (not
         ((winnersother_cost_0_2 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 64) = 1);
-      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_8) and winnersmask_inside_1;
-      winnersother_cost_0_1_choice_9 := sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_2;
-      winnersother_cost_0_1_choice_10 := winnersother_cost_0_1_choice_9 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_1_choice_11 := winnersother_cost_0_2 when sums_tag_valid else winnersother_cost_0_1;
+      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_8) and sums_tag_output_column and
+        winnersmask_inside_1;
       winnersother_cost_0_2_value := ((sums_sum_0_2 / 2) mod 2) = 1;
       winnersother_cost_0_2_choice := (not winnersother_cost_0_2_value) or (not ((sums_sum_0_2 mod 2) = 1)) when
         (winnersother_cost_0_3 mod 2) = 1 else not winnersother_cost_0_2_value;
@@ -5910,10 +5880,8 @@ begin
         (winnersother_cost_0_3 / 64) = 1 else not sums_tag_first_column;
       winnersother_cost_0_2_choice_8 := winnersother_cost_0_2_choice_7 when winnersother_cost_0_2_choice_6 else (not
         ((winnersother_cost_0_3 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 64) = 1);
-      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_8) and winnersmask_inside_2;
-      winnersother_cost_0_2_choice_9 := sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_3;
-      winnersother_cost_0_2_choice_10 := winnersother_cost_0_2_choice_9 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_11 := winnersother_cost_0_3 when sums_tag_valid else winnersother_cost_0_2;
+      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_8) and sums_tag_output_column and
+        winnersmask_inside_2;
       winnersother_cost_0_3_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1)) when
         (winnersother_cost_0_4 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
       winnersother_cost_0_3_choice_2 := winnersother_cost_0_3_choice when ((winnersother_cost_0_4 / 2) mod 2) = 1 else
@@ -5938,10 +5906,8 @@ begin
         (winnersother_cost_0_4 / 64) = 1 else not sums_tag_first_column;
       winnersother_cost_0_3_choice_8 := winnersother_cost_0_3_choice_7 when winnersother_cost_0_3_choice_6 else (not
         ((winnersother_cost_0_4 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 64) = 1);
-      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_8) and winnersmask_inside_3;
-      winnersother_cost_0_3_choice_9 := sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_4;
-      winnersother_cost_0_3_choice_10 := winnersother_cost_0_3_choice_9 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_11 := winnersother_cost_0_4 when sums_tag_valid else winnersother_cost_0_3;
+      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_8) and sums_tag_output_column and
+        winnersmask_inside_3;
       winnersother_cost_0_4_value := ((sums_sum_0_4 / 2) mod 2) = 1;
       winnersother_cost_0_4_choice := (not winnersother_cost_0_4_value) or (not ((sums_sum_0_4 mod 2) = 1)) when
         (winnersother_cost_0_5 mod 2) = 1 else not winnersother_cost_0_4_value;
@@ -5967,10 +5933,8 @@ begin
         (winnersother_cost_0_5 / 64) = 1 else not sums_tag_first_column;
       winnersother_cost_0_4_choice_8 := winnersother_cost_0_4_choice_7 when winnersother_cost_0_4_choice_6 else (not
         ((winnersother_cost_0_5 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 64) = 1);
-      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_8) and winnersmask_inside_4;
-      winnersother_cost_0_4_choice_9 := sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_5;
-      winnersother_cost_0_4_choice_10 := winnersother_cost_0_4_choice_9 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_11 := winnersother_cost_0_5 when sums_tag_valid else winnersother_cost_0_4;
+      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_8) and sums_tag_output_column and
+        winnersmask_inside_4;
       winnersother_cost_0_5_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1)) when
         (winnersother_cost_0_6 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
       winnersother_cost_0_5_choice_2 := winnersother_cost_0_5_choice when ((winnersother_cost_0_6 / 2) mod 2) = 1 else
@@ -5995,10 +5959,8 @@ begin
         (winnersother_cost_0_6 / 64) = 1 else not sums_tag_first_column;
       winnersother_cost_0_5_choice_8 := winnersother_cost_0_5_choice_7 when winnersother_cost_0_5_choice_6 else (not
         ((winnersother_cost_0_6 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 64) = 1);
-      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_8) and winnersmask_inside_5;
-      winnersother_cost_0_5_choice_9 := sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_6;
-      winnersother_cost_0_5_choice_10 := winnersother_cost_0_5_choice_9 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_11 := winnersother_cost_0_6 when sums_tag_valid else winnersother_cost_0_5;
+      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_8) and sums_tag_output_column and
+        winnersmask_inside_5;
       winnersother_cost_0_6_value := ((sums_sum_0_6 / 2) mod 2) = 1;
       winnersother_cost_0_6_choice := (not winnersother_cost_0_6_value) or (not ((sums_sum_0_6 mod 2) = 1)) when
         (winnersother_cost_0_7 mod 2) = 1 else not winnersother_cost_0_6_value;
@@ -6024,10 +5986,8 @@ begin
         (winnersother_cost_0_7 / 64) = 1 else not sums_tag_first_column;
       winnersother_cost_0_6_choice_8 := winnersother_cost_0_6_choice_7 when winnersother_cost_0_6_choice_6 else (not
         ((winnersother_cost_0_7 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 64) = 1);
-      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_8) and winnersmask_inside_6;
-      winnersother_cost_0_6_choice_9 := sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_7;
-      winnersother_cost_0_6_choice_10 := winnersother_cost_0_6_choice_9 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_11 := winnersother_cost_0_7 when sums_tag_valid else winnersother_cost_0_6;
+      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_8) and sums_tag_output_column and
+        winnersmask_inside_6;
       winnersother_cost_0_7_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1)) when
         (winnersother_cost_0_8 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
       winnersother_cost_0_7_choice_2 := winnersother_cost_0_7_choice when ((winnersother_cost_0_8 / 2) mod 2) = 1 else
@@ -6052,10 +6012,8 @@ begin
         (winnersother_cost_0_8 / 64) = 1 else not sums_tag_first_column;
       winnersother_cost_0_7_choice_8 := winnersother_cost_0_7_choice_7 when winnersother_cost_0_7_choice_6 else (not
         ((winnersother_cost_0_8 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 64) = 1);
-      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_8) and winnersmask_inside_7;
-      winnersother_cost_0_7_choice_9 := sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_8;
-      winnersother_cost_0_7_choice_10 := winnersother_cost_0_7_choice_9 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_11 := winnersother_cost_0_8 when sums_tag_valid else winnersother_cost_0_7;
+      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_8) and sums_tag_output_column and
+        winnersmask_inside_7;
       winnersother_cost_0_8_value := ((sums_sum_0_8 / 2) mod 2) = 1;
       winnersother_cost_0_8_choice := (not winnersother_cost_0_8_value) or (not ((sums_sum_0_8 mod 2) = 1)) when
         (winnersother_cost_0_9 mod 2) = 1 else not winnersother_cost_0_8_value;
@@ -6081,10 +6039,8 @@ begin
         (winnersother_cost_0_9 / 64) = 1 else not sums_tag_first_column;
       winnersother_cost_0_8_choice_8 := winnersother_cost_0_8_choice_7 when winnersother_cost_0_8_choice_6 else (not
         ((winnersother_cost_0_9 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 64) = 1);
-      winnersother_cost_0_8_all := (not winnersother_cost_0_8_choice_8) and winnersmask_inside_8;
-      winnersother_cost_0_8_choice_9 := sums_sum_0_8 when winnersother_cost_0_8_all else winnersother_cost_0_9;
-      winnersother_cost_0_8_choice_10 := winnersother_cost_0_8_choice_9 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_11 := winnersother_cost_0_9 when sums_tag_valid else winnersother_cost_0_8;
+      winnersother_cost_0_8_all := (not winnersother_cost_0_8_choice_8) and sums_tag_output_column and
+        winnersmask_inside_8;
       winnersother_cost_0_9_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1)) when
         (winnersother_cost_0_10 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
       winnersother_cost_0_9_choice_2 := winnersother_cost_0_9_choice when ((winnersother_cost_0_10 / 2) mod 2) = 1 else
@@ -6109,114 +6065,8 @@ begin
         (winnersother_cost_0_10 / 64) = 1 else not sums_tag_first_column;
       winnersother_cost_0_9_choice_8 := winnersother_cost_0_9_choice_7 when winnersother_cost_0_9_choice_6 else (not
         ((winnersother_cost_0_10 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 64) = 1);
-      winnersother_cost_0_9_all := (not winnersother_cost_0_9_choice_8) and winnersmask_inside_9;
-      winnersother_cost_0_9_choice_9 := sums_sum_0_9 when winnersother_cost_0_9_all else winnersother_cost_0_10;
-      winnersother_cost_0_9_choice_10 := winnersother_cost_0_9_choice_9 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_11 := winnersother_cost_0_10 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_winner_0_0_value := ((sums_sum_0_0 / 2) mod 2) = 1;
-      winnersother_winner_0_0_choice := (not winnersother_winner_0_0_value) or (not ((sums_sum_0_0 mod 2) = 1)) when
-        (winnersother_cost_0_1 mod 2) = 1 else not winnersother_winner_0_0_value;
-      winnersother_winner_0_0_choice_2 := winnersother_winner_0_0_choice when ((winnersother_cost_0_1 / 2) mod 2) = 1
-        else ((winnersother_cost_0_1 mod 2) = 1) and ((sums_sum_0_0 mod 4) = 0);
-      winnersother_winner_0_0_value_2 := ((sums_sum_0_0 / 4) mod 2) = 1;
-      winnersother_winner_0_0_choice_3 := (not (((winnersother_cost_0_1 / 4) mod 2) = 1)) and
-        winnersother_winner_0_0_value_2 when winnersother_winner_0_0_choice_2 else (not (((winnersother_cost_0_1 / 4)
-        mod 2) = 1)) or winnersother_winner_0_0_value_2;
-      winnersother_winner_0_0_value_3 := ((sums_sum_0_0 / 8) mod 2) = 1;
-      winnersother_winner_0_0_choice_4 := (not (((winnersother_cost_0_1 / 8) mod 2) = 1)) or
-        winnersother_winner_0_0_value_3 when winnersother_winner_0_0_choice_3 else (not (((winnersother_cost_0_1 / 8)
-        mod 2) = 1)) and winnersother_winner_0_0_value_3;
-      winnersother_winner_0_0_value_4 := ((sums_sum_0_0 / 16) mod 2) = 1;
-      winnersother_winner_0_0_choice_5 := (not (((winnersother_cost_0_1 / 16) mod 2) = 1)) or
-        winnersother_winner_0_0_value_4 when winnersother_winner_0_0_choice_4 else (not (((winnersother_cost_0_1 / 16)
-        mod 2) = 1)) and winnersother_winner_0_0_value_4;
-      winnersother_winner_0_0_value_5 := ((sums_sum_0_0 / 32) mod 2) = 1;
-      winnersother_winner_0_0_choice_6 := (not (((winnersother_cost_0_1 / 32) mod 2) = 1)) or
-        winnersother_winner_0_0_value_5 when winnersother_winner_0_0_choice_5 else (not (((winnersother_cost_0_1 / 32)
-        mod 2) = 1)) and winnersother_winner_0_0_value_5;
-      winnersother_winner_0_0_choice_7 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_1 / 64) = 1)) or
-        ((sums_sum_0_0 / 64) = 1)) when winnersother_winner_0_0_choice_6 else (not sums_tag_first_column) and (not
-        ((winnersother_cost_0_1 / 64) = 1)) and ((sums_sum_0_0 / 64) = 1);
-      winnersother_winner_0_0_choice_8 := 0 when (not winnersother_winner_0_0_choice_7) and winnersmask_inside_0 else
-        winnersother_winner_0_1;
-      winnersother_winner_0_0_choice_9 := winnersother_winner_0_0_choice_8 when sums_tag_valid else
-        winnersother_winner_0_0;
-      winnersother_winner_0_0_choice_10 := winnersother_winner_0_1 when sums_tag_valid else winnersother_winner_0_0;
-      winnersother_winner_0_1_choice := 1 when winnersother_cost_0_1_all else winnersother_winner_0_2;
-      winnersother_winner_0_1_choice_2 := winnersother_winner_0_1_choice when sums_tag_valid else
-        winnersother_winner_0_1;
-      winnersother_winner_0_1_choice_3 := winnersother_winner_0_2 when sums_tag_valid else winnersother_winner_0_1;
-      winnersother_winner_0_2_choice := 2 when winnersother_cost_0_2_all else winnersother_winner_0_3;
-      winnersother_winner_0_2_choice_2 := winnersother_winner_0_2_choice when sums_tag_valid else
-        winnersother_winner_0_2;
-      winnersother_winner_0_2_choice_3 := winnersother_winner_0_3 when sums_tag_valid else winnersother_winner_0_2;
-      winnersother_winner_0_3_choice := 3 when winnersother_cost_0_3_all else winnersother_winner_0_4;
-      winnersother_winner_0_3_choice_2 := winnersother_winner_0_3_choice when sums_tag_valid else
-        winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_3 := winnersother_winner_0_4 when sums_tag_valid else winnersother_winner_0_3;
-      winnersother_winner_0_4_choice := 4 when winnersother_cost_0_4_all else winnersother_winner_0_5;
-      winnersother_winner_0_4_choice_2 := winnersother_winner_0_4_choice when sums_tag_valid else
-        winnersother_winner_0_4;
-      winnersother_winner_0_4_choice_3 := winnersother_winner_0_5 when sums_tag_valid else winnersother_winner_0_4;
-      winnersother_winner_0_5_choice := 5 when winnersother_cost_0_5_all else winnersother_winner_0_6;
-      winnersother_winner_0_5_choice_2 := winnersother_winner_0_5_choice when sums_tag_valid else
-        winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_3 := winnersother_winner_0_6 when sums_tag_valid else winnersother_winner_0_5;
-      winnersother_winner_0_6_choice := 6 when winnersother_cost_0_6_all else winnersother_winner_0_7;
-      winnersother_winner_0_6_choice_2 := winnersother_winner_0_6_choice when sums_tag_valid else
-        winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_3 := winnersother_winner_0_7 when sums_tag_valid else winnersother_winner_0_6;
-      winnersother_winner_0_7_choice := 7 when winnersother_cost_0_7_all else winnersother_winner_0_8;
-      winnersother_winner_0_7_choice_2 := winnersother_winner_0_7_choice when sums_tag_valid else
-        winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_3 := winnersother_winner_0_8 when sums_tag_valid else winnersother_winner_0_7;
-      winnersother_winner_0_8_choice := 8 when winnersother_cost_0_8_all else winnersother_winner_0_9;
-      winnersother_winner_0_8_choice_2 := winnersother_winner_0_8_choice when sums_tag_valid else
-        winnersother_winner_0_8;
-      winnersother_winner_0_8_choice_3 := winnersother_winner_0_9 when sums_tag_valid else winnersother_winner_0_8;
-      winnersother_winner_0_9_choice := 9 when winnersother_cost_0_9_all else winnersother_winner_0_10;
-      winnersother_winner_0_9_choice_2 := winnersother_winner_0_9_choice when sums_tag_valid else
-        winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_3 := winnersother_winner_0_10 when sums_tag_valid else winnersother_winner_0_9;
-      winnersother_cost_0_1 <= winnersother_cost_0_1_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_1_choice_11;
-      winnersother_cost_0_2 <= winnersother_cost_0_2_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_2_choice_11;
-      winnersother_cost_0_3 <= winnersother_cost_0_3_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_3_choice_11;
-      winnersother_cost_0_4 <= winnersother_cost_0_4_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_4_choice_11;
-      winnersother_cost_0_5 <= winnersother_cost_0_5_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_5_choice_11;
-      winnersother_cost_0_6 <= winnersother_cost_0_6_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_6_choice_11;
-      winnersother_cost_0_7 <= winnersother_cost_0_7_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_7_choice_11;
-      winnersother_cost_0_8 <= winnersother_cost_0_8_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_8_choice_11;
-      winnersother_cost_0_9 <= winnersother_cost_0_9_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_9_choice_11;
-      winnersother_winner_0_0 <= winnersother_winner_0_0_choice_9 when sums_tag_output_column else
-        winnersother_winner_0_0_choice_10;
-      winnersother_winner_0_1 <= winnersother_winner_0_1_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_1_choice_3;
-      winnersother_winner_0_2 <= winnersother_winner_0_2_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_2_choice_3;
-      winnersother_winner_0_3 <= winnersother_winner_0_3_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_3_choice_3;
-      winnersother_winner_0_4 <= winnersother_winner_0_4_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_4_choice_3;
-      winnersother_winner_0_5 <= winnersother_winner_0_5_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_5_choice_3;
-      winnersother_winner_0_6 <= winnersother_winner_0_6_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_6_choice_3;
-      winnersother_winner_0_7 <= winnersother_winner_0_7_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_7_choice_3;
-      winnersother_winner_0_8 <= winnersother_winner_0_8_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_8_choice_3;
-      winnersother_winner_0_9 <= winnersother_winner_0_9_choice_2 when sums_tag_output_column else
-        winnersother_winner_0_9_choice_3;
-      winnersother_winner_out_0 <= winnersother_winner_0_0;
+      winnersother_cost_0_9_all := (not winnersother_cost_0_9_choice_8) and sums_tag_output_column and
+        winnersmask_inside_9;
       winnersother_cost_0_10_value := ((sums_sum_0_10 / 2) mod 2) = 1;
       winnersother_cost_0_10_choice := (not winnersother_cost_0_10_value) or (not ((sums_sum_0_10 mod 2) = 1)) when
         (winnersother_cost_0_11 mod 2) = 1 else not winnersother_cost_0_10_value;
@@ -6245,12 +6095,57 @@ begin
       winnersother_cost_0_10_all := (not winnersother_cost_0_10_choice_8) and sums_tag_output_column and
         winnersmask_inside_10;
       winnersother_cost_0_11_all := sums_tag_output_column and winnersmask_inside_11;
+      winnersother_winner_0_0_value := ((sums_sum_0_0 / 2) mod 2) = 1;
+      winnersother_winner_0_0_choice := (not winnersother_winner_0_0_value) or (not ((sums_sum_0_0 mod 2) = 1)) when
+        (winnersother_cost_0_1 mod 2) = 1 else not winnersother_winner_0_0_value;
+      winnersother_winner_0_0_choice_2 := winnersother_winner_0_0_choice when ((winnersother_cost_0_1 / 2) mod 2) = 1
+        else ((winnersother_cost_0_1 mod 2) = 1) and ((sums_sum_0_0 mod 4) = 0);
+      winnersother_winner_0_0_value_2 := ((sums_sum_0_0 / 4) mod 2) = 1;
+      winnersother_winner_0_0_choice_3 := (not (((winnersother_cost_0_1 / 4) mod 2) = 1)) and
+        winnersother_winner_0_0_value_2 when winnersother_winner_0_0_choice_2 else (not (((winnersother_cost_0_1 / 4)
+        mod 2) = 1)) or winnersother_winner_0_0_value_2;
+      winnersother_winner_0_0_value_3 := ((sums_sum_0_0 / 8) mod 2) = 1;
+      winnersother_winner_0_0_choice_4 := (not (((winnersother_cost_0_1 / 8) mod 2) = 1)) or
+        winnersother_winner_0_0_value_3 when winnersother_winner_0_0_choice_3 else (not (((winnersother_cost_0_1 / 8)
+        mod 2) = 1)) and winnersother_winner_0_0_value_3;
+      winnersother_winner_0_0_value_4 := ((sums_sum_0_0 / 16) mod 2) = 1;
+      winnersother_winner_0_0_choice_5 := (not (((winnersother_cost_0_1 / 16) mod 2) = 1)) or
+        winnersother_winner_0_0_value_4 when winnersother_winner_0_0_choice_4 else (not (((winnersother_cost_0_1 / 16)
+        mod 2) = 1)) and winnersother_winner_0_0_value_4;
+      winnersother_winner_0_0_value_5 := ((sums_sum_0_0 / 32) mod 2) = 1;
+      winnersother_winner_0_0_choice_6 := (not (((winnersother_cost_0_1 / 32) mod 2) = 1)) or
+        winnersother_winner_0_0_value_5 when winnersother_winner_0_0_choice_5 else (not (((winnersother_cost_0_1 / 32)
+        mod 2) = 1)) and winnersother_winner_0_0_value_5;
+      winnersother_winner_0_0_choice_7 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_1 / 64) = 1)) or
+        ((sums_sum_0_0 / 64) = 1)) when winnersother_winner_0_0_choice_6 else (not sums_tag_first_column) and (not
+        ((winnersother_cost_0_1 / 64) = 1)) and ((sums_sum_0_0 / 64) = 1);
       if sums_tag_valid then
+        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_2;
+        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_3;
+        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_4;
+        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_5;
+        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_6;
+        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_7;
+        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_8;
+        winnersother_cost_0_8 <= sums_sum_0_8 when winnersother_cost_0_8_all else winnersother_cost_0_9;
+        winnersother_cost_0_9 <= sums_sum_0_9 when winnersother_cost_0_9_all else winnersother_cost_0_10;
         winnersother_cost_0_10 <= sums_sum_0_10 when winnersother_cost_0_10_all else winnersother_cost_0_11;
         winnersother_cost_0_11 <= sums_sum_0_11 when winnersother_cost_0_11_all else 0;
+        winnersother_winner_0_0 <= 0 when (not winnersother_winner_0_0_choice_7) and sums_tag_output_column and
+          winnersmask_inside_0 else winnersother_winner_0_1;
+        winnersother_winner_0_1 <= 1 when winnersother_cost_0_1_all else winnersother_winner_0_2;
+        winnersother_winner_0_2 <= 2 when winnersother_cost_0_2_all else winnersother_winner_0_3;
+        winnersother_winner_0_3 <= 3 when winnersother_cost_0_3_all else winnersother_winner_0_4;
+        winnersother_winner_0_4 <= 4 when winnersother_cost_0_4_all else winnersother_winner_0_5;
+        winnersother_winner_0_5 <= 5 when winnersother_cost_0_5_all else winnersother_winner_0_6;
+        winnersother_winner_0_6 <= 6 when winnersother_cost_0_6_all else winnersother_winner_0_7;
+        winnersother_winner_0_7 <= 7 when winnersother_cost_0_7_all else winnersother_winner_0_8;
+        winnersother_winner_0_8 <= 8 when winnersother_cost_0_8_all else winnersother_winner_0_9;
+        winnersother_winner_0_9 <= 9 when winnersother_cost_0_9_all else winnersother_winner_0_10;
         winnersother_winner_0_10 <= 10 when winnersother_cost_0_10_all else winnersother_winner_0_11;
         winnersother_winner_0_11 <= 11 when winnersother_cost_0_11_all else 0;
       end if;
+      winnersother_winner_out_0 <= winnersother_winner_0_0;
       -- winnerswinner1
       winnerswinner1_held_0_0_choice := sums_sum_0_0 when winnersmask_inside_0 else 127;
       winnerswinner1_held_0_1_choice := sums_sum_0_1 when winnersmask_inside_1 else 127;
@@ -6572,9 +6467,9 @@ begin
       winnerswinner2_best_index_0_2_choice_7 := ((winnerswinner1_best_cost_0_4 / 64) = 1) and (not
         ((winnerswinner1_best_cost_0_5 / 64) = 1)) when winnerswinner2_best_index_0_2_choice_6 else
         ((winnerswinner1_best_cost_0_4 / 64) = 1) or (not ((winnerswinner1_best_cost_0_5 / 64) = 1));
-      winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1 when other_15 else winnerswinner1_best_below_0_1;
-      winnerswinner2_best_below_0_1_choice := winnerswinner1_held_0_5 when other_14 else winnerswinner1_best_below_0_3;
-      winnerswinner2_best_below_0_2_choice := winnerswinner1_held_0_9 when other_13 else winnerswinner1_best_below_0_5;
+      winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1 when other_2 else winnerswinner1_best_below_0_1;
+      winnerswinner2_best_below_0_1_choice := winnerswinner1_held_0_5 when other_1 else winnerswinner1_best_below_0_3;
+      winnerswinner2_best_below_0_2_choice := winnerswinner1_held_0_9 when other_0 else winnerswinner1_best_below_0_5;
       winnerswinner2_best_above_0_0_choice := winnerswinner1_held_0_2 when winnerswinner1_best_index_0_0 else
         winnerswinner1_best_above_0_0;
       winnerswinner2_best_above_0_1_choice := winnerswinner1_held_0_6 when ((winnerswinner1_best_index_0_2 / 4) = 1)
@@ -6645,9 +6540,9 @@ begin
       winnerswinner2_best_place_0_0 <= winnerswinner2_best_index_0_0_choice_7;
       winnerswinner2_best_place_0_1 <= winnerswinner2_best_index_0_1_choice_7;
       winnerswinner2_best_place_0_2 <= winnerswinner2_best_index_0_2_choice_7;
-      winnerswinner2_best_at_start_0_0 <= (not winnerswinner2_best_at_start_0_0_choice) and other_15;
-      winnerswinner2_best_at_start_0_1 <= (not winnerswinner2_best_at_start_0_1_choice) and other_14;
-      winnerswinner2_best_at_start_0_2 <= (not winnerswinner2_best_at_start_0_2_choice) and other_13;
+      winnerswinner2_best_at_start_0_0 <= (not winnerswinner2_best_at_start_0_0_choice) and other_2;
+      winnerswinner2_best_at_start_0_1 <= (not winnerswinner2_best_at_start_0_1_choice) and other_1;
+      winnerswinner2_best_at_start_0_2 <= (not winnerswinner2_best_at_start_0_2_choice) and other_0;
       winnerswinner2_best_at_end_0_0 <= winnerswinner2_best_at_start_0_0_choice and winnerswinner1_best_index_0_0;
       winnerswinner2_best_at_end_0_1 <= winnerswinner2_best_at_start_0_1_choice and ((winnerswinner1_best_index_0_2 /
         4) = 1) and ((winnerswinner1_best_index_0_2 mod 2) = 1);
@@ -6980,7 +6875,7 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((256 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 128) + ((other_5
+      refinement_quotient_8_0 <= ((((256 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 128) + ((other_8
         / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -7117,11 +7012,11 @@ begin
         (((map_counter_group / 2) /= 6) or (not ((map_counter_group mod 2) = 1))) and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group;
       map_line_ended_choice := turn_ready_tag_map_column when turn_ready_tag_valid else map_line_ended;
-      map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
+      map_at_arrives_value := to_integer(other_3(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_of_column_0_a_choice := other_1 / 2;
+        map_of_column_0_a_choice := other_4 / 2;
       end if;
       if map_counter_next_frame then
         map_of_column_0_c_choice := map_column_1 / 2;
@@ -7169,7 +7064,7 @@ begin
       map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
       map_counter_group <= map_counter_group_choice * 4 when turn_ready_tag_start_of_frame and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group_choice_3;
-      map_counter_next_frame <= to_integer(other_0(40 downto 40)) = 1;
+      map_counter_next_frame <= to_integer(other_3(40 downto 40)) = 1;
       map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
         8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
       map_arrives <= turn_ready_tag_row_start_all_2;
@@ -7178,13 +7073,13 @@ begin
         turn_ready_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_write_column <= to_integer(other_0(5 downto 0));
-      map_column_1 <= other_3 / 8192;
+      map_write_column <= to_integer(other_3(5 downto 0));
+      map_column_1 <= other_6 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= to_integer(other_0(24 downto 24)) = 1;
-      map_at_top <= to_integer(other_0(32 downto 32)) = 1;
-      map_at_output <= to_integer(other_0(48 downto 48)) = 1;
+      map_at_behind <= to_integer(other_3(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_3(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_3(48 downto 48)) = 1;
       map_of_column_0_a <= map_of_column_0_a_choice;
       map_of_column_0_b <= map_column_1 / 2;
       map_of_column_0_c <= map_of_column_0_c_choice;
@@ -7259,8 +7154,8 @@ begin
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
       if map_at_arrives_value then
-        map_rows_write_words_0 <= (other_3 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= to_integer(other_0(5 downto 0));
+        map_rows_write_words_0 <= (other_6 / 8192) + (map_rows_ready_newest_0 * 8192);
+        map_at_column <= to_integer(other_3(5 downto 0));
       end if;
       map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
@@ -7282,24 +7177,24 @@ begin
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= other_2;
-      other_1 <= ((other_3 mod 8192) / 2) * 2;
-      other_2 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
+      other_0 <= winnerswinner1_best_index_0_5_choice_7;
+      other_1 <= winnerswinner1_best_index_0_3_choice_7;
+      other_2 <= winnerswinner1_best_index_0_1_choice_7;
+      other_3 <= other_5;
+      other_4 <= ((other_6 mod 8192) / 2) * 2;
+      other_5 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_3 <= to_integer(other_4);
-      other_5 <= ((refinement_remainder_7_0_difference / 256) * 2) + ((other_6 / 4) * 4);
-      other_6 <= ((refinement_remainder_6_0_difference / 256) * 4) + ((other_7 / 8) * 8);
-      other_7 <= ((refinement_remainder_5_0_difference / 256) * 8) + ((other_8 / 16) * 16);
-      other_8 <= ((refinement_remainder_4_0_difference / 256) * 16) + ((other_9 / 32) * 32);
-      other_9 <= ((refinement_remainder_3_0_difference / 256) * 32) + ((other_10 / 64) * 64);
-      other_10 <= ((refinement_remainder_2_0_difference / 256) * 64) + ((other_11 / 128) * 128);
-      other_11 <= (refinement_remainder_1_0_difference / 256) * 128;
-      other_12 <= raster_place_group_is_equal_2;
-      other_13 <= winnerswinner1_best_index_0_5_choice_7;
-      other_14 <= winnerswinner1_best_index_0_3_choice_7;
-      other_15 <= winnerswinner1_best_index_0_1_choice_7;
+      other_6 <= to_integer(other_7);
+      other_8 <= ((refinement_remainder_7_0_difference / 256) * 2) + ((other_9 / 4) * 4);
+      other_9 <= ((refinement_remainder_6_0_difference / 256) * 4) + ((other_10 / 8) * 8);
+      other_10 <= ((refinement_remainder_5_0_difference / 256) * 8) + ((other_11 / 16) * 16);
+      other_11 <= ((refinement_remainder_4_0_difference / 256) * 16) + ((other_12 / 32) * 32);
+      other_12 <= ((refinement_remainder_3_0_difference / 256) * 32) + ((other_13 / 64) * 64);
+      other_13 <= ((refinement_remainder_2_0_difference / 256) * 64) + ((other_14 / 128) * 128);
+      other_14 <= (refinement_remainder_1_0_difference / 256) * 128;
+      other_15 <= raster_place_group_is_equal_2;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -7384,6 +7279,7 @@ begin
         slice0cost_tag_end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_output_column_0 <= false;
+        slice0window_centre_first_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
@@ -7408,9 +7304,8 @@ begin
         slice0_tag_2_first_column <= false;
         slice0_tag_2_start_of_frame <= false;
         slice0_tag_2_end_of_line <= false;
-        slice1cost_tag_first_column <= false;
+        slice1window_centre_first_column_0 <= false;
         slice1window_tag_first_column <= false;
-        slice2cost_tag_first_column <= false;
         entry_next_tag_valid <= false;
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
@@ -7681,8 +7576,8 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= to_unsigned(0, 49);
-        other_2 <= to_unsigned(0, 49);
+        other_3 <= to_unsigned(0, 49);
+        other_5 <= to_unsigned(0, 49);
       end if;
     end if;
   end process;

@@ -65,7 +65,7 @@ begin
       latency_clocks => 59,
       flush_groups => 267,
       gap_groups => 0,
-      core_id => x"b7c4d130",
+      core_id => x"08f33cee",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -675,6 +675,11 @@ architecture rtl of stereo_core_tiny_sgm_lr is
   signal turn_newest, turn_write_words_0 : natural range 0 to 271;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -696,11 +701,6 @@ architecture rtl of stereo_core_tiny_sgm_lr is
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -712,6 +712,46 @@ begin
   disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_5_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(winners_best_index_0_0, 8) & to_unsigned(as_number(winners_best_tag_end_of_line), 1) & to_unsigned(as_number(winners_best_tag_start_of_frame), 1) & to_unsigned(as_number(winners_best_tag_output_column), 1) & to_unsigned(as_number(winners_best_tag_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 13)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -880,46 +920,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_5_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(winners_best_index_0_0, 8) & to_unsigned(as_number(winners_best_tag_end_of_line), 1) & to_unsigned(as_number(winners_best_tag_start_of_frame), 1) & to_unsigned(as_number(winners_best_tag_output_column), 1) & to_unsigned(as_number(winners_best_tag_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 13)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1235,122 +1235,124 @@ begin
     variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
     variable entry_order_complete_all, entry_order_complete_any, entry_order_turned_output_column_choice : boolean;
     variable forward_left_start_cost_0_value, sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
-    variable winnersother_cost_0_0_any, winnersother_cost_0_0_choice, winnersother_cost_0_0_is_equal : boolean;
-    variable winnersother_cost_0_0_choice_2, winnersother_cost_0_0_value, winnersother_cost_0_0_choice_3 : boolean;
-    variable winnersother_cost_0_0_value_2, winnersother_cost_0_0_choice_4, winnersother_cost_0_0_value_3 : boolean;
-    variable winnersother_cost_0_0_choice_5, winnersother_cost_0_0_value_4, winnersother_cost_0_0_choice_6 : boolean;
-    variable winnersother_cost_0_0_any_2, winnersother_cost_0_0_choice_7, winnersother_cost_0_0_all : boolean;
-    variable winnersother_cost_0_0_choice_8, winnersother_cost_0_0_all_2, winnersother_cost_0_2_value : boolean;
-    variable winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2 : boolean;
-    variable winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4 : boolean;
-    variable winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5 : boolean;
-    variable winnersother_cost_0_2_choice_6, winnersother_cost_0_2_choice_7, winnersother_cost_0_3_any : boolean;
+    variable winnersother_cost_0_1_any, winnersother_cost_0_1_choice, winnersother_cost_0_1_is_equal : boolean;
+    variable winnersother_cost_0_1_choice_2, winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3 : boolean;
+    variable winnersother_cost_0_1_value_2, winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3 : boolean;
+    variable winnersother_cost_0_1_choice_5, winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6 : boolean;
+    variable winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8, winnersother_cost_0_1_all : boolean;
+    variable winnersother_cost_0_2_value, winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2 : boolean;
+    variable winnersother_cost_0_2_value_2, winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3 : boolean;
+    variable winnersother_cost_0_2_choice_4, winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5 : boolean;
+    variable winnersother_cost_0_2_value_5, winnersother_cost_0_2_choice_6, winnersother_cost_0_2_choice_7 : boolean;
+    variable winnersother_cost_0_2_choice_8, winnersother_cost_0_2_all, winnersother_cost_0_3_any : boolean;
     variable winnersother_cost_0_3_choice, winnersother_cost_0_3_is_equal, winnersother_cost_0_3_choice_2 : boolean;
     variable winnersother_cost_0_3_value, winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2 : boolean;
     variable winnersother_cost_0_3_choice_4, winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5 : boolean;
     variable winnersother_cost_0_3_value_4, winnersother_cost_0_3_choice_6, winnersother_cost_0_3_choice_7 : boolean;
-    variable winnersother_cost_0_4_value, winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2 : boolean;
-    variable winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3 : boolean;
-    variable winnersother_cost_0_4_choice_4, winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5 : boolean;
-    variable winnersother_cost_0_4_value_5, winnersother_cost_0_4_choice_6, winnersother_cost_0_4_choice_7 : boolean;
-    variable winnersother_cost_0_5_any, winnersother_cost_0_5_choice, winnersother_cost_0_5_is_equal : boolean;
-    variable winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3 : boolean;
-    variable winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3 : boolean;
-    variable winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6 : boolean;
-    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
+    variable winnersother_cost_0_3_choice_8, winnersother_cost_0_3_all, winnersother_cost_0_4_value : boolean;
+    variable winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value_2 : boolean;
+    variable winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_4 : boolean;
+    variable winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_5 : boolean;
+    variable winnersother_cost_0_4_choice_6, winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8 : boolean;
+    variable winnersother_cost_0_4_all, winnersother_cost_0_5_any, winnersother_cost_0_5_choice : boolean;
+    variable winnersother_cost_0_5_is_equal, winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value : boolean;
+    variable winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4 : boolean;
+    variable winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4 : boolean;
+    variable winnersother_cost_0_5_choice_6, winnersother_cost_0_5_choice_7, winnersother_cost_0_5_choice_8 : boolean;
+    variable winnersother_cost_0_5_all, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
     variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3 : boolean;
     variable winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4 : boolean;
     variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6 : boolean;
-    variable winnersother_cost_0_6_choice_7, winnersother_cost_0_7_any, winnersother_cost_0_7_choice : boolean;
-    variable winnersother_cost_0_7_is_equal, winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value : boolean;
-    variable winnersother_cost_0_7_choice_3, winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4 : boolean;
-    variable winnersother_cost_0_7_value_3, winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4 : boolean;
-    variable winnersother_cost_0_7_choice_6, winnersother_cost_0_7_choice_7, winnersother_cost_0_8_value : boolean;
-    variable winnersother_cost_0_8_choice, winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2 : boolean;
-    variable winnersother_cost_0_8_choice_3, winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4 : boolean;
-    variable winnersother_cost_0_8_value_4, winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5 : boolean;
-    variable winnersother_cost_0_8_choice_6, winnersother_cost_0_8_choice_7, winnersother_cost_0_9_any : boolean;
+    variable winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8, winnersother_cost_0_6_all : boolean;
+    variable winnersother_cost_0_7_any, winnersother_cost_0_7_choice, winnersother_cost_0_7_is_equal : boolean;
+    variable winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3 : boolean;
+    variable winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3 : boolean;
+    variable winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6 : boolean;
+    variable winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8, winnersother_cost_0_7_all : boolean;
+    variable winnersother_cost_0_8_value, winnersother_cost_0_8_choice, winnersother_cost_0_8_choice_2 : boolean;
+    variable winnersother_cost_0_8_value_2, winnersother_cost_0_8_choice_3, winnersother_cost_0_8_value_3 : boolean;
+    variable winnersother_cost_0_8_choice_4, winnersother_cost_0_8_value_4, winnersother_cost_0_8_choice_5 : boolean;
+    variable winnersother_cost_0_8_value_5, winnersother_cost_0_8_choice_6, winnersother_cost_0_8_choice_7 : boolean;
+    variable winnersother_cost_0_8_choice_8, winnersother_cost_0_8_all, winnersother_cost_0_9_any : boolean;
     variable winnersother_cost_0_9_choice, winnersother_cost_0_9_is_equal, winnersother_cost_0_9_choice_2 : boolean;
     variable winnersother_cost_0_9_value, winnersother_cost_0_9_choice_3, winnersother_cost_0_9_value_2 : boolean;
     variable winnersother_cost_0_9_choice_4, winnersother_cost_0_9_value_3, winnersother_cost_0_9_choice_5 : boolean;
     variable winnersother_cost_0_9_value_4, winnersother_cost_0_9_choice_6, winnersother_cost_0_9_choice_7 : boolean;
-    variable winnersother_cost_0_10_value, winnersother_cost_0_10_choice, winnersother_cost_0_10_choice_2 : boolean;
-    variable winnersother_cost_0_10_value_2, winnersother_cost_0_10_choice_3, winnersother_cost_0_10_value_3 : boolean;
-    variable winnersother_cost_0_10_choice_4, winnersother_cost_0_10_value_4, winnersother_cost_0_10_choice_5 : boolean;
-    variable winnersother_cost_0_10_value_5, winnersother_cost_0_10_choice_6, winnersother_cost_0_10_choice_7 : boolean;
-    variable winnersother_winner_0_1_choice, winnersother_winner_0_11_any, winnersother_winner_0_11_choice : boolean;
-    variable winnersother_winner_0_11_is_equal, winnersother_winner_0_11_choice_2 : boolean;
-    variable winnersother_winner_0_11_value, winnersother_winner_0_11_choice_3 : boolean;
-    variable winnersother_winner_0_11_value_2, winnersother_winner_0_11_choice_4 : boolean;
-    variable winnersother_winner_0_11_value_3, winnersother_winner_0_11_choice_5 : boolean;
-    variable winnersother_winner_0_11_value_4, winnersother_winner_0_11_choice_6 : boolean;
-    variable winnersother_winner_0_11_choice_7, winnerswinner1_of_pair_0_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_6, winnerswinner1_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_7, winnerswinner1_of_pair_0_4_choice : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_6, winnerswinner1_of_pair_0_4_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_7, winnerswinner1_of_pair_0_8_choice : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_2, winnerswinner1_of_pair_0_8_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_4, winnerswinner1_of_pair_0_8_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_6, winnerswinner1_of_pair_0_8_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice, winnerswinner1_of_pair_0_10_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_7, winnerswinner1_of_four_0_0_choice : boolean;
-    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_7 : boolean;
-    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value : boolean;
-    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_5 : boolean;
-    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_value_9 : boolean;
-    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_7, winnerswinner1_of_four_0_8_choice : boolean;
-    variable winnerswinner1_of_four_0_8_value, winnerswinner1_of_four_0_8_value_2 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_2, winnerswinner1_of_four_0_8_value_3 : boolean;
-    variable winnerswinner1_of_four_0_8_value_4, winnerswinner1_of_four_0_8_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_8_value_5, winnerswinner1_of_four_0_8_value_6 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_4, winnerswinner1_of_four_0_8_value_7 : boolean;
-    variable winnerswinner1_of_four_0_8_value_8, winnerswinner1_of_four_0_8_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_8_value_9, winnerswinner1_of_four_0_8_value_10 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_6, winnerswinner1_of_four_0_8_choice_7 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice, winnerswinner2_of_pair_0_0_choice_2 : boolean;
-    variable winnerswinner2_of_pair_0_0_value, winnerswinner2_of_pair_0_0_choice_3 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_2, winnerswinner2_of_pair_0_0_choice_4 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_3, winnerswinner2_of_pair_0_0_choice_5 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_4, winnerswinner2_of_pair_0_0_choice_6 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_7, winnerswinner2_four_index_0_0_value : boolean;
-    variable winnerswinner2_four_index_0_0_value_2, winnerswinner2_four_index_0_0_choice : boolean;
-    variable winnerswinner2_four_index_0_0_value_3, winnerswinner2_four_index_0_0_value_4 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_2, winnerswinner2_four_index_0_0_value_5 : boolean;
-    variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_four_index_0_0_value_7, winnerswinner2_four_index_0_0_value_8 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_4, winnerswinner2_four_index_0_0_value_9 : boolean;
-    variable winnerswinner2_four_index_0_0_value_10, winnerswinner2_four_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_6, leftright_holds_winners_all, turn_order_address_any : boolean;
-    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable turn_order_turned_output_column_choice : boolean;
+    variable winnersother_cost_0_9_choice_8, winnersother_cost_0_9_all, winnersother_cost_0_10_value : boolean;
+    variable winnersother_cost_0_10_choice, winnersother_cost_0_10_choice_2, winnersother_cost_0_10_value_2 : boolean;
+    variable winnersother_cost_0_10_choice_3, winnersother_cost_0_10_value_3, winnersother_cost_0_10_choice_4 : boolean;
+    variable winnersother_cost_0_10_value_4, winnersother_cost_0_10_choice_5, winnersother_cost_0_10_value_5 : boolean;
+    variable winnersother_cost_0_10_choice_6, winnersother_cost_0_10_choice_7 : boolean;
+    variable winnersother_cost_0_10_choice_8, winnersother_cost_0_10_all, winnersother_winner_0_11_any : boolean;
+    variable winnersother_winner_0_11_choice, winnersother_winner_0_11_is_equal : boolean;
+    variable winnersother_winner_0_11_choice_2, winnersother_winner_0_11_value : boolean;
+    variable winnersother_winner_0_11_choice_3, winnersother_winner_0_11_value_2 : boolean;
+    variable winnersother_winner_0_11_choice_4, winnersother_winner_0_11_value_3 : boolean;
+    variable winnersother_winner_0_11_choice_5, winnersother_winner_0_11_value_4 : boolean;
+    variable winnersother_winner_0_11_choice_6, winnersother_winner_0_11_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_2_choice : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_6_choice : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_3, winnerswinner1_of_pair_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_5, winnerswinner1_of_pair_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_7, winnerswinner1_of_pair_0_10_choice : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
+    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
+    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_4_choice : boolean;
+    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
+    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value : boolean;
+    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_5 : boolean;
+    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_value_9 : boolean;
+    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_7, winnerswinner2_of_pair_0_0_choice : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_2, winnerswinner2_of_pair_0_0_value : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_3, winnerswinner2_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_4, winnerswinner2_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_5, winnerswinner2_of_pair_0_0_value_4 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_6, winnerswinner2_of_pair_0_0_choice_7 : boolean;
+    variable winnerswinner2_four_index_0_0_value, winnerswinner2_four_index_0_0_value_2 : boolean;
+    variable winnerswinner2_four_index_0_0_choice, winnerswinner2_four_index_0_0_value_3 : boolean;
+    variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_value_6 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_3, winnerswinner2_four_index_0_0_value_7 : boolean;
+    variable winnerswinner2_four_index_0_0_value_8, winnerswinner2_four_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_four_index_0_0_value_9, winnerswinner2_four_index_0_0_value_10 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_5, winnerswinner2_four_index_0_0_choice_6 : boolean;
+    variable leftright_holds_winners_all, turn_order_address_any, turn_order_address_any_2 : boolean;
+    variable turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
-    variable winnersother_winner_0_3_choice, winnersother_winner_0_3_choice_2 : natural range 0 to 3;
-    variable winnersother_winner_0_3_choice_3, winnersother_winner_0_3_choice_4 : natural range 0 to 3;
-    variable winnersother_winner_0_3_choice_5, winnersother_winner_0_3_choice_6 : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
@@ -1369,10 +1371,7 @@ begin
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
-    variable entry_order_address_choice_2, winnersother_winner_0_7_choice : natural range 0 to 7;
-    variable winnersother_winner_0_7_choice_2, winnersother_winner_0_7_choice_3 : natural range 0 to 7;
-    variable winnersother_winner_0_7_choice_4, winnersother_winner_0_7_choice_5 : natural range 0 to 7;
-    variable winnersother_winner_0_7_choice_6, turn_order_address_choice_2 : natural range 0 to 7;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
     variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
     variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 63;
@@ -1422,60 +1421,6 @@ begin
     variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 68;
     variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 68;
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 68;
-    variable winnersother_cost_0_0_choice_9, winnersother_cost_0_0_choice_10 : natural range 0 to 127;
-    variable winnersother_cost_0_1_choice, winnersother_cost_0_1_choice_2 : natural range 0 to 127;
-    variable winnersother_cost_0_1_choice_3, winnersother_cost_0_1_choice_4 : natural range 0 to 127;
-    variable winnersother_cost_0_2_choice_8, winnersother_cost_0_2_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_2_choice_10, winnersother_cost_0_2_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_2_choice_12, winnersother_cost_0_2_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_3_choice_8, winnersother_cost_0_3_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_3_choice_10, winnersother_cost_0_3_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_3_choice_12, winnersother_cost_0_3_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_4_choice_8, winnersother_cost_0_4_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_4_choice_10, winnersother_cost_0_4_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_4_choice_12, winnersother_cost_0_4_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_5_choice_10, winnersother_cost_0_5_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_5_choice_12, winnersother_cost_0_5_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_6_choice_8, winnersother_cost_0_6_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_6_choice_10, winnersother_cost_0_6_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_6_choice_12, winnersother_cost_0_6_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_7_choice_8, winnersother_cost_0_7_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_7_choice_10, winnersother_cost_0_7_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_7_choice_12, winnersother_cost_0_7_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_8_choice_8, winnersother_cost_0_8_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_8_choice_10, winnersother_cost_0_8_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_8_choice_12, winnersother_cost_0_8_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_9_choice_8, winnersother_cost_0_9_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_9_choice_10, winnersother_cost_0_9_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_9_choice_12, winnersother_cost_0_9_choice_13 : natural range 0 to 127;
-    variable winnersother_cost_0_10_choice_8, winnersother_cost_0_10_choice_9 : natural range 0 to 127;
-    variable winnersother_cost_0_10_choice_10, winnersother_cost_0_10_choice_11 : natural range 0 to 127;
-    variable winnersother_cost_0_10_choice_12, winnersother_cost_0_10_choice_13 : natural range 0 to 127;
-    variable winnersother_winner_0_2_choice, winnersother_winner_0_2_choice_2 : natural range 0 to 2;
-    variable winnersother_winner_0_2_choice_3, winnersother_winner_0_2_choice_4 : natural range 0 to 2;
-    variable winnersother_winner_0_2_choice_5, winnersother_winner_0_2_choice_6 : natural range 0 to 2;
-    variable winnersother_winner_0_4_choice, winnersother_winner_0_4_choice_2 : natural range 0 to 4;
-    variable winnersother_winner_0_4_choice_3, winnersother_winner_0_4_choice_4 : natural range 0 to 4;
-    variable winnersother_winner_0_4_choice_5, winnersother_winner_0_4_choice_6 : natural range 0 to 4;
-    variable winnersother_winner_0_5_choice, winnersother_winner_0_5_choice_2 : natural range 0 to 5;
-    variable winnersother_winner_0_5_choice_3, winnersother_winner_0_5_choice_4 : natural range 0 to 5;
-    variable winnersother_winner_0_5_choice_5, winnersother_winner_0_5_choice_6 : natural range 0 to 5;
-    variable winnersother_winner_0_6_choice, winnersother_winner_0_6_choice_2 : natural range 0 to 6;
-    variable winnersother_winner_0_6_choice_3, winnersother_winner_0_6_choice_4 : natural range 0 to 6;
-    variable winnersother_winner_0_6_choice_5, winnersother_winner_0_6_choice_6 : natural range 0 to 6;
-    variable winnersother_winner_0_8_choice, winnersother_winner_0_8_choice_2 : natural range 0 to 8;
-    variable winnersother_winner_0_8_choice_3, winnersother_winner_0_8_choice_4 : natural range 0 to 8;
-    variable winnersother_winner_0_8_choice_5, winnersother_winner_0_8_choice_6 : natural range 0 to 8;
-    variable winnersother_winner_0_9_choice, winnersother_winner_0_9_choice_2 : natural range 0 to 9;
-    variable winnersother_winner_0_9_choice_3, winnersother_winner_0_9_choice_4 : natural range 0 to 9;
-    variable winnersother_winner_0_9_choice_5, winnersother_winner_0_9_choice_6 : natural range 0 to 9;
-    variable winnersother_winner_0_10_choice, winnersother_winner_0_10_choice_2 : natural range 0 to 10;
-    variable winnersother_winner_0_10_choice_3, winnersother_winner_0_10_choice_4 : natural range 0 to 10;
-    variable winnersother_winner_0_10_choice_5, winnersother_winner_0_10_choice_6 : natural range 0 to 10;
-    variable winnersother_winner_0_11_choice_8, winnersother_winner_0_11_choice_9 : natural range 0 to 11;
-    variable winnersother_winner_0_11_choice_10, winnersother_winner_0_11_choice_11 : natural range 0 to 11;
-    variable winnersother_winner_0_11_choice_12, winnersother_winner_0_11_choice_13 : natural range 0 to 11;
     variable leftright_checked_passed_0_difference : integer range -14 to 16;
   begin
     if rising_edge(clock) then
@@ -5542,49 +5487,33 @@ begin
         sums_turn_write_place <= sums_turn_place_8;
       end if;
       -- winnersother
-      winnersother_cost_0_0_any := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
-      winnersother_cost_0_0_choice := winnersother_cost_0_0_any when (winnersother_cost_0_0 mod 2) = 1 else not
+      winnersother_cost_0_1_any := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
+      winnersother_cost_0_1_choice := winnersother_cost_0_1_any when (winnersother_cost_0_0 mod 2) = 1 else not
         (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnersother_cost_0_0_is_equal := (sums_sum_0_1 mod 4) = 0;
-      winnersother_cost_0_0_choice_2 := winnersother_cost_0_0_choice when ((winnersother_cost_0_0 / 2) mod 2) = 1 else
-        ((winnersother_cost_0_0 mod 2) = 1) and winnersother_cost_0_0_is_equal;
-      winnersother_cost_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnersother_cost_0_0_choice_3 := (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_0_value
-        when winnersother_cost_0_0_choice_2 else (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) or
-        winnersother_cost_0_0_value;
-      winnersother_cost_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnersother_cost_0_0_choice_4 := (not (((winnersother_cost_0_0 / 8) mod 2) = 1)) or
-        winnersother_cost_0_0_value_2 when winnersother_cost_0_0_choice_3 else (not (((winnersother_cost_0_0 / 8) mod
-        2) = 1)) and winnersother_cost_0_0_value_2;
-      winnersother_cost_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnersother_cost_0_0_choice_5 := (not (((winnersother_cost_0_0 / 16) mod 2) = 1)) or
-        winnersother_cost_0_0_value_3 when winnersother_cost_0_0_choice_4 else (not (((winnersother_cost_0_0 / 16) mod
-        2) = 1)) and winnersother_cost_0_0_value_3;
-      winnersother_cost_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnersother_cost_0_0_choice_6 := (not (((winnersother_cost_0_0 / 32) mod 2) = 1)) or
-        winnersother_cost_0_0_value_4 when winnersother_cost_0_0_choice_5 else (not (((winnersother_cost_0_0 / 32) mod
-        2) = 1)) and winnersother_cost_0_0_value_4;
-      winnersother_cost_0_0_any_2 := (not ((winnersother_cost_0_0 / 64) = 1)) or ((sums_sum_0_1 / 64) = 1);
-      winnersother_cost_0_0_choice_7 := (not sums_tag_first_column) and winnersother_cost_0_0_any_2 when
-        winnersother_cost_0_0_choice_6 else (not sums_tag_first_column) and (not ((winnersother_cost_0_0 / 64) = 1))
-        and ((sums_sum_0_1 / 64) = 1);
-      winnersother_cost_0_0_all := winnersother_cost_0_0_choice_7 and sums_tag_output_column;
-      winnersother_cost_0_0_choice_8 := winnersother_cost_0_0_any_2 when winnersother_cost_0_0_choice_6 else (not
-        ((winnersother_cost_0_0 / 64) = 1)) and ((sums_sum_0_1 / 64) = 1);
-      winnersother_cost_0_0_all_2 := (not winnersother_cost_0_0_choice_8) and (not sums_tag_first_column) and
-        sums_tag_output_column;
-      winnersother_cost_0_0_choice_9 := sums_sum_0_0 when sums_tag_output_column else 0;
-      winnersother_cost_0_0_choice_10 := sums_sum_0_0 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_0_choice_9;
-      if sums_tag_valid then
-        winnersother_cost_0_0 <= sums_sum_0_0 when winnersother_cost_0_0_all else winnersother_cost_0_0_choice_10;
-      end if;
-      winnersother_cost_0_1_choice := winnersother_cost_0_0 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_1_choice_2 := sums_sum_0_1 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_1_choice_3 := winnersother_cost_0_1_choice_2 when sums_tag_output_column else
-        winnersother_cost_0_1_choice;
-      winnersother_cost_0_1_choice_4 := winnersother_cost_0_1_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_1_choice_3;
+      winnersother_cost_0_1_is_equal := (sums_sum_0_1 mod 4) = 0;
+      winnersother_cost_0_1_choice_2 := winnersother_cost_0_1_choice when ((winnersother_cost_0_0 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_0 mod 2) = 1) and winnersother_cost_0_1_is_equal;
+      winnersother_cost_0_1_value := ((sums_sum_0_1 / 4) mod 2) = 1;
+      winnersother_cost_0_1_choice_3 := (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_1_value
+        when winnersother_cost_0_1_choice_2 else (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) or
+        winnersother_cost_0_1_value;
+      winnersother_cost_0_1_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
+      winnersother_cost_0_1_choice_4 := (not (((winnersother_cost_0_0 / 8) mod 2) = 1)) or
+        winnersother_cost_0_1_value_2 when winnersother_cost_0_1_choice_3 else (not (((winnersother_cost_0_0 / 8) mod
+        2) = 1)) and winnersother_cost_0_1_value_2;
+      winnersother_cost_0_1_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
+      winnersother_cost_0_1_choice_5 := (not (((winnersother_cost_0_0 / 16) mod 2) = 1)) or
+        winnersother_cost_0_1_value_3 when winnersother_cost_0_1_choice_4 else (not (((winnersother_cost_0_0 / 16) mod
+        2) = 1)) and winnersother_cost_0_1_value_3;
+      winnersother_cost_0_1_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
+      winnersother_cost_0_1_choice_6 := (not (((winnersother_cost_0_0 / 32) mod 2) = 1)) or
+        winnersother_cost_0_1_value_4 when winnersother_cost_0_1_choice_5 else (not (((winnersother_cost_0_0 / 32) mod
+        2) = 1)) and winnersother_cost_0_1_value_4;
+      winnersother_cost_0_1_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_1 / 64) = 1) when
+        (winnersother_cost_0_0 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_1_choice_8 := winnersother_cost_0_1_choice_7 when winnersother_cost_0_1_choice_6 else (not
+        ((winnersother_cost_0_0 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 64) = 1);
+      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_8) and sums_tag_output_column;
       winnersother_cost_0_2_value := ((sums_sum_0_2 / 2) mod 2) = 1;
       winnersother_cost_0_2_choice := (not winnersother_cost_0_2_value) or (not ((sums_sum_0_2 mod 2) = 1)) when
         (winnersother_cost_0_1 mod 2) = 1 else not winnersother_cost_0_2_value;
@@ -5606,16 +5535,11 @@ begin
       winnersother_cost_0_2_choice_6 := (not (((winnersother_cost_0_1 / 32) mod 2) = 1)) or
         winnersother_cost_0_2_value_5 when winnersother_cost_0_2_choice_5 else (not (((winnersother_cost_0_1 / 32) mod
         2) = 1)) and winnersother_cost_0_2_value_5;
-      winnersother_cost_0_2_choice_7 := ((winnersother_cost_0_1 / 64) = 1) and (not ((sums_sum_0_2 / 64) = 1)) when
-        winnersother_cost_0_2_choice_6 else ((winnersother_cost_0_1 / 64) = 1) or (not ((sums_sum_0_2 / 64) = 1));
-      winnersother_cost_0_2_choice_8 := sums_sum_0_2 when winnersother_cost_0_2_choice_7 else winnersother_cost_0_1;
-      winnersother_cost_0_2_choice_9 := winnersother_cost_0_2_choice_8 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_10 := sums_sum_0_2 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_11 := winnersother_cost_0_1 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_12 := winnersother_cost_0_2_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_2_choice_11;
-      winnersother_cost_0_2_choice_13 := winnersother_cost_0_2_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_2_choice_12;
+      winnersother_cost_0_2_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_2 / 64) = 1) when
+        (winnersother_cost_0_1 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_2_choice_8 := winnersother_cost_0_2_choice_7 when winnersother_cost_0_2_choice_6 else (not
+        ((winnersother_cost_0_1 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 64) = 1);
+      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_8) and sums_tag_output_column;
       winnersother_cost_0_3_any := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1));
       winnersother_cost_0_3_choice := winnersother_cost_0_3_any when (winnersother_cost_0_2 mod 2) = 1 else not
         (((sums_sum_0_3 / 2) mod 2) = 1);
@@ -5638,16 +5562,11 @@ begin
       winnersother_cost_0_3_choice_6 := (not (((winnersother_cost_0_2 / 32) mod 2) = 1)) or
         winnersother_cost_0_3_value_4 when winnersother_cost_0_3_choice_5 else (not (((winnersother_cost_0_2 / 32) mod
         2) = 1)) and winnersother_cost_0_3_value_4;
-      winnersother_cost_0_3_choice_7 := ((winnersother_cost_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
-        winnersother_cost_0_3_choice_6 else ((winnersother_cost_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
-      winnersother_cost_0_3_choice_8 := sums_sum_0_3 when winnersother_cost_0_3_choice_7 else winnersother_cost_0_2;
-      winnersother_cost_0_3_choice_9 := winnersother_cost_0_3_choice_8 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_10 := sums_sum_0_3 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_11 := winnersother_cost_0_2 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_12 := winnersother_cost_0_3_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_3_choice_11;
-      winnersother_cost_0_3_choice_13 := winnersother_cost_0_3_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_3_choice_12;
+      winnersother_cost_0_3_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_3 / 64) = 1) when
+        (winnersother_cost_0_2 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_3_choice_8 := winnersother_cost_0_3_choice_7 when winnersother_cost_0_3_choice_6 else (not
+        ((winnersother_cost_0_2 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 64) = 1);
+      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_8) and sums_tag_output_column;
       winnersother_cost_0_4_value := ((sums_sum_0_4 / 2) mod 2) = 1;
       winnersother_cost_0_4_choice := (not winnersother_cost_0_4_value) or (not ((sums_sum_0_4 mod 2) = 1)) when
         (winnersother_cost_0_3 mod 2) = 1 else not winnersother_cost_0_4_value;
@@ -5669,16 +5588,11 @@ begin
       winnersother_cost_0_4_choice_6 := (not (((winnersother_cost_0_3 / 32) mod 2) = 1)) or
         winnersother_cost_0_4_value_5 when winnersother_cost_0_4_choice_5 else (not (((winnersother_cost_0_3 / 32) mod
         2) = 1)) and winnersother_cost_0_4_value_5;
-      winnersother_cost_0_4_choice_7 := ((winnersother_cost_0_3 / 64) = 1) and (not ((sums_sum_0_4 / 64) = 1)) when
-        winnersother_cost_0_4_choice_6 else ((winnersother_cost_0_3 / 64) = 1) or (not ((sums_sum_0_4 / 64) = 1));
-      winnersother_cost_0_4_choice_8 := sums_sum_0_4 when winnersother_cost_0_4_choice_7 else winnersother_cost_0_3;
-      winnersother_cost_0_4_choice_9 := winnersother_cost_0_4_choice_8 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_10 := sums_sum_0_4 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_11 := winnersother_cost_0_3 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_12 := winnersother_cost_0_4_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_4_choice_11;
-      winnersother_cost_0_4_choice_13 := winnersother_cost_0_4_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_4_choice_12;
+      winnersother_cost_0_4_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_4 / 64) = 1) when
+        (winnersother_cost_0_3 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_4_choice_8 := winnersother_cost_0_4_choice_7 when winnersother_cost_0_4_choice_6 else (not
+        ((winnersother_cost_0_3 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 64) = 1);
+      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_8) and sums_tag_output_column;
       winnersother_cost_0_5_any := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1));
       winnersother_cost_0_5_choice := winnersother_cost_0_5_any when (winnersother_cost_0_4 mod 2) = 1 else not
         (((sums_sum_0_5 / 2) mod 2) = 1);
@@ -5701,16 +5615,11 @@ begin
       winnersother_cost_0_5_choice_6 := (not (((winnersother_cost_0_4 / 32) mod 2) = 1)) or
         winnersother_cost_0_5_value_4 when winnersother_cost_0_5_choice_5 else (not (((winnersother_cost_0_4 / 32) mod
         2) = 1)) and winnersother_cost_0_5_value_4;
-      winnersother_cost_0_5_choice_7 := ((winnersother_cost_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
-        winnersother_cost_0_5_choice_6 else ((winnersother_cost_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
-      winnersother_cost_0_5_choice_8 := sums_sum_0_5 when winnersother_cost_0_5_choice_7 else winnersother_cost_0_4;
-      winnersother_cost_0_5_choice_9 := winnersother_cost_0_5_choice_8 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_10 := sums_sum_0_5 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_11 := winnersother_cost_0_4 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_12 := winnersother_cost_0_5_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_5_choice_11;
-      winnersother_cost_0_5_choice_13 := winnersother_cost_0_5_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_5_choice_12;
+      winnersother_cost_0_5_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_5 / 64) = 1) when
+        (winnersother_cost_0_4 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_5_choice_8 := winnersother_cost_0_5_choice_7 when winnersother_cost_0_5_choice_6 else (not
+        ((winnersother_cost_0_4 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 64) = 1);
+      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_8) and sums_tag_output_column;
       winnersother_cost_0_6_value := ((sums_sum_0_6 / 2) mod 2) = 1;
       winnersother_cost_0_6_choice := (not winnersother_cost_0_6_value) or (not ((sums_sum_0_6 mod 2) = 1)) when
         (winnersother_cost_0_5 mod 2) = 1 else not winnersother_cost_0_6_value;
@@ -5732,16 +5641,11 @@ begin
       winnersother_cost_0_6_choice_6 := (not (((winnersother_cost_0_5 / 32) mod 2) = 1)) or
         winnersother_cost_0_6_value_5 when winnersother_cost_0_6_choice_5 else (not (((winnersother_cost_0_5 / 32) mod
         2) = 1)) and winnersother_cost_0_6_value_5;
-      winnersother_cost_0_6_choice_7 := ((winnersother_cost_0_5 / 64) = 1) and (not ((sums_sum_0_6 / 64) = 1)) when
-        winnersother_cost_0_6_choice_6 else ((winnersother_cost_0_5 / 64) = 1) or (not ((sums_sum_0_6 / 64) = 1));
-      winnersother_cost_0_6_choice_8 := sums_sum_0_6 when winnersother_cost_0_6_choice_7 else winnersother_cost_0_5;
-      winnersother_cost_0_6_choice_9 := winnersother_cost_0_6_choice_8 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_10 := sums_sum_0_6 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_11 := winnersother_cost_0_5 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_12 := winnersother_cost_0_6_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_6_choice_11;
-      winnersother_cost_0_6_choice_13 := winnersother_cost_0_6_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_6_choice_12;
+      winnersother_cost_0_6_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_6 / 64) = 1) when
+        (winnersother_cost_0_5 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_6_choice_8 := winnersother_cost_0_6_choice_7 when winnersother_cost_0_6_choice_6 else (not
+        ((winnersother_cost_0_5 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 64) = 1);
+      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_8) and sums_tag_output_column;
       winnersother_cost_0_7_any := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1));
       winnersother_cost_0_7_choice := winnersother_cost_0_7_any when (winnersother_cost_0_6 mod 2) = 1 else not
         (((sums_sum_0_7 / 2) mod 2) = 1);
@@ -5764,16 +5668,11 @@ begin
       winnersother_cost_0_7_choice_6 := (not (((winnersother_cost_0_6 / 32) mod 2) = 1)) or
         winnersother_cost_0_7_value_4 when winnersother_cost_0_7_choice_5 else (not (((winnersother_cost_0_6 / 32) mod
         2) = 1)) and winnersother_cost_0_7_value_4;
-      winnersother_cost_0_7_choice_7 := ((winnersother_cost_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
-        winnersother_cost_0_7_choice_6 else ((winnersother_cost_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
-      winnersother_cost_0_7_choice_8 := sums_sum_0_7 when winnersother_cost_0_7_choice_7 else winnersother_cost_0_6;
-      winnersother_cost_0_7_choice_9 := winnersother_cost_0_7_choice_8 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_10 := sums_sum_0_7 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_11 := winnersother_cost_0_6 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_12 := winnersother_cost_0_7_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_7_choice_11;
-      winnersother_cost_0_7_choice_13 := winnersother_cost_0_7_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_7_choice_12;
+      winnersother_cost_0_7_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_7 / 64) = 1) when
+        (winnersother_cost_0_6 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_7_choice_8 := winnersother_cost_0_7_choice_7 when winnersother_cost_0_7_choice_6 else (not
+        ((winnersother_cost_0_6 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 64) = 1);
+      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_8) and sums_tag_output_column;
       winnersother_cost_0_8_value := ((sums_sum_0_8 / 2) mod 2) = 1;
       winnersother_cost_0_8_choice := (not winnersother_cost_0_8_value) or (not ((sums_sum_0_8 mod 2) = 1)) when
         (winnersother_cost_0_7 mod 2) = 1 else not winnersother_cost_0_8_value;
@@ -5795,16 +5694,11 @@ begin
       winnersother_cost_0_8_choice_6 := (not (((winnersother_cost_0_7 / 32) mod 2) = 1)) or
         winnersother_cost_0_8_value_5 when winnersother_cost_0_8_choice_5 else (not (((winnersother_cost_0_7 / 32) mod
         2) = 1)) and winnersother_cost_0_8_value_5;
-      winnersother_cost_0_8_choice_7 := ((winnersother_cost_0_7 / 64) = 1) and (not ((sums_sum_0_8 / 64) = 1)) when
-        winnersother_cost_0_8_choice_6 else ((winnersother_cost_0_7 / 64) = 1) or (not ((sums_sum_0_8 / 64) = 1));
-      winnersother_cost_0_8_choice_8 := sums_sum_0_8 when winnersother_cost_0_8_choice_7 else winnersother_cost_0_7;
-      winnersother_cost_0_8_choice_9 := winnersother_cost_0_8_choice_8 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_10 := sums_sum_0_8 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_11 := winnersother_cost_0_7 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_12 := winnersother_cost_0_8_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_8_choice_11;
-      winnersother_cost_0_8_choice_13 := winnersother_cost_0_8_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_8_choice_12;
+      winnersother_cost_0_8_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_8 / 64) = 1) when
+        (winnersother_cost_0_7 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_8_choice_8 := winnersother_cost_0_8_choice_7 when winnersother_cost_0_8_choice_6 else (not
+        ((winnersother_cost_0_7 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 64) = 1);
+      winnersother_cost_0_8_all := (not winnersother_cost_0_8_choice_8) and sums_tag_output_column;
       winnersother_cost_0_9_any := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1));
       winnersother_cost_0_9_choice := winnersother_cost_0_9_any when (winnersother_cost_0_8 mod 2) = 1 else not
         (((sums_sum_0_9 / 2) mod 2) = 1);
@@ -5827,16 +5721,11 @@ begin
       winnersother_cost_0_9_choice_6 := (not (((winnersother_cost_0_8 / 32) mod 2) = 1)) or
         winnersother_cost_0_9_value_4 when winnersother_cost_0_9_choice_5 else (not (((winnersother_cost_0_8 / 32) mod
         2) = 1)) and winnersother_cost_0_9_value_4;
-      winnersother_cost_0_9_choice_7 := ((winnersother_cost_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
-        winnersother_cost_0_9_choice_6 else ((winnersother_cost_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
-      winnersother_cost_0_9_choice_8 := sums_sum_0_9 when winnersother_cost_0_9_choice_7 else winnersother_cost_0_8;
-      winnersother_cost_0_9_choice_9 := winnersother_cost_0_9_choice_8 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_10 := sums_sum_0_9 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_11 := winnersother_cost_0_8 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_12 := winnersother_cost_0_9_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_9_choice_11;
-      winnersother_cost_0_9_choice_13 := winnersother_cost_0_9_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_9_choice_12;
+      winnersother_cost_0_9_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_9 / 64) = 1) when
+        (winnersother_cost_0_8 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_9_choice_8 := winnersother_cost_0_9_choice_7 when winnersother_cost_0_9_choice_6 else (not
+        ((winnersother_cost_0_8 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 64) = 1);
+      winnersother_cost_0_9_all := (not winnersother_cost_0_9_choice_8) and sums_tag_output_column;
       winnersother_cost_0_10_value := ((sums_sum_0_10 / 2) mod 2) = 1;
       winnersother_cost_0_10_choice := (not winnersother_cost_0_10_value) or (not ((sums_sum_0_10 mod 2) = 1)) when
         (winnersother_cost_0_9 mod 2) = 1 else not winnersother_cost_0_10_value;
@@ -5858,111 +5747,11 @@ begin
       winnersother_cost_0_10_choice_6 := (not (((winnersother_cost_0_9 / 32) mod 2) = 1)) or
         winnersother_cost_0_10_value_5 when winnersother_cost_0_10_choice_5 else (not (((winnersother_cost_0_9 / 32)
         mod 2) = 1)) and winnersother_cost_0_10_value_5;
-      winnersother_cost_0_10_choice_7 := ((winnersother_cost_0_9 / 64) = 1) and (not ((sums_sum_0_10 / 64) = 1)) when
-        winnersother_cost_0_10_choice_6 else ((winnersother_cost_0_9 / 64) = 1) or (not ((sums_sum_0_10 / 64) = 1));
-      winnersother_cost_0_10_choice_8 := sums_sum_0_10 when winnersother_cost_0_10_choice_7 else winnersother_cost_0_9;
-      winnersother_cost_0_10_choice_9 := winnersother_cost_0_10_choice_8 when sums_tag_valid else
-        winnersother_cost_0_10;
-      winnersother_cost_0_10_choice_10 := sums_sum_0_10 when sums_tag_valid else winnersother_cost_0_10;
-      winnersother_cost_0_10_choice_11 := winnersother_cost_0_9 when sums_tag_valid else winnersother_cost_0_10;
-      winnersother_cost_0_10_choice_12 := winnersother_cost_0_10_choice_10 when sums_tag_output_column else
-        winnersother_cost_0_10_choice_11;
-      winnersother_cost_0_10_choice_13 := winnersother_cost_0_10_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_10_choice_12;
-      winnersother_winner_0_1_choice := sums_tag_output_column when sums_tag_valid else winnersother_winner_0_1;
-      winnersother_winner_0_2_choice := 2 when winnersother_cost_0_2_choice_7 else as_number(winnersother_winner_0_1);
-      winnersother_winner_0_2_choice_2 := winnersother_winner_0_2_choice when sums_tag_valid else
-        winnersother_winner_0_2;
-      winnersother_winner_0_2_choice_3 := 2 when sums_tag_valid else winnersother_winner_0_2;
-      if sums_tag_valid then
-        winnersother_winner_0_2_choice_4 := as_number(winnersother_winner_0_1);
-      else
-        winnersother_winner_0_2_choice_4 := winnersother_winner_0_2;
-      end if;
-      winnersother_winner_0_2_choice_5 := winnersother_winner_0_2_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_2_choice_4;
-      winnersother_winner_0_2_choice_6 := winnersother_winner_0_2_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_2_choice_5;
-      winnersother_winner_0_3_choice := 3 when winnersother_cost_0_3_choice_7 else winnersother_winner_0_2;
-      winnersother_winner_0_3_choice_2 := winnersother_winner_0_3_choice when sums_tag_valid else
-        winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_3 := 3 when sums_tag_valid else winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_4 := winnersother_winner_0_2 when sums_tag_valid else winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_5 := winnersother_winner_0_3_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_3_choice_4;
-      winnersother_winner_0_3_choice_6 := winnersother_winner_0_3_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_3_choice_5;
-      winnersother_winner_0_4_choice := 4 when winnersother_cost_0_4_choice_7 else winnersother_winner_0_3;
-      winnersother_winner_0_4_choice_2 := winnersother_winner_0_4_choice when sums_tag_valid else
-        winnersother_winner_0_4;
-      winnersother_winner_0_4_choice_3 := 4 when sums_tag_valid else winnersother_winner_0_4;
-      if sums_tag_valid then
-        winnersother_winner_0_4_choice_4 := winnersother_winner_0_3;
-      else
-        winnersother_winner_0_4_choice_4 := winnersother_winner_0_4;
-      end if;
-      winnersother_winner_0_4_choice_5 := winnersother_winner_0_4_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_4_choice_4;
-      winnersother_winner_0_4_choice_6 := winnersother_winner_0_4_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_4_choice_5;
-      winnersother_winner_0_5_choice := 5 when winnersother_cost_0_5_choice_7 else winnersother_winner_0_4;
-      winnersother_winner_0_5_choice_2 := winnersother_winner_0_5_choice when sums_tag_valid else
-        winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_3 := 5 when sums_tag_valid else winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_4 := winnersother_winner_0_4 when sums_tag_valid else winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_5 := winnersother_winner_0_5_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_5_choice_4;
-      winnersother_winner_0_5_choice_6 := winnersother_winner_0_5_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_5_choice_5;
-      winnersother_winner_0_6_choice := 6 when winnersother_cost_0_6_choice_7 else winnersother_winner_0_5;
-      winnersother_winner_0_6_choice_2 := winnersother_winner_0_6_choice when sums_tag_valid else
-        winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_3 := 6 when sums_tag_valid else winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_4 := winnersother_winner_0_5 when sums_tag_valid else winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_5 := winnersother_winner_0_6_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_6_choice_4;
-      winnersother_winner_0_6_choice_6 := winnersother_winner_0_6_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_6_choice_5;
-      winnersother_winner_0_7_choice := 7 when winnersother_cost_0_7_choice_7 else winnersother_winner_0_6;
-      winnersother_winner_0_7_choice_2 := winnersother_winner_0_7_choice when sums_tag_valid else
-        winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_3 := 7 when sums_tag_valid else winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_4 := winnersother_winner_0_6 when sums_tag_valid else winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_5 := winnersother_winner_0_7_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_7_choice_4;
-      winnersother_winner_0_7_choice_6 := winnersother_winner_0_7_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_7_choice_5;
-      winnersother_winner_0_8_choice := 8 when winnersother_cost_0_8_choice_7 else winnersother_winner_0_7;
-      winnersother_winner_0_8_choice_2 := winnersother_winner_0_8_choice when sums_tag_valid else
-        winnersother_winner_0_8;
-      winnersother_winner_0_8_choice_3 := 8 when sums_tag_valid else winnersother_winner_0_8;
-      if sums_tag_valid then
-        winnersother_winner_0_8_choice_4 := winnersother_winner_0_7;
-      else
-        winnersother_winner_0_8_choice_4 := winnersother_winner_0_8;
-      end if;
-      winnersother_winner_0_8_choice_5 := winnersother_winner_0_8_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_8_choice_4;
-      winnersother_winner_0_8_choice_6 := winnersother_winner_0_8_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_8_choice_5;
-      winnersother_winner_0_9_choice := 9 when winnersother_cost_0_9_choice_7 else winnersother_winner_0_8;
-      winnersother_winner_0_9_choice_2 := winnersother_winner_0_9_choice when sums_tag_valid else
-        winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_3 := 9 when sums_tag_valid else winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_4 := winnersother_winner_0_8 when sums_tag_valid else winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_5 := winnersother_winner_0_9_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_9_choice_4;
-      winnersother_winner_0_9_choice_6 := winnersother_winner_0_9_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_9_choice_5;
-      winnersother_winner_0_10_choice := 10 when winnersother_cost_0_10_choice_7 else winnersother_winner_0_9;
-      winnersother_winner_0_10_choice_2 := winnersother_winner_0_10_choice when sums_tag_valid else
-        winnersother_winner_0_10;
-      winnersother_winner_0_10_choice_3 := 10 when sums_tag_valid else winnersother_winner_0_10;
-      winnersother_winner_0_10_choice_4 := winnersother_winner_0_9 when sums_tag_valid else winnersother_winner_0_10;
-      winnersother_winner_0_10_choice_5 := winnersother_winner_0_10_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_10_choice_4;
-      winnersother_winner_0_10_choice_6 := winnersother_winner_0_10_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_10_choice_5;
+      winnersother_cost_0_10_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_10 / 64) = 1) when
+        (winnersother_cost_0_9 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_10_choice_8 := winnersother_cost_0_10_choice_7 when winnersother_cost_0_10_choice_6 else (not
+        ((winnersother_cost_0_9 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_10 / 64) = 1);
+      winnersother_cost_0_10_all := (not winnersother_cost_0_10_choice_8) and sums_tag_output_column;
       winnersother_winner_0_11_any := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) = 1));
       winnersother_winner_0_11_choice := winnersother_winner_0_11_any when (winnersother_cost_0_10 mod 2) = 1 else not
         (((sums_sum_0_11 / 2) mod 2) = 1);
@@ -5985,78 +5774,52 @@ begin
       winnersother_winner_0_11_choice_6 := (not (((winnersother_cost_0_10 / 32) mod 2) = 1)) or
         winnersother_winner_0_11_value_4 when winnersother_winner_0_11_choice_5 else (not (((winnersother_cost_0_10 /
         32) mod 2) = 1)) and winnersother_winner_0_11_value_4;
-      winnersother_winner_0_11_choice_7 := ((winnersother_cost_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1))
-        when winnersother_winner_0_11_choice_6 else ((winnersother_cost_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) =
-        1));
-      winnersother_winner_0_11_choice_8 := 11 when winnersother_winner_0_11_choice_7 else winnersother_winner_0_10;
-      winnersother_winner_0_11_choice_9 := winnersother_winner_0_11_choice_8 when sums_tag_valid else
-        winnersother_winner_0_11;
-      winnersother_winner_0_11_choice_10 := 11 when sums_tag_valid else winnersother_winner_0_11;
-      winnersother_winner_0_11_choice_11 := winnersother_winner_0_10 when sums_tag_valid else winnersother_winner_0_11;
-      winnersother_winner_0_11_choice_12 := winnersother_winner_0_11_choice_10 when sums_tag_output_column else
-        winnersother_winner_0_11_choice_11;
-      winnersother_winner_0_11_choice_13 := winnersother_winner_0_11_choice_9 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_11_choice_12;
-      winnersother_cost_0_1 <= winnersother_cost_0_1_choice when winnersother_cost_0_0_all else
-        winnersother_cost_0_1_choice_4;
-      winnersother_cost_0_2 <= winnersother_cost_0_2_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_2_choice_13;
-      winnersother_cost_0_3 <= winnersother_cost_0_3_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_3_choice_13;
-      winnersother_cost_0_4 <= winnersother_cost_0_4_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_4_choice_13;
-      winnersother_cost_0_5 <= winnersother_cost_0_5_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_5_choice_13;
-      winnersother_cost_0_6 <= winnersother_cost_0_6_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_6_choice_13;
-      winnersother_cost_0_7 <= winnersother_cost_0_7_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_7_choice_13;
-      winnersother_cost_0_8 <= winnersother_cost_0_8_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_8_choice_13;
-      winnersother_cost_0_9 <= winnersother_cost_0_9_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_9_choice_13;
-      winnersother_cost_0_10 <= winnersother_cost_0_10_choice_9 when winnersother_cost_0_0_all else
-        winnersother_cost_0_10_choice_13;
-      winnersother_winner_0_1 <= winnersother_winner_0_1 and (not sums_tag_valid) when winnersother_cost_0_0_choice_7
-        else winnersother_winner_0_1_choice;
-      winnersother_winner_0_2 <= winnersother_winner_0_2_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_2_choice_6;
-      winnersother_winner_0_3 <= winnersother_winner_0_3_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_3_choice_6;
-      winnersother_winner_0_4 <= winnersother_winner_0_4_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_4_choice_6;
-      winnersother_winner_0_5 <= winnersother_winner_0_5_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_5_choice_6;
-      winnersother_winner_0_6 <= winnersother_winner_0_6_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_6_choice_6;
-      winnersother_winner_0_7 <= winnersother_winner_0_7_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_7_choice_6;
-      winnersother_winner_0_8 <= winnersother_winner_0_8_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_8_choice_6;
-      winnersother_winner_0_9 <= winnersother_winner_0_9_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_9_choice_6;
-      winnersother_winner_0_10 <= winnersother_winner_0_10_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_10_choice_6;
-      winnersother_winner_0_11 <= winnersother_winner_0_11_choice_9 when winnersother_cost_0_0_all else
-        winnersother_winner_0_11_choice_13;
+      winnersother_winner_0_11_choice_7 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_10 / 64) = 1))
+        or ((sums_sum_0_11 / 64) = 1)) when winnersother_winner_0_11_choice_6 else (not sums_tag_first_column) and (not
+        ((winnersother_cost_0_10 / 64) = 1)) and ((sums_sum_0_11 / 64) = 1);
+      if sums_tag_valid then
+        winnersother_cost_0_0 <= sums_sum_0_0 when sums_tag_output_column else 0;
+        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_0;
+        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_1;
+        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_2;
+        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_3;
+        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_4;
+        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_5;
+        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_6;
+        winnersother_cost_0_8 <= sums_sum_0_8 when winnersother_cost_0_8_all else winnersother_cost_0_7;
+        winnersother_cost_0_9 <= sums_sum_0_9 when winnersother_cost_0_9_all else winnersother_cost_0_8;
+        winnersother_cost_0_10 <= sums_sum_0_10 when winnersother_cost_0_10_all else winnersother_cost_0_9;
+        winnersother_winner_0_1 <= winnersother_cost_0_1_all;
+        winnersother_winner_0_2 <= 2 when winnersother_cost_0_2_all else as_number(winnersother_winner_0_1);
+        winnersother_winner_0_3 <= 3 when winnersother_cost_0_3_all else winnersother_winner_0_2;
+        winnersother_winner_0_4 <= 4 when winnersother_cost_0_4_all else winnersother_winner_0_3;
+        winnersother_winner_0_5 <= 5 when winnersother_cost_0_5_all else winnersother_winner_0_4;
+        winnersother_winner_0_6 <= 6 when winnersother_cost_0_6_all else winnersother_winner_0_5;
+        winnersother_winner_0_7 <= 7 when winnersother_cost_0_7_all else winnersother_winner_0_6;
+        winnersother_winner_0_8 <= 8 when winnersother_cost_0_8_all else winnersother_winner_0_7;
+        winnersother_winner_0_9 <= 9 when winnersother_cost_0_9_all else winnersother_winner_0_8;
+        winnersother_winner_0_10 <= 10 when winnersother_cost_0_10_all else winnersother_winner_0_9;
+        winnersother_winner_0_11 <= 11 when (not winnersother_winner_0_11_choice_7) and sums_tag_output_column else
+          winnersother_winner_0_10;
+      end if;
       winnersother_winner_out_0 <= winnersother_winner_0_11;
       -- winnerswinner1
-      winnerswinner1_of_pair_0_0_choice := winnersother_cost_0_0_any when (sums_sum_0_0 mod 2) = 1 else not
+      winnerswinner1_of_pair_0_0_choice := winnersother_cost_0_1_any when (sums_sum_0_0 mod 2) = 1 else not
         (((sums_sum_0_1 / 2) mod 2) = 1);
       winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice when ((sums_sum_0_0 / 2) mod 2) = 1 else
-        ((sums_sum_0_0 mod 2) = 1) and winnersother_cost_0_0_is_equal;
-      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_0_value
+        ((sums_sum_0_0 mod 2) = 1) and winnersother_cost_0_1_is_equal;
+      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_1_value
         when winnerswinner1_of_pair_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2) = 1)) or
-        winnersother_cost_0_0_value;
-      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or winnersother_cost_0_0_value_2
+        winnersother_cost_0_1_value;
+      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or winnersother_cost_0_1_value_2
         when winnerswinner1_of_pair_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod 2) = 1)) and
-        winnersother_cost_0_0_value_2;
-      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or winnersother_cost_0_0_value_3
+        winnersother_cost_0_1_value_2;
+      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or winnersother_cost_0_1_value_3
         when winnerswinner1_of_pair_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod 2) = 1)) and
-        winnersother_cost_0_0_value_3;
-      winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or winnersother_cost_0_0_value_4
+        winnersother_cost_0_1_value_3;
+      winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or winnersother_cost_0_1_value_4
         when winnerswinner1_of_pair_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod 2) = 1)) and
-        winnersother_cost_0_0_value_4;
+        winnersother_cost_0_1_value_4;
       winnerswinner1_of_pair_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
         winnerswinner1_of_pair_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
       winnerswinner1_of_pair_0_2_choice := winnersother_cost_0_3_any when (sums_sum_0_2 mod 2) = 1 else not

@@ -65,7 +65,7 @@ begin
       latency_clocks => 38,
       flush_groups => 218,
       gap_groups => 0,
-      core_id => x"76d6b0b3",
+      core_id => x"f39d0f06",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

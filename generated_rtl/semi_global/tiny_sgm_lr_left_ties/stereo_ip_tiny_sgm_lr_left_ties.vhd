@@ -65,7 +65,7 @@ begin
       latency_clocks => 38,
       flush_groups => 218,
       gap_groups => 0,
-      core_id => x"b68b0a7b",
+      core_id => x"fb7445fb",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

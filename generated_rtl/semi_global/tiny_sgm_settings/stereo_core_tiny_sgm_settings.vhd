@@ -817,6 +817,12 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal other_9 : natural range 0 to 224;
   signal other_10 : natural range 0 to 192;
   signal other_11 : natural range 0 to 128;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal other_4_memory_write_data : unsigned(25 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -838,12 +844,6 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal other_4_memory_write_data : unsigned(25 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -859,6 +859,54 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  other_4_memory : entity work.line_memory
+    generic map (depth => 29, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => other_4,
+      write_address => map_at_column, write_data => other_4_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -954,7 +1002,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
   forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
   forward_above_delay_held_1_memory : entity work.line_memory
@@ -962,7 +1010,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
   forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
   forward_above_delay_held_0_memory : entity work.line_memory
@@ -970,7 +1018,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
   forward_cost_delay_held_1_memory_write_data <= to_unsigned(entry_cost_11, 4) & to_unsigned(entry_cost_10, 4) & to_unsigned(entry_cost_9, 4) & to_unsigned(entry_cost_8, 4);
   forward_cost_delay_held_1_memory : entity work.line_memory
@@ -978,7 +1026,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
   forward_cost_delay_held_0_memory_write_data <= to_unsigned(entry_cost_7, 4) & to_unsigned(entry_cost_6, 4) & to_unsigned(entry_cost_5, 4) & to_unsigned(entry_cost_4, 4) & to_unsigned(entry_cost_3, 4) & to_unsigned(entry_cost_2, 4) & to_unsigned(entry_cost_1, 4) & to_unsigned(entry_cost_0, 4);
   forward_cost_delay_held_0_memory : entity work.line_memory
@@ -986,7 +1034,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -1027,54 +1075,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_4_memory : entity work.line_memory
-    generic map (depth => 29, width => 26)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => other_4,
-      write_address => map_at_column, write_data => other_4_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 14)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   process (clock)
     variable settings_p1_any, transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1417,57 +1417,62 @@ begin
     variable forward_above_stay_11_choice, forward_above_stay_11_choice_2, forward_above_stay_11_choice_3 : boolean;
     variable forward_above_stay_11_choice_4, forward_above_stay_11_value, forward_above_stay_11_choice_5 : boolean;
     variable forward_left_p1_any, forward_above_p1_any, sums_right_start_cost_0_value : boolean;
-    variable sums_turn_writes_copy_0_choice, sums_right_p1_any, winnersother_cost_0_0_any : boolean;
-    variable winnersother_cost_0_0_choice, winnersother_cost_0_0_is_equal, winnersother_cost_0_0_choice_2 : boolean;
-    variable winnersother_cost_0_0_value, winnersother_cost_0_0_choice_3, winnersother_cost_0_0_value_2 : boolean;
-    variable winnersother_cost_0_0_choice_4, winnersother_cost_0_0_value_3, winnersother_cost_0_0_choice_5 : boolean;
-    variable winnersother_cost_0_0_value_4, winnersother_cost_0_0_choice_6, winnersother_cost_0_0_value_5 : boolean;
-    variable winnersother_cost_0_0_choice_7, winnersother_cost_0_0_any_2, winnersother_cost_0_0_choice_8 : boolean;
-    variable winnersother_cost_0_0_all, winnersother_cost_0_0_choice_9, winnersother_cost_0_0_all_2 : boolean;
-    variable winnersother_cost_0_2_value, winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2 : boolean;
-    variable winnersother_cost_0_2_value_2, winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3 : boolean;
-    variable winnersother_cost_0_2_choice_4, winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5 : boolean;
-    variable winnersother_cost_0_2_value_5, winnersother_cost_0_2_choice_6, winnersother_cost_0_2_value_6 : boolean;
-    variable winnersother_cost_0_2_choice_7, winnersother_cost_0_2_choice_8, winnersother_cost_0_3_any : boolean;
+    variable sums_turn_writes_copy_0_choice, sums_right_p1_any, winnersother_cost_0_1_any : boolean;
+    variable winnersother_cost_0_1_choice, winnersother_cost_0_1_is_equal, winnersother_cost_0_1_choice_2 : boolean;
+    variable winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3, winnersother_cost_0_1_value_2 : boolean;
+    variable winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3, winnersother_cost_0_1_choice_5 : boolean;
+    variable winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6, winnersother_cost_0_1_value_5 : boolean;
+    variable winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8, winnersother_cost_0_1_choice_9 : boolean;
+    variable winnersother_cost_0_1_all, winnersother_cost_0_2_value, winnersother_cost_0_2_choice : boolean;
+    variable winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2, winnersother_cost_0_2_choice_3 : boolean;
+    variable winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4, winnersother_cost_0_2_value_4 : boolean;
+    variable winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5, winnersother_cost_0_2_choice_6 : boolean;
+    variable winnersother_cost_0_2_value_6, winnersother_cost_0_2_choice_7, winnersother_cost_0_2_choice_8 : boolean;
+    variable winnersother_cost_0_2_choice_9, winnersother_cost_0_2_all, winnersother_cost_0_3_any : boolean;
     variable winnersother_cost_0_3_choice, winnersother_cost_0_3_is_equal, winnersother_cost_0_3_choice_2 : boolean;
     variable winnersother_cost_0_3_value, winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2 : boolean;
     variable winnersother_cost_0_3_choice_4, winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5 : boolean;
     variable winnersother_cost_0_3_value_4, winnersother_cost_0_3_choice_6, winnersother_cost_0_3_value_5 : boolean;
-    variable winnersother_cost_0_3_choice_7, winnersother_cost_0_3_choice_8, winnersother_cost_0_4_value : boolean;
-    variable winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value_2 : boolean;
-    variable winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_4 : boolean;
-    variable winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_5 : boolean;
-    variable winnersother_cost_0_4_choice_6, winnersother_cost_0_4_value_6, winnersother_cost_0_4_choice_7 : boolean;
-    variable winnersother_cost_0_4_choice_8, winnersother_cost_0_5_any, winnersother_cost_0_5_choice : boolean;
-    variable winnersother_cost_0_5_is_equal, winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value : boolean;
-    variable winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4 : boolean;
-    variable winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4 : boolean;
-    variable winnersother_cost_0_5_choice_6, winnersother_cost_0_5_value_5, winnersother_cost_0_5_choice_7 : boolean;
-    variable winnersother_cost_0_5_choice_8, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
+    variable winnersother_cost_0_3_choice_7, winnersother_cost_0_3_choice_8, winnersother_cost_0_3_choice_9 : boolean;
+    variable winnersother_cost_0_3_all, winnersother_cost_0_4_value, winnersother_cost_0_4_choice : boolean;
+    variable winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_3 : boolean;
+    variable winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_4, winnersother_cost_0_4_value_4 : boolean;
+    variable winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_5, winnersother_cost_0_4_choice_6 : boolean;
+    variable winnersother_cost_0_4_value_6, winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8 : boolean;
+    variable winnersother_cost_0_4_choice_9, winnersother_cost_0_4_all, winnersother_cost_0_5_any : boolean;
+    variable winnersother_cost_0_5_choice, winnersother_cost_0_5_is_equal, winnersother_cost_0_5_choice_2 : boolean;
+    variable winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2 : boolean;
+    variable winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5 : boolean;
+    variable winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6, winnersother_cost_0_5_value_5 : boolean;
+    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9 : boolean;
+    variable winnersother_cost_0_5_all, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
     variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3 : boolean;
     variable winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4 : boolean;
     variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6 : boolean;
     variable winnersother_cost_0_6_value_6, winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8 : boolean;
-    variable winnersother_cost_0_7_any, winnersother_cost_0_7_choice, winnersother_cost_0_7_is_equal : boolean;
-    variable winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3 : boolean;
-    variable winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3 : boolean;
-    variable winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6 : boolean;
-    variable winnersother_cost_0_7_value_5, winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8 : boolean;
-    variable winnersother_cost_0_8_value, winnersother_cost_0_8_choice, winnersother_cost_0_8_choice_2 : boolean;
-    variable winnersother_cost_0_8_value_2, winnersother_cost_0_8_choice_3, winnersother_cost_0_8_value_3 : boolean;
-    variable winnersother_cost_0_8_choice_4, winnersother_cost_0_8_value_4, winnersother_cost_0_8_choice_5 : boolean;
-    variable winnersother_cost_0_8_value_5, winnersother_cost_0_8_choice_6, winnersother_cost_0_8_value_6 : boolean;
-    variable winnersother_cost_0_8_choice_7, winnersother_cost_0_8_choice_8, winnersother_cost_0_9_any : boolean;
+    variable winnersother_cost_0_6_choice_9, winnersother_cost_0_6_all, winnersother_cost_0_7_any : boolean;
+    variable winnersother_cost_0_7_choice, winnersother_cost_0_7_is_equal, winnersother_cost_0_7_choice_2 : boolean;
+    variable winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3, winnersother_cost_0_7_value_2 : boolean;
+    variable winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3, winnersother_cost_0_7_choice_5 : boolean;
+    variable winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6, winnersother_cost_0_7_value_5 : boolean;
+    variable winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8, winnersother_cost_0_7_choice_9 : boolean;
+    variable winnersother_cost_0_7_all, winnersother_cost_0_8_value, winnersother_cost_0_8_choice : boolean;
+    variable winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2, winnersother_cost_0_8_choice_3 : boolean;
+    variable winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4, winnersother_cost_0_8_value_4 : boolean;
+    variable winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5, winnersother_cost_0_8_choice_6 : boolean;
+    variable winnersother_cost_0_8_value_6, winnersother_cost_0_8_choice_7, winnersother_cost_0_8_choice_8 : boolean;
+    variable winnersother_cost_0_8_choice_9, winnersother_cost_0_8_all, winnersother_cost_0_9_any : boolean;
     variable winnersother_cost_0_9_choice, winnersother_cost_0_9_is_equal, winnersother_cost_0_9_choice_2 : boolean;
     variable winnersother_cost_0_9_value, winnersother_cost_0_9_choice_3, winnersother_cost_0_9_value_2 : boolean;
     variable winnersother_cost_0_9_choice_4, winnersother_cost_0_9_value_3, winnersother_cost_0_9_choice_5 : boolean;
     variable winnersother_cost_0_9_value_4, winnersother_cost_0_9_choice_6, winnersother_cost_0_9_value_5 : boolean;
-    variable winnersother_cost_0_9_choice_7, winnersother_cost_0_9_choice_8, winnersother_cost_0_10_value : boolean;
-    variable winnersother_cost_0_10_choice, winnersother_cost_0_10_choice_2, winnersother_cost_0_10_value_2 : boolean;
-    variable winnersother_cost_0_10_choice_3, winnersother_cost_0_10_value_3, winnersother_cost_0_10_choice_4 : boolean;
-    variable winnersother_cost_0_10_value_4, winnersother_cost_0_10_choice_5, winnersother_cost_0_10_value_5 : boolean;
-    variable winnersother_cost_0_10_choice_6, winnersother_cost_0_10_value_6, winnersother_cost_0_10_choice_7 : boolean;
-    variable winnersother_cost_0_10_choice_8, winnersother_winner_0_1_choice, winnersother_winner_0_11_any : boolean;
+    variable winnersother_cost_0_9_choice_7, winnersother_cost_0_9_choice_8, winnersother_cost_0_9_choice_9 : boolean;
+    variable winnersother_cost_0_9_all, winnersother_cost_0_10_value, winnersother_cost_0_10_choice : boolean;
+    variable winnersother_cost_0_10_choice_2, winnersother_cost_0_10_value_2, winnersother_cost_0_10_choice_3 : boolean;
+    variable winnersother_cost_0_10_value_3, winnersother_cost_0_10_choice_4, winnersother_cost_0_10_value_4 : boolean;
+    variable winnersother_cost_0_10_choice_5, winnersother_cost_0_10_value_5, winnersother_cost_0_10_choice_6 : boolean;
+    variable winnersother_cost_0_10_value_6, winnersother_cost_0_10_choice_7, winnersother_cost_0_10_choice_8 : boolean;
+    variable winnersother_cost_0_10_choice_9, winnersother_cost_0_10_all, winnersother_winner_0_11_any : boolean;
     variable winnersother_winner_0_11_choice, winnersother_winner_0_11_is_equal : boolean;
     variable winnersother_winner_0_11_choice_2, winnersother_winner_0_11_value : boolean;
     variable winnersother_winner_0_11_choice_3, winnersother_winner_0_11_value_2 : boolean;
@@ -1545,11 +1550,7 @@ begin
     variable turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2, map_counter_group_is_equal : boolean;
     variable map_line_ended_choice, map_at_arrives_value, map_window_complete_all, map_window_complete_choice : boolean;
     variable map_window_complete_choice_2, map_low_1_0_all : boolean;
-    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
-    variable winnersother_winner_0_3_choice, winnersother_winner_0_3_choice_2 : natural range 0 to 3;
-    variable winnersother_winner_0_3_choice_3, winnersother_winner_0_3_choice_4 : natural range 0 to 3;
-    variable winnersother_winner_0_3_choice_5, winnersother_winner_0_3_choice_6 : natural range 0 to 3;
-    variable map_counter_group_choice : natural range 0 to 3;
+    variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 15;
@@ -1569,10 +1570,7 @@ begin
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
-    variable entry_order_address_choice_2, winnersother_winner_0_7_choice : natural range 0 to 7;
-    variable winnersother_winner_0_7_choice_2, winnersother_winner_0_7_choice_3 : natural range 0 to 7;
-    variable winnersother_winner_0_7_choice_4, winnersother_winner_0_7_choice_5 : natural range 0 to 7;
-    variable winnersother_winner_0_7_choice_6, refinement_fraction_0_choice_2 : natural range 0 to 7;
+    variable entry_order_address_choice_2, refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice : natural range 0 to 127;
     variable forward_left_pair_2_choice, forward_left_pair_3_choice : natural range 0 to 127;
@@ -1635,65 +1633,11 @@ begin
     variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 70;
     variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 70;
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 70;
-    variable winnersother_cost_0_0_choice_10, winnersother_cost_0_0_choice_11 : natural range 0 to 254;
-    variable winnersother_cost_0_1_choice, winnersother_cost_0_1_choice_2 : natural range 0 to 254;
-    variable winnersother_cost_0_1_choice_3, winnersother_cost_0_1_choice_4 : natural range 0 to 254;
-    variable winnersother_cost_0_2_choice_9, winnersother_cost_0_2_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_2_choice_11, winnersother_cost_0_2_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_2_choice_13, winnersother_cost_0_2_choice_14 : natural range 0 to 254;
-    variable winnersother_cost_0_3_choice_9, winnersother_cost_0_3_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_3_choice_11, winnersother_cost_0_3_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_3_choice_13, winnersother_cost_0_3_choice_14 : natural range 0 to 254;
-    variable winnersother_cost_0_4_choice_9, winnersother_cost_0_4_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_4_choice_11, winnersother_cost_0_4_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_4_choice_13, winnersother_cost_0_4_choice_14 : natural range 0 to 254;
-    variable winnersother_cost_0_5_choice_9, winnersother_cost_0_5_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_5_choice_11, winnersother_cost_0_5_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_5_choice_13, winnersother_cost_0_5_choice_14 : natural range 0 to 254;
-    variable winnersother_cost_0_6_choice_9, winnersother_cost_0_6_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_6_choice_11, winnersother_cost_0_6_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_6_choice_13, winnersother_cost_0_6_choice_14 : natural range 0 to 254;
-    variable winnersother_cost_0_7_choice_9, winnersother_cost_0_7_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_7_choice_11, winnersother_cost_0_7_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_7_choice_13, winnersother_cost_0_7_choice_14 : natural range 0 to 254;
-    variable winnersother_cost_0_8_choice_9, winnersother_cost_0_8_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_8_choice_11, winnersother_cost_0_8_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_8_choice_13, winnersother_cost_0_8_choice_14 : natural range 0 to 254;
-    variable winnersother_cost_0_9_choice_9, winnersother_cost_0_9_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_9_choice_11, winnersother_cost_0_9_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_9_choice_13, winnersother_cost_0_9_choice_14 : natural range 0 to 254;
-    variable winnersother_cost_0_10_choice_9, winnersother_cost_0_10_choice_10 : natural range 0 to 254;
-    variable winnersother_cost_0_10_choice_11, winnersother_cost_0_10_choice_12 : natural range 0 to 254;
-    variable winnersother_cost_0_10_choice_13, winnersother_cost_0_10_choice_14 : natural range 0 to 254;
     variable winnerswinner2_best_below_0_0_choice, winnerswinner2_best_below_0_1_choice : natural range 0 to 254;
     variable winnerswinner2_best_below_0_2_choice, winnerswinner2_best_above_0_0_choice : natural range 0 to 254;
     variable winnerswinner2_best_above_0_1_choice, winnerswinner2_best_above_0_2_choice : natural range 0 to 254;
     variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 254;
     variable winnerswinner4_best_below_0_0_choice, winnerswinner4_best_above_0_0_choice : natural range 0 to 254;
-    variable winnersother_winner_0_2_choice, winnersother_winner_0_2_choice_2 : natural range 0 to 2;
-    variable winnersother_winner_0_2_choice_3, winnersother_winner_0_2_choice_4 : natural range 0 to 2;
-    variable winnersother_winner_0_2_choice_5, winnersother_winner_0_2_choice_6 : natural range 0 to 2;
-    variable winnersother_winner_0_4_choice, winnersother_winner_0_4_choice_2 : natural range 0 to 4;
-    variable winnersother_winner_0_4_choice_3, winnersother_winner_0_4_choice_4 : natural range 0 to 4;
-    variable winnersother_winner_0_4_choice_5, winnersother_winner_0_4_choice_6 : natural range 0 to 4;
-    variable winnersother_winner_0_5_choice, winnersother_winner_0_5_choice_2 : natural range 0 to 5;
-    variable winnersother_winner_0_5_choice_3, winnersother_winner_0_5_choice_4 : natural range 0 to 5;
-    variable winnersother_winner_0_5_choice_5, winnersother_winner_0_5_choice_6 : natural range 0 to 5;
-    variable winnersother_winner_0_6_choice, winnersother_winner_0_6_choice_2 : natural range 0 to 6;
-    variable winnersother_winner_0_6_choice_3, winnersother_winner_0_6_choice_4 : natural range 0 to 6;
-    variable winnersother_winner_0_6_choice_5, winnersother_winner_0_6_choice_6 : natural range 0 to 6;
-    variable winnersother_winner_0_8_choice, winnersother_winner_0_8_choice_2 : natural range 0 to 8;
-    variable winnersother_winner_0_8_choice_3, winnersother_winner_0_8_choice_4 : natural range 0 to 8;
-    variable winnersother_winner_0_8_choice_5, winnersother_winner_0_8_choice_6 : natural range 0 to 8;
-    variable winnersother_winner_0_9_choice, winnersother_winner_0_9_choice_2 : natural range 0 to 9;
-    variable winnersother_winner_0_9_choice_3, winnersother_winner_0_9_choice_4 : natural range 0 to 9;
-    variable winnersother_winner_0_9_choice_5, winnersother_winner_0_9_choice_6 : natural range 0 to 9;
-    variable winnersother_winner_0_10_choice, winnersother_winner_0_10_choice_2 : natural range 0 to 10;
-    variable winnersother_winner_0_10_choice_3, winnersother_winner_0_10_choice_4 : natural range 0 to 10;
-    variable winnersother_winner_0_10_choice_5, winnersother_winner_0_10_choice_6 : natural range 0 to 10;
-    variable winnersother_winner_0_11_choice_9, winnersother_winner_0_11_choice_10 : natural range 0 to 11;
-    variable winnersother_winner_0_11_choice_11, winnersother_winner_0_11_choice_12 : natural range 0 to 11;
-    variable winnersother_winner_0_11_choice_13, winnersother_winner_0_11_choice_14 : natural range 0 to 11;
     variable refinement_remainder_1_0_difference : natural range 257 to 766;
     variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 257 to 1022;
     variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 257 to 1022;
@@ -5334,7 +5278,7 @@ begin
           forward_smallest_next_next_smallest_0;
         forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
           (forward_cost_delay_ring_read_address + 1) mod 8;
-        forward_cost_delay_ring_write_address <= forward_above_delay_ring_read_address;
+        forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
         forward_left_pair_2 <= forward_left_pair_2_choice;
@@ -5472,7 +5416,7 @@ begin
           forward_above_tree_next_next_smallest_0;
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
           (forward_above_delay_ring_read_address + 1) mod 8;
-        forward_above_delay_ring_write_address <= forward_cost_delay_ring_read_address;
+        forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
         forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
         forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(29 downto 6)) - forward_above_smallest_copy_0)
@@ -5988,53 +5932,37 @@ begin
         sums_right_p2 <= settings_p2;
       end if;
       -- winnersother
-      winnersother_cost_0_0_any := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
-      winnersother_cost_0_0_choice := winnersother_cost_0_0_any when (winnersother_cost_0_0 mod 2) = 1 else not
+      winnersother_cost_0_1_any := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
+      winnersother_cost_0_1_choice := winnersother_cost_0_1_any when (winnersother_cost_0_0 mod 2) = 1 else not
         (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnersother_cost_0_0_is_equal := (sums_sum_0_1 mod 4) = 0;
-      winnersother_cost_0_0_choice_2 := winnersother_cost_0_0_choice when ((winnersother_cost_0_0 / 2) mod 2) = 1 else
-        ((winnersother_cost_0_0 mod 2) = 1) and winnersother_cost_0_0_is_equal;
-      winnersother_cost_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnersother_cost_0_0_choice_3 := (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_0_value
-        when winnersother_cost_0_0_choice_2 else (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) or
-        winnersother_cost_0_0_value;
-      winnersother_cost_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnersother_cost_0_0_choice_4 := (not (((winnersother_cost_0_0 / 8) mod 2) = 1)) or
-        winnersother_cost_0_0_value_2 when winnersother_cost_0_0_choice_3 else (not (((winnersother_cost_0_0 / 8) mod
-        2) = 1)) and winnersother_cost_0_0_value_2;
-      winnersother_cost_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnersother_cost_0_0_choice_5 := (not (((winnersother_cost_0_0 / 16) mod 2) = 1)) or
-        winnersother_cost_0_0_value_3 when winnersother_cost_0_0_choice_4 else (not (((winnersother_cost_0_0 / 16) mod
-        2) = 1)) and winnersother_cost_0_0_value_3;
-      winnersother_cost_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnersother_cost_0_0_choice_6 := (not (((winnersother_cost_0_0 / 32) mod 2) = 1)) or
-        winnersother_cost_0_0_value_4 when winnersother_cost_0_0_choice_5 else (not (((winnersother_cost_0_0 / 32) mod
-        2) = 1)) and winnersother_cost_0_0_value_4;
-      winnersother_cost_0_0_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
-      winnersother_cost_0_0_choice_7 := (not (((winnersother_cost_0_0 / 64) mod 2) = 1)) or
-        winnersother_cost_0_0_value_5 when winnersother_cost_0_0_choice_6 else (not (((winnersother_cost_0_0 / 64) mod
-        2) = 1)) and winnersother_cost_0_0_value_5;
-      winnersother_cost_0_0_any_2 := (not ((winnersother_cost_0_0 / 128) = 1)) or ((sums_sum_0_1 / 128) = 1);
-      winnersother_cost_0_0_choice_8 := (not sums_tag_first_column) and winnersother_cost_0_0_any_2 when
-        winnersother_cost_0_0_choice_7 else (not sums_tag_first_column) and (not ((winnersother_cost_0_0 / 128) = 1))
-        and ((sums_sum_0_1 / 128) = 1);
-      winnersother_cost_0_0_all := winnersother_cost_0_0_choice_8 and sums_tag_output_column;
-      winnersother_cost_0_0_choice_9 := winnersother_cost_0_0_any_2 when winnersother_cost_0_0_choice_7 else (not
-        ((winnersother_cost_0_0 / 128) = 1)) and ((sums_sum_0_1 / 128) = 1);
-      winnersother_cost_0_0_all_2 := (not winnersother_cost_0_0_choice_9) and (not sums_tag_first_column) and
-        sums_tag_output_column;
-      winnersother_cost_0_0_choice_10 := sums_sum_0_0 when sums_tag_output_column else 0;
-      winnersother_cost_0_0_choice_11 := sums_sum_0_0 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_0_choice_10;
-      if sums_tag_valid then
-        winnersother_cost_0_0 <= sums_sum_0_0 when winnersother_cost_0_0_all else winnersother_cost_0_0_choice_11;
-      end if;
-      winnersother_cost_0_1_choice := winnersother_cost_0_0 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_1_choice_2 := sums_sum_0_1 when sums_tag_valid else winnersother_cost_0_1;
-      winnersother_cost_0_1_choice_3 := winnersother_cost_0_1_choice_2 when sums_tag_output_column else
-        winnersother_cost_0_1_choice;
-      winnersother_cost_0_1_choice_4 := winnersother_cost_0_1_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_1_choice_3;
+      winnersother_cost_0_1_is_equal := (sums_sum_0_1 mod 4) = 0;
+      winnersother_cost_0_1_choice_2 := winnersother_cost_0_1_choice when ((winnersother_cost_0_0 / 2) mod 2) = 1 else
+        ((winnersother_cost_0_0 mod 2) = 1) and winnersother_cost_0_1_is_equal;
+      winnersother_cost_0_1_value := ((sums_sum_0_1 / 4) mod 2) = 1;
+      winnersother_cost_0_1_choice_3 := (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_1_value
+        when winnersother_cost_0_1_choice_2 else (not (((winnersother_cost_0_0 / 4) mod 2) = 1)) or
+        winnersother_cost_0_1_value;
+      winnersother_cost_0_1_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
+      winnersother_cost_0_1_choice_4 := (not (((winnersother_cost_0_0 / 8) mod 2) = 1)) or
+        winnersother_cost_0_1_value_2 when winnersother_cost_0_1_choice_3 else (not (((winnersother_cost_0_0 / 8) mod
+        2) = 1)) and winnersother_cost_0_1_value_2;
+      winnersother_cost_0_1_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
+      winnersother_cost_0_1_choice_5 := (not (((winnersother_cost_0_0 / 16) mod 2) = 1)) or
+        winnersother_cost_0_1_value_3 when winnersother_cost_0_1_choice_4 else (not (((winnersother_cost_0_0 / 16) mod
+        2) = 1)) and winnersother_cost_0_1_value_3;
+      winnersother_cost_0_1_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
+      winnersother_cost_0_1_choice_6 := (not (((winnersother_cost_0_0 / 32) mod 2) = 1)) or
+        winnersother_cost_0_1_value_4 when winnersother_cost_0_1_choice_5 else (not (((winnersother_cost_0_0 / 32) mod
+        2) = 1)) and winnersother_cost_0_1_value_4;
+      winnersother_cost_0_1_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
+      winnersother_cost_0_1_choice_7 := (not (((winnersother_cost_0_0 / 64) mod 2) = 1)) or
+        winnersother_cost_0_1_value_5 when winnersother_cost_0_1_choice_6 else (not (((winnersother_cost_0_0 / 64) mod
+        2) = 1)) and winnersother_cost_0_1_value_5;
+      winnersother_cost_0_1_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_1 / 128) = 1) when
+        (winnersother_cost_0_0 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_1_choice_9 := winnersother_cost_0_1_choice_8 when winnersother_cost_0_1_choice_7 else (not
+        ((winnersother_cost_0_0 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 128) = 1);
+      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_9) and sums_tag_output_column;
       winnersother_cost_0_2_value := ((sums_sum_0_2 / 2) mod 2) = 1;
       winnersother_cost_0_2_choice := (not winnersother_cost_0_2_value) or (not ((sums_sum_0_2 mod 2) = 1)) when
         (winnersother_cost_0_1 mod 2) = 1 else not winnersother_cost_0_2_value;
@@ -6060,16 +5988,11 @@ begin
       winnersother_cost_0_2_choice_7 := (not (((winnersother_cost_0_1 / 64) mod 2) = 1)) or
         winnersother_cost_0_2_value_6 when winnersother_cost_0_2_choice_6 else (not (((winnersother_cost_0_1 / 64) mod
         2) = 1)) and winnersother_cost_0_2_value_6;
-      winnersother_cost_0_2_choice_8 := ((winnersother_cost_0_1 / 128) = 1) and (not ((sums_sum_0_2 / 128) = 1)) when
-        winnersother_cost_0_2_choice_7 else ((winnersother_cost_0_1 / 128) = 1) or (not ((sums_sum_0_2 / 128) = 1));
-      winnersother_cost_0_2_choice_9 := sums_sum_0_2 when winnersother_cost_0_2_choice_8 else winnersother_cost_0_1;
-      winnersother_cost_0_2_choice_10 := winnersother_cost_0_2_choice_9 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_11 := sums_sum_0_2 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_12 := winnersother_cost_0_1 when sums_tag_valid else winnersother_cost_0_2;
-      winnersother_cost_0_2_choice_13 := winnersother_cost_0_2_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_2_choice_12;
-      winnersother_cost_0_2_choice_14 := winnersother_cost_0_2_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_2_choice_13;
+      winnersother_cost_0_2_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_2 / 128) = 1) when
+        (winnersother_cost_0_1 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_2_choice_9 := winnersother_cost_0_2_choice_8 when winnersother_cost_0_2_choice_7 else (not
+        ((winnersother_cost_0_1 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 128) = 1);
+      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_9) and sums_tag_output_column;
       winnersother_cost_0_3_any := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1));
       winnersother_cost_0_3_choice := winnersother_cost_0_3_any when (winnersother_cost_0_2 mod 2) = 1 else not
         (((sums_sum_0_3 / 2) mod 2) = 1);
@@ -6096,16 +6019,11 @@ begin
       winnersother_cost_0_3_choice_7 := (not (((winnersother_cost_0_2 / 64) mod 2) = 1)) or
         winnersother_cost_0_3_value_5 when winnersother_cost_0_3_choice_6 else (not (((winnersother_cost_0_2 / 64) mod
         2) = 1)) and winnersother_cost_0_3_value_5;
-      winnersother_cost_0_3_choice_8 := ((winnersother_cost_0_2 / 128) = 1) and (not ((sums_sum_0_3 / 128) = 1)) when
-        winnersother_cost_0_3_choice_7 else ((winnersother_cost_0_2 / 128) = 1) or (not ((sums_sum_0_3 / 128) = 1));
-      winnersother_cost_0_3_choice_9 := sums_sum_0_3 when winnersother_cost_0_3_choice_8 else winnersother_cost_0_2;
-      winnersother_cost_0_3_choice_10 := winnersother_cost_0_3_choice_9 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_11 := sums_sum_0_3 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_12 := winnersother_cost_0_2 when sums_tag_valid else winnersother_cost_0_3;
-      winnersother_cost_0_3_choice_13 := winnersother_cost_0_3_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_3_choice_12;
-      winnersother_cost_0_3_choice_14 := winnersother_cost_0_3_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_3_choice_13;
+      winnersother_cost_0_3_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_3 / 128) = 1) when
+        (winnersother_cost_0_2 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_3_choice_9 := winnersother_cost_0_3_choice_8 when winnersother_cost_0_3_choice_7 else (not
+        ((winnersother_cost_0_2 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 128) = 1);
+      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_9) and sums_tag_output_column;
       winnersother_cost_0_4_value := ((sums_sum_0_4 / 2) mod 2) = 1;
       winnersother_cost_0_4_choice := (not winnersother_cost_0_4_value) or (not ((sums_sum_0_4 mod 2) = 1)) when
         (winnersother_cost_0_3 mod 2) = 1 else not winnersother_cost_0_4_value;
@@ -6131,16 +6049,11 @@ begin
       winnersother_cost_0_4_choice_7 := (not (((winnersother_cost_0_3 / 64) mod 2) = 1)) or
         winnersother_cost_0_4_value_6 when winnersother_cost_0_4_choice_6 else (not (((winnersother_cost_0_3 / 64) mod
         2) = 1)) and winnersother_cost_0_4_value_6;
-      winnersother_cost_0_4_choice_8 := ((winnersother_cost_0_3 / 128) = 1) and (not ((sums_sum_0_4 / 128) = 1)) when
-        winnersother_cost_0_4_choice_7 else ((winnersother_cost_0_3 / 128) = 1) or (not ((sums_sum_0_4 / 128) = 1));
-      winnersother_cost_0_4_choice_9 := sums_sum_0_4 when winnersother_cost_0_4_choice_8 else winnersother_cost_0_3;
-      winnersother_cost_0_4_choice_10 := winnersother_cost_0_4_choice_9 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_11 := sums_sum_0_4 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_12 := winnersother_cost_0_3 when sums_tag_valid else winnersother_cost_0_4;
-      winnersother_cost_0_4_choice_13 := winnersother_cost_0_4_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_4_choice_12;
-      winnersother_cost_0_4_choice_14 := winnersother_cost_0_4_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_4_choice_13;
+      winnersother_cost_0_4_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_4 / 128) = 1) when
+        (winnersother_cost_0_3 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_4_choice_9 := winnersother_cost_0_4_choice_8 when winnersother_cost_0_4_choice_7 else (not
+        ((winnersother_cost_0_3 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 128) = 1);
+      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_9) and sums_tag_output_column;
       winnersother_cost_0_5_any := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1));
       winnersother_cost_0_5_choice := winnersother_cost_0_5_any when (winnersother_cost_0_4 mod 2) = 1 else not
         (((sums_sum_0_5 / 2) mod 2) = 1);
@@ -6167,16 +6080,11 @@ begin
       winnersother_cost_0_5_choice_7 := (not (((winnersother_cost_0_4 / 64) mod 2) = 1)) or
         winnersother_cost_0_5_value_5 when winnersother_cost_0_5_choice_6 else (not (((winnersother_cost_0_4 / 64) mod
         2) = 1)) and winnersother_cost_0_5_value_5;
-      winnersother_cost_0_5_choice_8 := ((winnersother_cost_0_4 / 128) = 1) and (not ((sums_sum_0_5 / 128) = 1)) when
-        winnersother_cost_0_5_choice_7 else ((winnersother_cost_0_4 / 128) = 1) or (not ((sums_sum_0_5 / 128) = 1));
-      winnersother_cost_0_5_choice_9 := sums_sum_0_5 when winnersother_cost_0_5_choice_8 else winnersother_cost_0_4;
-      winnersother_cost_0_5_choice_10 := winnersother_cost_0_5_choice_9 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_11 := sums_sum_0_5 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_12 := winnersother_cost_0_4 when sums_tag_valid else winnersother_cost_0_5;
-      winnersother_cost_0_5_choice_13 := winnersother_cost_0_5_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_5_choice_12;
-      winnersother_cost_0_5_choice_14 := winnersother_cost_0_5_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_5_choice_13;
+      winnersother_cost_0_5_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_5 / 128) = 1) when
+        (winnersother_cost_0_4 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_5_choice_9 := winnersother_cost_0_5_choice_8 when winnersother_cost_0_5_choice_7 else (not
+        ((winnersother_cost_0_4 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 128) = 1);
+      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_9) and sums_tag_output_column;
       winnersother_cost_0_6_value := ((sums_sum_0_6 / 2) mod 2) = 1;
       winnersother_cost_0_6_choice := (not winnersother_cost_0_6_value) or (not ((sums_sum_0_6 mod 2) = 1)) when
         (winnersother_cost_0_5 mod 2) = 1 else not winnersother_cost_0_6_value;
@@ -6202,16 +6110,11 @@ begin
       winnersother_cost_0_6_choice_7 := (not (((winnersother_cost_0_5 / 64) mod 2) = 1)) or
         winnersother_cost_0_6_value_6 when winnersother_cost_0_6_choice_6 else (not (((winnersother_cost_0_5 / 64) mod
         2) = 1)) and winnersother_cost_0_6_value_6;
-      winnersother_cost_0_6_choice_8 := ((winnersother_cost_0_5 / 128) = 1) and (not ((sums_sum_0_6 / 128) = 1)) when
-        winnersother_cost_0_6_choice_7 else ((winnersother_cost_0_5 / 128) = 1) or (not ((sums_sum_0_6 / 128) = 1));
-      winnersother_cost_0_6_choice_9 := sums_sum_0_6 when winnersother_cost_0_6_choice_8 else winnersother_cost_0_5;
-      winnersother_cost_0_6_choice_10 := winnersother_cost_0_6_choice_9 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_11 := sums_sum_0_6 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_12 := winnersother_cost_0_5 when sums_tag_valid else winnersother_cost_0_6;
-      winnersother_cost_0_6_choice_13 := winnersother_cost_0_6_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_6_choice_12;
-      winnersother_cost_0_6_choice_14 := winnersother_cost_0_6_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_6_choice_13;
+      winnersother_cost_0_6_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_6 / 128) = 1) when
+        (winnersother_cost_0_5 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_6_choice_9 := winnersother_cost_0_6_choice_8 when winnersother_cost_0_6_choice_7 else (not
+        ((winnersother_cost_0_5 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 128) = 1);
+      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_9) and sums_tag_output_column;
       winnersother_cost_0_7_any := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1));
       winnersother_cost_0_7_choice := winnersother_cost_0_7_any when (winnersother_cost_0_6 mod 2) = 1 else not
         (((sums_sum_0_7 / 2) mod 2) = 1);
@@ -6238,16 +6141,11 @@ begin
       winnersother_cost_0_7_choice_7 := (not (((winnersother_cost_0_6 / 64) mod 2) = 1)) or
         winnersother_cost_0_7_value_5 when winnersother_cost_0_7_choice_6 else (not (((winnersother_cost_0_6 / 64) mod
         2) = 1)) and winnersother_cost_0_7_value_5;
-      winnersother_cost_0_7_choice_8 := ((winnersother_cost_0_6 / 128) = 1) and (not ((sums_sum_0_7 / 128) = 1)) when
-        winnersother_cost_0_7_choice_7 else ((winnersother_cost_0_6 / 128) = 1) or (not ((sums_sum_0_7 / 128) = 1));
-      winnersother_cost_0_7_choice_9 := sums_sum_0_7 when winnersother_cost_0_7_choice_8 else winnersother_cost_0_6;
-      winnersother_cost_0_7_choice_10 := winnersother_cost_0_7_choice_9 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_11 := sums_sum_0_7 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_12 := winnersother_cost_0_6 when sums_tag_valid else winnersother_cost_0_7;
-      winnersother_cost_0_7_choice_13 := winnersother_cost_0_7_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_7_choice_12;
-      winnersother_cost_0_7_choice_14 := winnersother_cost_0_7_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_7_choice_13;
+      winnersother_cost_0_7_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_7 / 128) = 1) when
+        (winnersother_cost_0_6 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_7_choice_9 := winnersother_cost_0_7_choice_8 when winnersother_cost_0_7_choice_7 else (not
+        ((winnersother_cost_0_6 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 128) = 1);
+      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_9) and sums_tag_output_column;
       winnersother_cost_0_8_value := ((sums_sum_0_8 / 2) mod 2) = 1;
       winnersother_cost_0_8_choice := (not winnersother_cost_0_8_value) or (not ((sums_sum_0_8 mod 2) = 1)) when
         (winnersother_cost_0_7 mod 2) = 1 else not winnersother_cost_0_8_value;
@@ -6273,16 +6171,11 @@ begin
       winnersother_cost_0_8_choice_7 := (not (((winnersother_cost_0_7 / 64) mod 2) = 1)) or
         winnersother_cost_0_8_value_6 when winnersother_cost_0_8_choice_6 else (not (((winnersother_cost_0_7 / 64) mod
         2) = 1)) and winnersother_cost_0_8_value_6;
-      winnersother_cost_0_8_choice_8 := ((winnersother_cost_0_7 / 128) = 1) and (not ((sums_sum_0_8 / 128) = 1)) when
-        winnersother_cost_0_8_choice_7 else ((winnersother_cost_0_7 / 128) = 1) or (not ((sums_sum_0_8 / 128) = 1));
-      winnersother_cost_0_8_choice_9 := sums_sum_0_8 when winnersother_cost_0_8_choice_8 else winnersother_cost_0_7;
-      winnersother_cost_0_8_choice_10 := winnersother_cost_0_8_choice_9 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_11 := sums_sum_0_8 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_12 := winnersother_cost_0_7 when sums_tag_valid else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice_13 := winnersother_cost_0_8_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_8_choice_12;
-      winnersother_cost_0_8_choice_14 := winnersother_cost_0_8_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_8_choice_13;
+      winnersother_cost_0_8_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_8 / 128) = 1) when
+        (winnersother_cost_0_7 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_8_choice_9 := winnersother_cost_0_8_choice_8 when winnersother_cost_0_8_choice_7 else (not
+        ((winnersother_cost_0_7 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 128) = 1);
+      winnersother_cost_0_8_all := (not winnersother_cost_0_8_choice_9) and sums_tag_output_column;
       winnersother_cost_0_9_any := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1));
       winnersother_cost_0_9_choice := winnersother_cost_0_9_any when (winnersother_cost_0_8 mod 2) = 1 else not
         (((sums_sum_0_9 / 2) mod 2) = 1);
@@ -6309,16 +6202,11 @@ begin
       winnersother_cost_0_9_choice_7 := (not (((winnersother_cost_0_8 / 64) mod 2) = 1)) or
         winnersother_cost_0_9_value_5 when winnersother_cost_0_9_choice_6 else (not (((winnersother_cost_0_8 / 64) mod
         2) = 1)) and winnersother_cost_0_9_value_5;
-      winnersother_cost_0_9_choice_8 := ((winnersother_cost_0_8 / 128) = 1) and (not ((sums_sum_0_9 / 128) = 1)) when
-        winnersother_cost_0_9_choice_7 else ((winnersother_cost_0_8 / 128) = 1) or (not ((sums_sum_0_9 / 128) = 1));
-      winnersother_cost_0_9_choice_9 := sums_sum_0_9 when winnersother_cost_0_9_choice_8 else winnersother_cost_0_8;
-      winnersother_cost_0_9_choice_10 := winnersother_cost_0_9_choice_9 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_11 := sums_sum_0_9 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_12 := winnersother_cost_0_8 when sums_tag_valid else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice_13 := winnersother_cost_0_9_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_9_choice_12;
-      winnersother_cost_0_9_choice_14 := winnersother_cost_0_9_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_9_choice_13;
+      winnersother_cost_0_9_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_9 / 128) = 1) when
+        (winnersother_cost_0_8 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_9_choice_9 := winnersother_cost_0_9_choice_8 when winnersother_cost_0_9_choice_7 else (not
+        ((winnersother_cost_0_8 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 128) = 1);
+      winnersother_cost_0_9_all := (not winnersother_cost_0_9_choice_9) and sums_tag_output_column;
       winnersother_cost_0_10_value := ((sums_sum_0_10 / 2) mod 2) = 1;
       winnersother_cost_0_10_choice := (not winnersother_cost_0_10_value) or (not ((sums_sum_0_10 mod 2) = 1)) when
         (winnersother_cost_0_9 mod 2) = 1 else not winnersother_cost_0_10_value;
@@ -6344,111 +6232,11 @@ begin
       winnersother_cost_0_10_choice_7 := (not (((winnersother_cost_0_9 / 64) mod 2) = 1)) or
         winnersother_cost_0_10_value_6 when winnersother_cost_0_10_choice_6 else (not (((winnersother_cost_0_9 / 64)
         mod 2) = 1)) and winnersother_cost_0_10_value_6;
-      winnersother_cost_0_10_choice_8 := ((winnersother_cost_0_9 / 128) = 1) and (not ((sums_sum_0_10 / 128) = 1)) when
-        winnersother_cost_0_10_choice_7 else ((winnersother_cost_0_9 / 128) = 1) or (not ((sums_sum_0_10 / 128) = 1));
-      winnersother_cost_0_10_choice_9 := sums_sum_0_10 when winnersother_cost_0_10_choice_8 else winnersother_cost_0_9;
-      winnersother_cost_0_10_choice_10 := winnersother_cost_0_10_choice_9 when sums_tag_valid else
-        winnersother_cost_0_10;
-      winnersother_cost_0_10_choice_11 := sums_sum_0_10 when sums_tag_valid else winnersother_cost_0_10;
-      winnersother_cost_0_10_choice_12 := winnersother_cost_0_9 when sums_tag_valid else winnersother_cost_0_10;
-      winnersother_cost_0_10_choice_13 := winnersother_cost_0_10_choice_11 when sums_tag_output_column else
-        winnersother_cost_0_10_choice_12;
-      winnersother_cost_0_10_choice_14 := winnersother_cost_0_10_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_cost_0_10_choice_13;
-      winnersother_winner_0_1_choice := sums_tag_output_column when sums_tag_valid else winnersother_winner_0_1;
-      winnersother_winner_0_2_choice := 2 when winnersother_cost_0_2_choice_8 else as_number(winnersother_winner_0_1);
-      winnersother_winner_0_2_choice_2 := winnersother_winner_0_2_choice when sums_tag_valid else
-        winnersother_winner_0_2;
-      winnersother_winner_0_2_choice_3 := 2 when sums_tag_valid else winnersother_winner_0_2;
-      if sums_tag_valid then
-        winnersother_winner_0_2_choice_4 := as_number(winnersother_winner_0_1);
-      else
-        winnersother_winner_0_2_choice_4 := winnersother_winner_0_2;
-      end if;
-      winnersother_winner_0_2_choice_5 := winnersother_winner_0_2_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_2_choice_4;
-      winnersother_winner_0_2_choice_6 := winnersother_winner_0_2_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_2_choice_5;
-      winnersother_winner_0_3_choice := 3 when winnersother_cost_0_3_choice_8 else winnersother_winner_0_2;
-      winnersother_winner_0_3_choice_2 := winnersother_winner_0_3_choice when sums_tag_valid else
-        winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_3 := 3 when sums_tag_valid else winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_4 := winnersother_winner_0_2 when sums_tag_valid else winnersother_winner_0_3;
-      winnersother_winner_0_3_choice_5 := winnersother_winner_0_3_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_3_choice_4;
-      winnersother_winner_0_3_choice_6 := winnersother_winner_0_3_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_3_choice_5;
-      winnersother_winner_0_4_choice := 4 when winnersother_cost_0_4_choice_8 else winnersother_winner_0_3;
-      winnersother_winner_0_4_choice_2 := winnersother_winner_0_4_choice when sums_tag_valid else
-        winnersother_winner_0_4;
-      winnersother_winner_0_4_choice_3 := 4 when sums_tag_valid else winnersother_winner_0_4;
-      if sums_tag_valid then
-        winnersother_winner_0_4_choice_4 := winnersother_winner_0_3;
-      else
-        winnersother_winner_0_4_choice_4 := winnersother_winner_0_4;
-      end if;
-      winnersother_winner_0_4_choice_5 := winnersother_winner_0_4_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_4_choice_4;
-      winnersother_winner_0_4_choice_6 := winnersother_winner_0_4_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_4_choice_5;
-      winnersother_winner_0_5_choice := 5 when winnersother_cost_0_5_choice_8 else winnersother_winner_0_4;
-      winnersother_winner_0_5_choice_2 := winnersother_winner_0_5_choice when sums_tag_valid else
-        winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_3 := 5 when sums_tag_valid else winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_4 := winnersother_winner_0_4 when sums_tag_valid else winnersother_winner_0_5;
-      winnersother_winner_0_5_choice_5 := winnersother_winner_0_5_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_5_choice_4;
-      winnersother_winner_0_5_choice_6 := winnersother_winner_0_5_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_5_choice_5;
-      winnersother_winner_0_6_choice := 6 when winnersother_cost_0_6_choice_8 else winnersother_winner_0_5;
-      winnersother_winner_0_6_choice_2 := winnersother_winner_0_6_choice when sums_tag_valid else
-        winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_3 := 6 when sums_tag_valid else winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_4 := winnersother_winner_0_5 when sums_tag_valid else winnersother_winner_0_6;
-      winnersother_winner_0_6_choice_5 := winnersother_winner_0_6_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_6_choice_4;
-      winnersother_winner_0_6_choice_6 := winnersother_winner_0_6_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_6_choice_5;
-      winnersother_winner_0_7_choice := 7 when winnersother_cost_0_7_choice_8 else winnersother_winner_0_6;
-      winnersother_winner_0_7_choice_2 := winnersother_winner_0_7_choice when sums_tag_valid else
-        winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_3 := 7 when sums_tag_valid else winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_4 := winnersother_winner_0_6 when sums_tag_valid else winnersother_winner_0_7;
-      winnersother_winner_0_7_choice_5 := winnersother_winner_0_7_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_7_choice_4;
-      winnersother_winner_0_7_choice_6 := winnersother_winner_0_7_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_7_choice_5;
-      winnersother_winner_0_8_choice := 8 when winnersother_cost_0_8_choice_8 else winnersother_winner_0_7;
-      winnersother_winner_0_8_choice_2 := winnersother_winner_0_8_choice when sums_tag_valid else
-        winnersother_winner_0_8;
-      winnersother_winner_0_8_choice_3 := 8 when sums_tag_valid else winnersother_winner_0_8;
-      if sums_tag_valid then
-        winnersother_winner_0_8_choice_4 := winnersother_winner_0_7;
-      else
-        winnersother_winner_0_8_choice_4 := winnersother_winner_0_8;
-      end if;
-      winnersother_winner_0_8_choice_5 := winnersother_winner_0_8_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_8_choice_4;
-      winnersother_winner_0_8_choice_6 := winnersother_winner_0_8_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_8_choice_5;
-      winnersother_winner_0_9_choice := 9 when winnersother_cost_0_9_choice_8 else winnersother_winner_0_8;
-      winnersother_winner_0_9_choice_2 := winnersother_winner_0_9_choice when sums_tag_valid else
-        winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_3 := 9 when sums_tag_valid else winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_4 := winnersother_winner_0_8 when sums_tag_valid else winnersother_winner_0_9;
-      winnersother_winner_0_9_choice_5 := winnersother_winner_0_9_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_9_choice_4;
-      winnersother_winner_0_9_choice_6 := winnersother_winner_0_9_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_9_choice_5;
-      winnersother_winner_0_10_choice := 10 when winnersother_cost_0_10_choice_8 else winnersother_winner_0_9;
-      winnersother_winner_0_10_choice_2 := winnersother_winner_0_10_choice when sums_tag_valid else
-        winnersother_winner_0_10;
-      winnersother_winner_0_10_choice_3 := 10 when sums_tag_valid else winnersother_winner_0_10;
-      winnersother_winner_0_10_choice_4 := winnersother_winner_0_9 when sums_tag_valid else winnersother_winner_0_10;
-      winnersother_winner_0_10_choice_5 := winnersother_winner_0_10_choice_3 when sums_tag_output_column else
-        winnersother_winner_0_10_choice_4;
-      winnersother_winner_0_10_choice_6 := winnersother_winner_0_10_choice_2 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_10_choice_5;
+      winnersother_cost_0_10_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_10 / 128) = 1) when
+        (winnersother_cost_0_9 / 128) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_10_choice_9 := winnersother_cost_0_10_choice_8 when winnersother_cost_0_10_choice_7 else (not
+        ((winnersother_cost_0_9 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_10 / 128) = 1);
+      winnersother_cost_0_10_all := (not winnersother_cost_0_10_choice_9) and sums_tag_output_column;
       winnersother_winner_0_11_any := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) = 1));
       winnersother_winner_0_11_choice := winnersother_winner_0_11_any when (winnersother_cost_0_10 mod 2) = 1 else not
         (((sums_sum_0_11 / 2) mod 2) = 1);
@@ -6475,81 +6263,55 @@ begin
       winnersother_winner_0_11_choice_7 := (not (((winnersother_cost_0_10 / 64) mod 2) = 1)) or
         winnersother_winner_0_11_value_5 when winnersother_winner_0_11_choice_6 else (not (((winnersother_cost_0_10 /
         64) mod 2) = 1)) and winnersother_winner_0_11_value_5;
-      winnersother_winner_0_11_choice_8 := ((winnersother_cost_0_10 / 128) = 1) and (not ((sums_sum_0_11 / 128) = 1))
-        when winnersother_winner_0_11_choice_7 else ((winnersother_cost_0_10 / 128) = 1) or (not ((sums_sum_0_11 / 128)
-        = 1));
-      winnersother_winner_0_11_choice_9 := 11 when winnersother_winner_0_11_choice_8 else winnersother_winner_0_10;
-      winnersother_winner_0_11_choice_10 := winnersother_winner_0_11_choice_9 when sums_tag_valid else
-        winnersother_winner_0_11;
-      winnersother_winner_0_11_choice_11 := 11 when sums_tag_valid else winnersother_winner_0_11;
-      winnersother_winner_0_11_choice_12 := winnersother_winner_0_10 when sums_tag_valid else winnersother_winner_0_11;
-      winnersother_winner_0_11_choice_13 := winnersother_winner_0_11_choice_11 when sums_tag_output_column else
-        winnersother_winner_0_11_choice_12;
-      winnersother_winner_0_11_choice_14 := winnersother_winner_0_11_choice_10 when winnersother_cost_0_0_all_2 else
-        winnersother_winner_0_11_choice_13;
-      winnersother_cost_0_1 <= winnersother_cost_0_1_choice when winnersother_cost_0_0_all else
-        winnersother_cost_0_1_choice_4;
-      winnersother_cost_0_2 <= winnersother_cost_0_2_choice_10 when winnersother_cost_0_0_all else
-        winnersother_cost_0_2_choice_14;
-      winnersother_cost_0_3 <= winnersother_cost_0_3_choice_10 when winnersother_cost_0_0_all else
-        winnersother_cost_0_3_choice_14;
-      winnersother_cost_0_4 <= winnersother_cost_0_4_choice_10 when winnersother_cost_0_0_all else
-        winnersother_cost_0_4_choice_14;
-      winnersother_cost_0_5 <= winnersother_cost_0_5_choice_10 when winnersother_cost_0_0_all else
-        winnersother_cost_0_5_choice_14;
-      winnersother_cost_0_6 <= winnersother_cost_0_6_choice_10 when winnersother_cost_0_0_all else
-        winnersother_cost_0_6_choice_14;
-      winnersother_cost_0_7 <= winnersother_cost_0_7_choice_10 when winnersother_cost_0_0_all else
-        winnersother_cost_0_7_choice_14;
-      winnersother_cost_0_8 <= winnersother_cost_0_8_choice_10 when winnersother_cost_0_0_all else
-        winnersother_cost_0_8_choice_14;
-      winnersother_cost_0_9 <= winnersother_cost_0_9_choice_10 when winnersother_cost_0_0_all else
-        winnersother_cost_0_9_choice_14;
-      winnersother_cost_0_10 <= winnersother_cost_0_10_choice_10 when winnersother_cost_0_0_all else
-        winnersother_cost_0_10_choice_14;
-      winnersother_winner_0_1 <= winnersother_winner_0_1 and (not sums_tag_valid) when winnersother_cost_0_0_choice_8
-        else winnersother_winner_0_1_choice;
-      winnersother_winner_0_2 <= winnersother_winner_0_2_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_2_choice_6;
-      winnersother_winner_0_3 <= winnersother_winner_0_3_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_3_choice_6;
-      winnersother_winner_0_4 <= winnersother_winner_0_4_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_4_choice_6;
-      winnersother_winner_0_5 <= winnersother_winner_0_5_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_5_choice_6;
-      winnersother_winner_0_6 <= winnersother_winner_0_6_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_6_choice_6;
-      winnersother_winner_0_7 <= winnersother_winner_0_7_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_7_choice_6;
-      winnersother_winner_0_8 <= winnersother_winner_0_8_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_8_choice_6;
-      winnersother_winner_0_9 <= winnersother_winner_0_9_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_9_choice_6;
-      winnersother_winner_0_10 <= winnersother_winner_0_10_choice_2 when winnersother_cost_0_0_all else
-        winnersother_winner_0_10_choice_6;
-      winnersother_winner_0_11 <= winnersother_winner_0_11_choice_10 when winnersother_cost_0_0_all else
-        winnersother_winner_0_11_choice_14;
+      winnersother_winner_0_11_choice_8 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_10 / 128) = 1))
+        or ((sums_sum_0_11 / 128) = 1)) when winnersother_winner_0_11_choice_7 else (not sums_tag_first_column) and
+        (not ((winnersother_cost_0_10 / 128) = 1)) and ((sums_sum_0_11 / 128) = 1);
+      if sums_tag_valid then
+        winnersother_cost_0_0 <= sums_sum_0_0 when sums_tag_output_column else 0;
+        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_0;
+        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_1;
+        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_2;
+        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_3;
+        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_4;
+        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_5;
+        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_6;
+        winnersother_cost_0_8 <= sums_sum_0_8 when winnersother_cost_0_8_all else winnersother_cost_0_7;
+        winnersother_cost_0_9 <= sums_sum_0_9 when winnersother_cost_0_9_all else winnersother_cost_0_8;
+        winnersother_cost_0_10 <= sums_sum_0_10 when winnersother_cost_0_10_all else winnersother_cost_0_9;
+        winnersother_winner_0_1 <= winnersother_cost_0_1_all;
+        winnersother_winner_0_2 <= 2 when winnersother_cost_0_2_all else as_number(winnersother_winner_0_1);
+        winnersother_winner_0_3 <= 3 when winnersother_cost_0_3_all else winnersother_winner_0_2;
+        winnersother_winner_0_4 <= 4 when winnersother_cost_0_4_all else winnersother_winner_0_3;
+        winnersother_winner_0_5 <= 5 when winnersother_cost_0_5_all else winnersother_winner_0_4;
+        winnersother_winner_0_6 <= 6 when winnersother_cost_0_6_all else winnersother_winner_0_5;
+        winnersother_winner_0_7 <= 7 when winnersother_cost_0_7_all else winnersother_winner_0_6;
+        winnersother_winner_0_8 <= 8 when winnersother_cost_0_8_all else winnersother_winner_0_7;
+        winnersother_winner_0_9 <= 9 when winnersother_cost_0_9_all else winnersother_winner_0_8;
+        winnersother_winner_0_10 <= 10 when winnersother_cost_0_10_all else winnersother_winner_0_9;
+        winnersother_winner_0_11 <= 11 when (not winnersother_winner_0_11_choice_8) and sums_tag_output_column else
+          winnersother_winner_0_10;
+      end if;
       winnersother_winner_out_0 <= winnersother_winner_0_11;
       -- winnerswinner1
-      winnerswinner1_best_index_0_0_choice := winnersother_cost_0_0_any when (sums_sum_0_0 mod 2) = 1 else not
+      winnerswinner1_best_index_0_0_choice := winnersother_cost_0_1_any when (sums_sum_0_0 mod 2) = 1 else not
         (((sums_sum_0_1 / 2) mod 2) = 1);
       winnerswinner1_best_index_0_0_choice_2 := winnerswinner1_best_index_0_0_choice when ((sums_sum_0_0 / 2) mod 2) =
-        1 else ((sums_sum_0_0 mod 2) = 1) and winnersother_cost_0_0_is_equal;
-      winnerswinner1_best_index_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_0_value
+        1 else ((sums_sum_0_0 mod 2) = 1) and winnersother_cost_0_1_is_equal;
+      winnerswinner1_best_index_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and winnersother_cost_0_1_value
         when winnerswinner1_best_index_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2) = 1)) or
-        winnersother_cost_0_0_value;
-      winnerswinner1_best_index_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or winnersother_cost_0_0_value_2
+        winnersother_cost_0_1_value;
+      winnerswinner1_best_index_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or winnersother_cost_0_1_value_2
         when winnerswinner1_best_index_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod 2) = 1)) and
-        winnersother_cost_0_0_value_2;
+        winnersother_cost_0_1_value_2;
       winnerswinner1_best_index_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnersother_cost_0_0_value_3 when winnerswinner1_best_index_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
-        2) = 1)) and winnersother_cost_0_0_value_3;
+        winnersother_cost_0_1_value_3 when winnerswinner1_best_index_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
+        2) = 1)) and winnersother_cost_0_1_value_3;
       winnerswinner1_best_index_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-        winnersother_cost_0_0_value_4 when winnerswinner1_best_index_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
-        2) = 1)) and winnersother_cost_0_0_value_4;
+        winnersother_cost_0_1_value_4 when winnerswinner1_best_index_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
+        2) = 1)) and winnersother_cost_0_1_value_4;
       winnerswinner1_best_index_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) or
-        winnersother_cost_0_0_value_5 when winnerswinner1_best_index_0_0_choice_6 else (not (((sums_sum_0_0 / 64) mod
-        2) = 1)) and winnersother_cost_0_0_value_5;
+        winnersother_cost_0_1_value_5 when winnerswinner1_best_index_0_0_choice_6 else (not (((sums_sum_0_0 / 64) mod
+        2) = 1)) and winnersother_cost_0_1_value_5;
       winnerswinner1_best_index_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) and (not ((sums_sum_0_1 / 128) = 1)) when
         winnerswinner1_best_index_0_0_choice_7 else ((sums_sum_0_0 / 128) = 1) or (not ((sums_sum_0_1 / 128) = 1));
       winnerswinner1_best_index_0_1_choice := winnersother_cost_0_3_any when (sums_sum_0_2 mod 2) = 1 else not

@@ -66,7 +66,7 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"8fb247d7",
+      core_id => x"6e5901fd",
       enabled_at_reset => enabled_at_reset,
       settings_largest => (7, 198, 11, 31, 0, 0, 40, 20),
       settings_start => (5, 3, 1, 22, 0, 0, 40, 20),
