@@ -183,14 +183,15 @@ def test_each_frame_has_its_settings(ghdl, verilator, settings_frames, rng, tmp_
 
 
 def test_fault_is_found_under_cocotb(ghdl, cocotb, tmp_path):
-    file, pattern, replacement, word = FAULTS["a beat changes while it waits"]
+    """A beat that is written over never gives its credit back: in the end the shell takes nothing."""
+    file, pattern, replacement, _ = FAULTS["a beat changes while it waits"]
     simulation = cocotb_runs.Ghdl(
         "tiny", tmp_path / "work", altered_shell(tmp_path / "rtl", file, pattern, replacement)
     )
     simulation.build()
     results = simulation.run("test_stereo_ip", 1, tmp_path / "out", ["full_speed", "stalls_0_50"])
     assert [(result.name, result.passed) for result in results] == [("full_speed", True), ("stalls_0_50", False)]
-    assert word in (tmp_path / "out" / "test_stereo_ip.log").read_text()
+    assert "a beat was not taken for ever" in (tmp_path / "out" / "test_stereo_ip.log").read_text()
 
 
 def test_replay_of_one_chunk(ghdl, verilator, tmp_path):
