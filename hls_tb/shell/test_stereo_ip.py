@@ -40,8 +40,9 @@ async def full_speed(dut):
 
 @cocotb.test()
 async def sink_waits_then_takes_all(dut):
-    """The sink stands still until the shell is full: until as many disparities are due as the output queue has words, or
-    one or two fewer, and three beats are in the input buffer. Then it takes a beat in each clock: no bubble, nothing lost."""
+    """The sink stands still until the shell is full: until as many disparities are due as the output queue has words,
+    or one or two fewer, and three beats are in the input buffer. Then it takes a beat in each clock: no bubble, nothing
+    lost."""
     bench = await frames(dut, "sink waits")
     bench.sink.pause = True
     bench.send(beats_of(bench.pool[0], bench.geometry) + beats_of(bench.pool[1], bench.geometry))
