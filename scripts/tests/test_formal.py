@@ -31,7 +31,11 @@ FAULTS = {
     ),
     "a word is lost": ("stream_register", "next_valid <= last_valid or (arrives", "next_valid <= (arrives"),
     "the order is changed": ("stream_register", "last_flags when last_valid = '1' else in_flags;", "in_flags;"),
-    "a full register takes a word": ("stream_register", "not (last_valid or (arrives and next_valid))", "not last_valid"),
+    "a full register takes a word": (
+        "stream_register",
+        "not (last_valid or (arrives and next_valid))",
+        "not last_valid",
+    ),
     "data of another word": ("stream_register", "main_valid = '1' and out_ready = '1'", "out_ready = '1'"),
     "a reset leaves a word": ("stream_register", "next_valid <= '0';", "null;"),
     "a word comes twice": ("stream_fifo", "read_address <= following(read_address);", "null;"),
