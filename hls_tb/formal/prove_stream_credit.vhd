@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- To be proved: `bad` is '0' for ever. In front of a core that answers each group after `latency` clocks or not at all,
 -- whichever it likes, and a queue whose reader takes words when it likes, stream_credit never lets the queue get more words
--- than it has room for, never calls a result not due, and lets a group in whenever three words were
--- free three clocks ago, and knows a clock later that all credits are back.
+-- than it has room for, never calls a result not due, lets a group in whenever three words were free three clocks ago, and
+-- knows a clock later that all credits are back.
 library ieee;
 use ieee.std_logic_1164.all;
 

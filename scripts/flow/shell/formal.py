@@ -37,8 +37,8 @@ PROOFS = (
     Proof("stream_fifo", {"depth": 2, "width": 1}),
     Proof("stream_fifo", {"depth": 3, "width": 1}),
     Proof("stream_fifo", {"depth": 4, "width": 1}),
-    Proof("stream_credit", {"words": 4, "latency": 1}),
     Proof("stream_credit", {"words": 3, "latency": 2}),
+    Proof("stream_credit", {"words": 4, "latency": 1}),
     Proof("stream_credit", {"words": 7, "latency": 3}),
 )
 
