@@ -54,6 +54,7 @@ stereo_add_unit_tests(
   blocks/dynamic_range/search_rows_test.cpp
   blocks/dynamic_range/stream_delay_test.cpp
   blocks/dynamic_range/window_targets_test.cpp
+  blocks/phase_correlation/config_test.cpp
   blocks/phase_correlation/phase_transform_test.cpp
   blocks/phase_correlation/phase_distance_test.cpp
   blocks/rectification/bilinear_test.cpp
@@ -77,7 +78,8 @@ add_dependencies(cores_named_cores_test cores)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/settings_test.cpp)
 foreach(row tiny_settings tiny_settings_all tiny_settings_full tiny_settings_left_p2 tiny_settings_recursive
         tiny_size tiny_size_all tiny_size_census_p2 tiny_size_recursive tiny_size_full tiny_size_full_all
-        tiny_sgm_settings tiny_sgm_settings_full tiny_sgm_size tiny_sgm_size_all tiny_sgm_size_full)
+        tiny_sgm_settings tiny_sgm_settings_full tiny_sgm_size tiny_sgm_size_all tiny_sgm_size_full
+        tiny_trellis_settings tiny_trellis_size tiny_phase_settings tiny_phase_size tiny_phase_size_all)
   add_dependencies(cores_settings_test core_${row})
 endforeach()
 add_dependencies(engines_clocked_stimulus_test cores)

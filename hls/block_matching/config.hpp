@@ -192,7 +192,10 @@ struct Config : Image, Matching, Structure {
    /// Groups from the start of a frame to the last one of the windows around its first pixels.
    constexpr int groups_to_first_window() const {
       const int transform = has_transform() ? transform_groups() * width_px + transform_columns() : 0;
-      return transform + delay_groups() * width_px + first_map_column() + columns_after();
+      return transform + groups_behind_transform();
+   }
+   constexpr int groups_behind_transform() const {
+      return delay_groups() * width_px + first_map_column() + columns_after();
    }
    /// Clocks that are enough from the last group that a disparity depends on to the last check.
    constexpr int clocks_to_last_check() const { return 64 + disparities; }

@@ -4,6 +4,7 @@
 #include "block_matching/config.hpp"
 #include "phase_correlation/matching.hpp"
 #include "support/image.hpp"
+#include "support/least_size.hpp"
 
 namespace stereo::phase_correlation {
 
@@ -12,12 +13,16 @@ struct Structure {
    Aggregation aggregation = Aggregation::direct;
    int slice_disparities = 25;  ///< disparities between two registers of the chain that carries the pixels, at least 2
    int winner_group = 2;        ///< candidates that one clock of the winner-take-all tree compares: 2 ... 16
+   bool run_time_settings = false;  ///< thresholds from ports, taken over with each start of frame
+   bool run_time_size = false;  ///< image width and height from ports, up to the configuration's, taken over at a reset
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
       visit("aggregation", self.aggregation);
       visit("slice_disparities", self.slice_disparities, 2, kUnlimited, "the number of disparities of a slice");
       visit("winner_group", self.winner_group, 2, 16, "the number of candidates of a winner group");
+      visit("run_time_settings", self.run_time_settings);
+      visit("run_time_size", self.run_time_size);
    }
 };
 
@@ -52,6 +57,13 @@ struct CodeConfig : block_matching::Config {
    constexpr int transform_groups() const { return largest_reach().below; }
    constexpr int transform_columns() const { return largest_reach().after; }
 
+   /// As for block matching, with the filters' rows and columns in place of a census.
+   constexpr bool holds_settings() const {
+      const int filters = transform_groups() * width_px + transform_columns();
+      const int check = has_left_right_check() ? disparities - 1 : 0;
+      return filters + groups_behind_transform() + check + clocks_to_last_check() < row_groups() * width_px;
+   }
+
    /// As for block matching: recursive sums need whole rows between two frames, and as many as the filters wait for.
    constexpr int gap_groups() const {
       if (aggregation == Aggregation::direct || delay_groups() == 0) return 0;
@@ -67,14 +79,34 @@ struct Config : Image, Matching, Structure {
       structure.aggregation = aggregation;
       structure.slice_disparities = slice_disparities;
       structure.winner_group = winner_group;
+      structure.run_time_settings = run_time_settings;
+      structure.run_time_size = run_time_size;
       block_matching::Matching matching = block_matching();
       matching.cost = kPhaseCost;
       return {{Image(*this), matching, structure}, phase_scales};
    }
 
+   /// As in Matching; ports may leave any disparity out.
+   constexpr bool has_check() const { return Matching::has_check() || codes().has_lost_pixels(); }
+
    constexpr int output_width_px() const { return codes().output_width_px(); }
    constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
    constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
+
+   /// What the ports of a core with run-time settings or a run-time size set; nothing of a check that the core does not
+   /// have, nor of what is a constant.
+   template <class Visitor>
+   constexpr void settings(Visitor& visit) const {
+      const auto set = [&](const char* name, bool exists, int largest, int start) {
+         const bool is_set = exists && run_time_settings;
+         visit(name, 8, is_set ? largest : 0, is_set ? start : 0);
+      };
+      set("uniqueness_percent", has_uniqueness_check(), 100, uniqueness_percent);
+      set("left_right_threshold", has_left_right_check(), disparities - 1, left_right_threshold);
+      set("first_disparity", full_width, disparities - 1, first_disparity);
+      set("last_disparity", full_width, disparities - 1, codes().last_searched());
+      visit_size(*this, visit);
+   }
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
@@ -97,6 +129,9 @@ struct Config : Image, Matching, Structure {
          return "the image must be higher than the rows that a filter waits for";
       if (width_px <= codes().transform_columns())
          return "the image must be wider than the columns that a filter waits for";
+      if (run_time_settings && !codes().holds_settings())
+         return "with run-time settings the image must be higher, for a frame's first disparity to leave before the "
+                "next one";
       return {};
    }
 };

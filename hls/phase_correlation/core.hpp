@@ -2,6 +2,7 @@
 #pragma once
 
 #include "block_matching/disparity_slice.hpp"
+#include "frontend/image_size.hpp"
 #include "frontend/line_buffer.hpp"
 #include "frontend/pair_delay.hpp"
 #include "frontend/raster.hpp"
@@ -11,12 +12,23 @@
 #include "support/optional_block.hpp"
 #include "support/pixel_bits.hpp"
 #include "support/schedule.hpp"
+#include "support/settings.hpp"
 #include "winner/left_right_check.hpp"
 #include "winner/map_group.hpp"
 #include "winner/median.hpp"
 #include "winner/refinement.hpp"
 
 namespace stereo::phase_correlation {
+
+/// Thresholds of the checks, and what is searched, as those of block matching.
+#define STEREO_SETTINGS_phase_correlation(PORT) \
+   PORT(uint8_t, uniqueness_percent)            \
+   PORT(uint8_t, left_right_threshold)          \
+   PORT(uint8_t, first_disparity)               \
+   PORT(uint8_t, last_disparity)
+
+/// What the ports bring. A frame is matched with those of its start of frame.
+STEREO_SETTINGS_STRUCT(Settings, STEREO_SETTINGS_phase_correlation);
 
 /// The phase-correlation core: one call of `clock` is one clock of the hardware. docs/algorithm.md defines the result.
 ///
@@ -42,6 +54,10 @@ struct Core {
    using MapBlock =
        std::conditional_t<C.median, Median<kCodeConfig<C>>, Optional<C.subpixel, MapRegister<kCodeConfig<C>>>>;
    static constexpr bool kHasMapBlock = C.median || C.subpixel;
+   using Settings =
+       std::conditional_t<C.run_time_size, SizedSettings<phase_correlation::Settings>, phase_correlation::Settings>;
+   using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<kCodeConfig<C>>, NoSettings>;
+   using Size = std::conditional_t<C.run_time_size, RunTimeSize<kCodeConfig<C>>, FixedSize<kCodeConfig<C>>>;
 
    //            a pixel pair
    //                 |
@@ -65,6 +81,8 @@ struct Core {
    static constexpr Schedule kSchedule =
        raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput, kCodes.gap_groups());
 
+   static_assert(!C.run_time_settings || kLatency < kCodes.clocks_to_last_check(), "the bound in Config is too low");
+
    // The first memory number of each block.
    static constexpr int kDelayMemory = TransformBlock::kMemories;
    static constexpr int kRowsMemory = kDelayMemory + PairDelay<kCodeConfig<C>>::kMemories;
@@ -72,6 +90,8 @@ struct Core {
    static constexpr int kCheckMemory = kSlicesMemory + Slices::kMemories;
    static constexpr int kMapMemory = kCheckMemory + CheckBlock::kMemories;
 
+   [[no_unique_address]] SettingsBlock settings;
+   [[no_unique_address]] Size size;
    TransformBlock transform;
    Raster<kCodeConfig<C>> raster;
    PairDelay<kCodeConfig<C>> delay;
@@ -96,6 +116,8 @@ struct Core {
    /// In data-flow order. Registers of slice number s begin with "slice<s>".
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (C.run_time_settings) visit.block("settings", settings);
+      if constexpr (C.run_time_size) visit.block("size", size);
       visit.block("transform", transform);
       visit.block("raster", raster);
       visit.block("delay", delay);
@@ -111,21 +133,37 @@ struct Core {
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (kHasMapBlock) map_block.clock(checked());
+      if constexpr (C.median) map_block.clock(checked(), size);
+      else if constexpr (kHasMapBlock) map_block.clock(checked());
       if constexpr (C.has_left_right_check()) check();
-      refinement.clock(slices.last(), texture);
-      slices.clock(rows.search, rows.reference, rows.tag, block_matching::NoRival<kCodeConfig<C>>());
+      refinement.clock(slices.last(), texture, settings);
+      slices.clock(rows.search, rows.reference, rows.tag, block_matching::NoRival<kCodeConfig<C>>(), settings, size);
       rows.clock(delay);
-      delay.clock(raster);
-      raster.clock(transform.output());
-      transform.clock(in);
+      delay.clock(raster, size);
+      raster.clock(transform.output(), size);
+      transform.clock(in, size);
+   }
+
+   /// The same where the configuration has run-time settings or a run-time size. `now`: what the ports show. Thresholds
+   /// count in the clock of a start of frame; the size is that of all frames from one reset to the next.
+   HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
+      clock(in);
+      if constexpr (C.run_time_settings) {
+         CheckSettings checks;
+         checks.uniqueness_percent = now.uniqueness_percent;
+         checks.left_right_threshold = now.left_right_threshold;
+         checks.first_disparity = now.first_disparity;
+         checks.last_disparity = now.last_disparity;
+         settings.clock(in, checks);
+      }
+      if constexpr (C.run_time_size) size.clock(now.image_width, now.image_height);
    }
 
   private:
    HLS_INLINE void check() {
       const auto& other = slices.last().other;
       const uint8_t other_winner[1] = {other.winner[0][other.kOldest]};
-      left_right.clock(refinement.output(slices.last(), texture), other_winner);
+      left_right.clock(refinement.output(slices.last(), texture), other_winner, settings);
    }
 
    HLS_INLINE Winners<kCodeConfig<C>> checked() const {

@@ -21,11 +21,14 @@ struct Matching {
    int uniqueness_percent = 0;     ///< 0 ... 100; 0: no check
    bool subpixel = false;          ///< disparities in sixteenths of a pixel
    bool median = false;            ///< median of 3x3 disparities
+   bool full_width = false;        ///< a disparity for every pixel whose window lies in the image
+   int first_disparity = 0;        ///< with full_width: lowest of the disparities 0 ... D-1 that is searched
+   int last_disparity = -1;        ///< and the highest one; -1: D-1
 
    constexpr bool has_left_right_check() const { return left_right_threshold >= 0; }
    constexpr bool has_uniqueness_check() const { return uniqueness_percent > 0; }
    /// Any of them: without one every pixel is valid.
-   constexpr bool has_check() const { return has_left_right_check() || has_uniqueness_check(); }
+   constexpr bool has_check() const { return block_matching().has_check(); }
 
    /// Block matching that only differs in what it compares. A census of 5x5 has the largest cost of three scales, 24.
    constexpr block_matching::Matching block_matching() const {
@@ -41,7 +44,10 @@ struct Matching {
               .left_right_threshold = left_right_threshold,
               .uniqueness_percent = uniqueness_percent,
               .subpixel = subpixel,
-              .median = median};
+              .median = median,
+              .full_width = full_width,
+              .first_disparity = first_disparity,
+              .last_disparity = last_disparity};
    }
 
    template <class Self, class Visitor>
@@ -57,10 +63,15 @@ struct Matching {
       visit("uniqueness_percent", self.uniqueness_percent, 0, 100, "the uniqueness in percent");
       visit("subpixel", self.subpixel);
       visit("median", self.median);
+      visit("full_width", self.full_width);
+      const int highest = self.full_width ? self.disparities - 1 : 0;
+      visit("first_disparity", self.first_disparity, 0, highest, "the first disparity");
+      visit("last_disparity", self.last_disparity, -1, self.full_width ? highest : -1, "the last disparity");
    }
 
    /// Why nothing can be matched with these options; empty when it can.
    constexpr Sentence problem() const {
+      if (!full_width && !block_matching().searches_all()) return block_matching::kPartNeedsFullWidth;
       if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
       return block_matching().problem();
    }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "frontend/image_size.hpp"
 #include "phase_correlation/phase_code.hpp"
 #include "support/raster_counter.hpp"
 #include "support/row_buffer.hpp"
@@ -52,7 +53,8 @@ struct PhaseTransform {
    Rows left_rows, right_rows;  // clocks 2 and 3
    Start read, ready;
    uint16_t read_column, ready_column, write_column;
-   uint16_t centre_column, centre_group;              // clock 2: which pixel is the centre
+   typename OfWidth<C, C.width_px - C.transform_columns()>::Type columns_up;  ///< from a column to the centre above it
+   uint16_t centre_column, centre_group;                                      // clock 2: which pixel is the centre
    bool from_first[C.scales], up_to_last[C.scales];   // clock 3: [scale]: within two sides of the image each
    Pixel<C> left_column[kRows], right_column[kRows];  // clock 4
    Tag columns;
@@ -78,6 +80,7 @@ struct PhaseTransform {
       visit("ready", ready);
       visit("ready_column", ready_column);
       visit("write_column", write_column);
+      if constexpr (kRunTimeSize<C>) visit("columns_up", columns_up);
       visit("centre_column", centre_column);
       visit("centre_group", centre_group);
       visit("from_first", from_first);
@@ -101,7 +104,8 @@ struct PhaseTransform {
       return out;
    }
 
-   HLS_INLINE void clock(const CoreInput<C>& in) {
+   template <class Size = FixedSize<C>>
+   HLS_INLINE void clock(const CoreInput<C>& in, const Size& size = Size()) {
       left_code.clock(left_column, filtering);
       right_code.clock(right_column, filtering);
       HLS_UNROLL
@@ -116,11 +120,12 @@ struct PhaseTransform {
       left_rows.clock(left, counter.column, ready.valid, write_column);
       right_rows.clock(right, counter.column, ready.valid, write_column);
       write_column = select<uint16_t>(ready.valid, ready_column, write_column);
-      find_sides<0>();
+      find_sides<0>(size);
       ready = read;
       ready_column = read_column;
       find_centre();
-      counter.clock(in.valid, in.start_of_frame);
+      columns_up.clock(size);
+      counter.clock(in.valid, in.start_of_frame, size.transform);
       valid = in.valid;
       left[0] = in.left[0];
       right[0] = in.right[0];
@@ -138,7 +143,7 @@ struct PhaseTransform {
    HLS_INLINE void find_centre() {
       const bool same_row = counter.column >= kLagColumns;
       centre_column = at_most<C.width_px - 1>(
-          select<uint16_t>(same_row, counter.column - kLagColumns, counter.column + C.width_px - kLagColumns));
+          select<uint16_t>(same_row, counter.column - kLagColumns, counter.column + columns_up.get()));
       centre_group = select<uint16_t>(same_row, counter.group + 1, counter.group);
       read.start_of_frame = (counter.group == kLagRows) & (counter.column == kLagColumns);
       read.valid = valid;
@@ -146,14 +151,18 @@ struct PhaseTransform {
    }
 
    /// Of scales K, K+1, ... Recursion: each scale has its own numbers. Without &&, which would be a branch.
-   template <int K>
-   HLS_INLINE void find_sides() {
+   template <int K, class Size>
+   HLS_INLINE void find_sides(const Size& size) {
       constexpr FilterReach kReach = C.reach(K);
       constexpr int kFirstGroup = kLagRows + 1;
       from_first[K] = (centre_column >= kReach.before) & (centre_group >= kFirstGroup + kReach.above);
-      up_to_last[K] = (centre_column <= C.width_px - 1 - kReach.after) &
-                      (centre_group <= kFirstGroup + C.height_px - 1 - kReach.below);
-      if constexpr (K + 1 < C.scales) find_sides<K + 1>();
+      constexpr int kLastGroup = kFirstGroup + C.height_px - 1 - kReach.below;
+      if constexpr (Size::kFixed)
+         up_to_last[K] = (centre_column <= C.width_px - 1 - kReach.after) & (centre_group <= kLastGroup);
+      else
+         up_to_last[K] = (centre_column + kReach.after <= size.transform.last_column) &
+                         is_until<C>(centre_group, kLastGroup, size.transform);
+      if constexpr (K + 1 < C.scales) find_sides<K + 1>(size);
    }
 
    HLS_INLINE void find_inside() {

@@ -57,6 +57,12 @@ package stereo_register_map is
   constant p2_word : natural := 15;
   constant p2_value_bits : positive := 16;
   constant p2_largest_bits : positive := 16;
+  constant drop_cost_word : natural := 12;
+  constant drop_cost_value_bits : positive := 16;
+  constant drop_cost_largest_bits : positive := 16;
+  constant occlusion_cost_word : natural := 13;
+  constant occlusion_cost_value_bits : positive := 16;
+  constant occlusion_cost_largest_bits : positive := 16;
   constant first_disparity_word : natural := 16;
   constant first_disparity_value_bits : positive := 16;
   constant first_disparity_largest_bits : positive := 16;

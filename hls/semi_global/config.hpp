@@ -49,11 +49,6 @@ struct Config : Image, Matching, Structure {
       return levels;
    }
 
-   /// Largest penalties: those of the configuration, or all that ports of their bits can bring.
-   constexpr int largest_p1() const { return run_time_settings ? (1 << bits_for(p1)) - 1 : p1; }
-   constexpr int largest_p2() const { return run_time_settings ? (1 << bits_for(p2)) - 1 : p2; }
-   constexpr int smallest_p1() const { return run_time_settings ? 0 : p1; }
-
    // Numbers of the paths; docs/algorithm.md proves the bounds.
    /// Largest cost that a path sees.
    constexpr int largest_cost() const {
@@ -64,15 +59,21 @@ struct Config : Image, Matching, Structure {
    /// The K and A of the row paths are kept with a bias of half their range: then their highest bit says that they are
    /// not below 0.
    constexpr int row_path_bits() const {
-      const int highest = 2 * largest_cost() + largest_p1();
-      const int lowest = largest_p2() + (largest_cost() > smallest_p1() ? largest_cost() - smallest_p1() : 0);
+      const int highest = 2 * largest_cost() + p1;
+      const int lowest = p2 + (largest_cost() > p1 ? largest_cost() - p1 : 0);
       int bits = 2;
       while (1 << (bits - 1) <= highest || 1 << (bits - 1) < lowest) ++bits;
       return bits;
    }
    constexpr int row_path_bias() const { return 1 << (row_path_bits() - 1); }
+   /// The smallest P1 that ports may bring: that with which the row paths need no more bits, with P2 as it is. The
+   /// largest penalties are the configuration's.
+   constexpr int least_p1() const {
+      const int least = largest_cost() + p2 - row_path_bias();
+      return (path_left || path_right) && least > 0 ? least : 0;
+   }
    /// Largest K of the path from above, which is never below 0.
-   constexpr int largest_path_above() const { return largest_p2() + largest_cost(); }
+   constexpr int largest_path_above() const { return p2 + largest_cost(); }
    /// Largest sum of the paths that a row is scanned for from its left end on, biases included.
    constexpr int largest_forward_sum() const {
       return (path_left ? row_path_bias() + largest_cost() : 0) + (path_above ? largest_path_above() : 0);
@@ -95,12 +96,12 @@ struct Config : Image, Matching, Structure {
    /// have, nor of what is a constant.
    template <class Visitor>
    constexpr void settings(Visitor& visit) const {
-      const auto set = [&](const char* name, int bits, bool exists, int largest, int start) {
+      const auto set = [&](const char* name, int bits, bool exists, int largest, int start, int least = 0) {
          const bool is_set = exists && run_time_settings;
-         visit(name, bits, is_set ? largest : 0, is_set ? start : 0);
+         visit(name, bits, is_set ? largest : 0, is_set ? start : 0, is_set ? least : 0);
       };
-      set("p1", 16, true, largest_p1(), p1);
-      set("p2", 16, true, largest_p2(), p2);
+      set("p1", 16, true, p1, p1, least_p1());
+      set("p2", 16, true, p2, p2);
       set("uniqueness_distance", 16, has_uniqueness_check(), largest_uniqueness(), uniqueness_distance);
       set("left_right_threshold", 8, has_left_right_check(), disparities - 1, left_right_threshold);
       set("first_disparity", 8, full_width, disparities - 1, first_disparity);

@@ -59,7 +59,7 @@ STEREO_ROW(tiny_sgm_10bit, option, tiny_sgm, pixel_bits = 10);
 STEREO_ROW(tiny_sgm_12bit_all, option, tiny_sgm_all, pixel_bits = 12, reference = Reference::left, cost = Cost::sad,
            prefilter = Prefilter::xsobel, prefilter_cap = 500, cost_shift = 7, cost_cap = 63, full_width = true);
 STEREO_ROW(tiny_sgm_settings, option, tiny_sgm_all, run_time_settings = true);
-STEREO_ROW(tiny_sgm_settings_full, option, tiny_sgm_full_all, run_time_settings = true);
+STEREO_ROW(tiny_sgm_settings_full, option, tiny_sgm_full_all, p1 = 10, p2 = 40, run_time_settings = true);
 STEREO_ROW(tiny_sgm_size, option, tiny_sgm, run_time_size = true);
 STEREO_ROW(tiny_sgm_size_all, option, tiny_sgm_all, height_px = 20, run_time_settings = true, run_time_size = true);
 STEREO_ROW(tiny_sgm_size_full, option, tiny_sgm_full_all, height_px = 20, run_time_settings = true,

@@ -18,13 +18,13 @@ template <const Config& C>
 struct PathAbove {
    static constexpr int kCount = C.disparities;
    static constexpr int kWidth = C.output_width_px();
-   static constexpr int kStateBits = bits_for(C.largest_p2());
+   static constexpr int kStateBits = bits_for(C.p2);
    static constexpr int kTotalBits = bits_for(C.largest_path_above());
    using Pack = Packed<kStateBits, kCount>;
    using State = typename Pack::Lane;
    using Word = typename Pack::Word;
    using Value = AbovePathValue<C>;
-   using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.largest_p1())>;
+   using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.p1)>;
    using Tree = MinimumTree<Value, kCount>;
    using Delay = MoveDelay<kTotalBits, kCount, Tree::kLevels + 1>;
    using Memory = MemoryBank<Word, kWidth, Pack::kWords>;

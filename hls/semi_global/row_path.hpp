@@ -22,7 +22,7 @@ struct RowPath {
    static constexpr int kMoves = 4;
    using Value = RowPathValue<C>;
    static constexpr Value kMask = Value((1 << kBits) - 1);
-   using Start = uint_of_bits<bits_for(C.largest_p2())>;
+   using Start = uint_of_bits<bits_for(C.p2)>;
 
    /// The smaller of K(d-1) and K(d+1) is needed anyway: every other pair of them, and what is left at the end, covers
    /// all disparities.
@@ -154,7 +154,7 @@ struct RowPath {
          start_cost[j] = select<Start>(move, select<Start>(first_in, 0, start_cost[j - 1]), start_cost[j]);
       start_cost[0] = select<Start>(move, q, start_cost[0]);
    }
-   static constexpr Start kStartMask = Start((uint64_t(1) << bits_for(C.largest_p2())) - 1);
+   static constexpr Start kStartMask = Start((uint64_t(1) << bits_for(C.p2)) - 1);
 };
 
 }  // namespace stereo::semi_global

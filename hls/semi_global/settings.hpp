@@ -7,25 +7,17 @@
 
 namespace stereo::semi_global {
 
-/// What the ports bring. A frame is matched with those of its start of frame.
-struct Settings {
-   uint16_t p1 = 0;
-   uint16_t p2 = 0;
-   uint16_t uniqueness_distance = 0;
-   uint8_t left_right_threshold = 0;  ///< D-1 lets every disparity pass
-   uint8_t first_disparity = 0;       ///< with full_width: those below it are not searched
-   uint8_t last_disparity = 0;        ///< nor those above it
+/// Penalties, thresholds and what is searched, as those of block matching.
+#define STEREO_SETTINGS_semi_global(PORT) \
+   PORT(uint16_t, p1)                     \
+   PORT(uint16_t, p2)                     \
+   PORT(uint16_t, uniqueness_distance)    \
+   PORT(uint8_t, left_right_threshold)    \
+   PORT(uint8_t, first_disparity)         \
+   PORT(uint8_t, last_disparity)
 
-   template <class Visitor>
-   HLS_INLINE void registers(Visitor& visit) {
-      visit("p1", p1);
-      visit("p2", p2);
-      visit("uniqueness_distance", uniqueness_distance);
-      visit("left_right_threshold", left_right_threshold);
-      visit("first_disparity", first_disparity);
-      visit("last_disparity", last_disparity);
-   }
-};
+/// What the ports bring. A frame is matched with those of its start of frame.
+STEREO_SETTINGS_STRUCT(Settings, STEREO_SETTINGS_semi_global);
 
 /// Keeps the settings of the frame that comes in. Each path and each check takes them over when the frame's first
 /// column reaches it. Config::problem() says which images are too low for that.
@@ -54,8 +46,8 @@ struct FrameSettings {
 
    HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
       const bool starts = in.valid & in.start_of_frame;
-      p1 = select<uint16_t>(starts, at_most<C.largest_p1()>(now.p1), p1);
-      p2 = select<uint16_t>(starts, at_most<C.largest_p2()>(now.p2), p2);
+      p1 = select<uint16_t>(starts, limited<C.least_p1(), C.p1>(now.p1), p1);
+      p2 = select<uint16_t>(starts, limited<0, C.p2>(now.p2), p2);
       if constexpr (C.has_uniqueness_check())
          uniqueness_distance =
              select<uint16_t>(starts, at_most<C.largest_uniqueness()>(now.uniqueness_distance), uniqueness_distance);
@@ -68,22 +60,9 @@ struct FrameSettings {
    }
 };
 
-/// A penalty where a path needs it: the configuration's number, or a register that takes over the frame's.
-template <bool IsSet, int Start>
-struct PenaltyHere {
-   HLS_INLINE int get() const { return Start; }
-   HLS_INLINE void take(bool, int) {}
-};
-template <int Start>
-struct PenaltyHere<true, Start> {
-   uint16_t value;
-
-   HLS_INLINE int get() const { return value; }
-   HLS_INLINE void take(bool now, uint16_t taken) { value = select<uint16_t>(now, taken, value); }
-};
 template <const Config& C>
-using FirstPenalty = PenaltyHere<C.run_time_settings, C.p1>;
+using FirstPenalty = NumberHere<C.run_time_settings, C.p1>;
 template <const Config& C>
-using SecondPenalty = PenaltyHere<C.run_time_settings, C.p2>;
+using SecondPenalty = NumberHere<C.run_time_settings, C.p2>;
 
 }  // namespace stereo::semi_global

@@ -11,6 +11,21 @@
 
 namespace stereo {
 
+/// The settings of a family are a list of LIST(PORT): PORT(type, name) for each, in the order of their ports. It makes
+/// their structure here and their ports in hls/top/stereo_top.cpp.
+#define STEREO_SETTING_MEMBER(type, name) type name = 0;
+#define STEREO_SETTING_VISIT(type, name) visit(#name, name);
+#define STEREO_SETTINGS_STRUCT(Name, LIST)        \
+   struct Name {                                  \
+      LIST(STEREO_SETTING_MEMBER)                 \
+      template <class Visitor>                    \
+      HLS_INLINE void registers(Visitor& visit) { \
+         LIST(STEREO_SETTING_VISIT)               \
+      }                                           \
+   }
+/// Of a core with run_time_size, behind the others.
+#define STEREO_SETTINGS_OF_SIZE(PORT) PORT(uint16_t, image_width) PORT(uint16_t, image_height)
+
 /// Whether the configuration's settings come from ports; its own are what they are after a reset.
 template <const auto& C>
 inline constexpr bool kSetAtRunTime = [] {
@@ -42,8 +57,8 @@ struct SettingList {
    Setting setting[kMost] = {};
    int count = 0;
 
-   constexpr void operator()(const char* name, int bits, int largest, int start) {
-      setting[count++] = {name, bits, largest, start};
+   constexpr void operator()(const char* name, int bits, int largest, int start, int least = 0) {
+      setting[count++] = {name, bits, largest, start, least};
    }
    constexpr void held(const char* name, int bits, int largest, int least, int step) {
       setting[count++] = {name, bits, largest, largest, least, step, true};
@@ -52,35 +67,27 @@ struct SettingList {
    constexpr const Setting* end() const { return setting + count; }
 };
 
-/// The thresholds of the checks, and what is searched. A frame is matched with those that its start of frame brings.
-struct CheckSettings {
-   uint16_t texture_threshold = 0;
-   uint8_t uniqueness_percent = 0;
-   uint8_t left_right_threshold = 0;  ///< D-1 lets every disparity pass
-   uint8_t first_disparity = 0;       ///< with full_width: those below it are not searched
-   uint8_t last_disparity = 0;        ///< nor those above it
+/// The thresholds of the checks, and what is searched: with full_width, no disparity below the first one nor above the
+/// last one. A left/right threshold of D-1 lets every disparity pass.
+#define STEREO_SETTINGS_block_matching(PORT) \
+   PORT(uint16_t, texture_threshold)         \
+   PORT(uint8_t, uniqueness_percent)         \
+   PORT(uint8_t, left_right_threshold)       \
+   PORT(uint8_t, first_disparity)            \
+   PORT(uint8_t, last_disparity)
 
-   template <class Visitor>
-   HLS_INLINE void registers(Visitor& visit) {
-      visit("texture_threshold", texture_threshold);
-      visit("uniqueness_percent", uniqueness_percent);
-      visit("left_right_threshold", left_right_threshold);
-      visit("first_disparity", first_disparity);
-      visit("last_disparity", last_disparity);
-   }
-};
+/// A frame is matched with those that its start of frame brings.
+STEREO_SETTINGS_STRUCT(CheckSettings, STEREO_SETTINGS_block_matching);
 
 /// Those of a family, and the size of the images.
 template <class Settings>
 struct SizedSettings : Settings {
-   uint16_t image_width = 0;
-   uint16_t image_height = 0;
+   STEREO_SETTINGS_OF_SIZE(STEREO_SETTING_MEMBER)
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       Settings::registers(visit);
-      visit("image_width", image_width);
-      visit("image_height", image_height);
+      STEREO_SETTINGS_OF_SIZE(STEREO_SETTING_VISIT)
    }
 };
 
@@ -128,6 +135,27 @@ struct TakenSetting {
 };
 template <const auto& C, class T>
 using TakenOver = std::conditional_t<kSetAtRunTime<C>, TakenSetting<T>, NoSettings>;
+
+/// A cost where a path needs it: the configuration's number, or a register that takes over the frame's.
+template <bool IsSet, int Start>
+struct NumberHere {
+   HLS_INLINE int get() const { return Start; }
+   HLS_INLINE void take(bool, int) {}
+};
+template <int Start>
+struct NumberHere<true, Start> {
+   uint16_t value;
+
+   HLS_INLINE int get() const { return value; }
+   HLS_INLINE void take(bool now, uint16_t taken) { value = select<uint16_t>(now, taken, value); }
+};
+
+/// What a port brings, or the next value that the core holds.
+template <int Least, int Largest>
+HLS_INLINE constexpr uint16_t limited(uint16_t value) {
+   const uint16_t high = at_most<Largest>(select<uint16_t>(value > Largest, Largest, value));
+   return at_most<Largest>(select<uint16_t>(high < Least, Least, high));
+}
 
 /// Whether what this tag belongs to is the first disparity of a frame.
 template <class Tag>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hardware top: plain ports around one core that never stops. One pass of the loop is one clock.
 //    -DSTEREO_FAMILY=block_matching -DSTEREO_CONFIGURATION=ambrosch2007
+// Where settings come from ports, -DSTEREO_SETTINGS; with a run-time size, -DSTEREO_SIZE too. With a size alone, the
+// ports of the other settings are there and say nothing.
 #define STEREO_TEXT(words) #words
 // clang-format off
 #define STEREO_HEADER(name) STEREO_TEXT(name/family.hpp)
@@ -8,6 +10,21 @@
 
 #include STEREO_HEADER(STEREO_FAMILY)
 #include "support/pixel_bits.hpp"
+
+#ifdef STEREO_SETTINGS
+#define STEREO_LIST_OF(family) STEREO_LIST(family)
+#define STEREO_LIST(family) STEREO_SETTINGS_##family
+#define STEREO_FAMILY_SETTINGS(PORT) STEREO_LIST_OF(STEREO_FAMILY)(PORT)
+#else
+#define STEREO_FAMILY_SETTINGS(PORT)
+#endif
+#ifdef STEREO_SIZE
+#define STEREO_ALL_SETTINGS(PORT) STEREO_FAMILY_SETTINGS(PORT) STEREO_SETTINGS_OF_SIZE(PORT)
+#else
+#define STEREO_ALL_SETTINGS(PORT) STEREO_FAMILY_SETTINGS(PORT)
+#endif
+#define STEREO_PORT(type, name) volatile type *name,
+#define STEREO_READ(type, name) settings.name = *name;
 
 namespace {
 constexpr const auto& kConfig = stereo::STEREO_FAMILY::configurations::STEREO_CONFIGURATION;
@@ -30,7 +47,8 @@ struct Memories {
 
 /// Pixels: pixel_bits bits each, row p of the group at bit pixel_bits * p. Disparities likewise, with
 /// kConfig.disparity_bits(). Bit p of
-/// pixel_valid belongs to row p.
+/// pixel_valid belongs to row p. The tool takes no pragma from a macro: the ports of settings have none, which for
+/// what is only read is the same.
 #pragma HLS interface port = left_pixel mode = none
 #pragma HLS interface port = right_pixel mode = none
 #pragma HLS interface port = start_of_frame mode = none
@@ -41,9 +59,9 @@ struct Memories {
 #pragma HLS interface port = disparity_start_of_frame mode = none
 #pragma HLS interface port = disparity_end_of_line mode = none
 extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_pixel, volatile bool* start_of_frame,
-                            volatile bool* valid, volatile Disparities* disparity, volatile uint8_t* pixel_valid,
-                            volatile bool* disparity_valid, volatile bool* disparity_start_of_frame,
-                            volatile bool* disparity_end_of_line) {
+                            volatile bool* valid, STEREO_ALL_SETTINGS(STEREO_PORT) volatile Disparities* disparity,
+                            volatile uint8_t* pixel_valid, volatile bool* disparity_valid,
+                            volatile bool* disparity_start_of_frame, volatile bool* disparity_end_of_line) {
    Memories memories;
    Core core(memories);
 #pragma nounroll
@@ -55,6 +73,10 @@ extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_
       stereo::CoreInput<kConfig> in;
       in.start_of_frame = *start_of_frame;
       in.valid = *valid;
+#ifdef STEREO_SETTINGS
+      Core::Settings settings;
+      STEREO_ALL_SETTINGS(STEREO_READ)
+#endif
       const stereo::StereoOutput out = core.output();
       Disparities word = 0;
       uint8_t pixels_valid = 0;
@@ -70,6 +92,10 @@ extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_
       *disparity_valid = out.valid;
       *disparity_start_of_frame = out.start_of_frame;
       *disparity_end_of_line = out.end_of_line;
+#ifdef STEREO_SETTINGS
+      core.clock(in, settings);
+#else
       core.clock(in);
+#endif
    }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "semi_global/config.hpp"
+#include "support/least_size.hpp"
 #include "trellis/matching.hpp"
 
 namespace stereo::trellis {
@@ -16,7 +17,9 @@ struct Config : Image, Matching, Structure {
    constexpr semi_global::Config costs() const {
       semi_global::Matching matching = path_costs();
       matching.path_left = matching.path_above = false;
-      return {Image(*this), matching, Structure(*this)};
+      Structure structure = *this;
+      structure.run_time_settings = false;  // semi-global matching's are others
+      return {Image(*this), matching, structure};
    }
 
    constexpr int output_width_px() const { return costs().output_width_px(); }
@@ -47,6 +50,21 @@ struct Config : Image, Matching, Structure {
       return 1 + bits_for(largest_spread() + drop_cost + highest + step);
    }
 
+   /// What the ports of a core with run-time settings or a run-time size set. The largest costs are the
+   /// configuration's, so that no path needs more bits.
+   template <class Visitor>
+   constexpr void settings(Visitor& visit) const {
+      const auto set = [&](const char* name, int largest, int least) {
+         if (run_time_settings) visit(name, 8, largest, largest, least);
+         else visit(name, 8, 0, 0);
+      };
+      set("drop_cost", drop_cost, 0);
+      set("occlusion_cost", occlusion_cost, 1);
+      visit_size(*this, visit);
+   }
+   /// Clocks that are enough from the last group that a column's costs depend on to the forward pass.
+   constexpr int clocks_to_forward() const { return costs().clocks_to_last_check(); }
+
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
       Image::options(self, visit);
@@ -57,9 +75,12 @@ struct Config : Image, Matching, Structure {
    /// Why this core cannot be built; empty when it can. Each block relies on it instead of repeating it.
    constexpr Sentence problem() const {
       if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
-      if (run_time_settings) return "run-time settings are for block matching and semi-global matching";
-      if (run_time_size) return "a run-time size is for block matching and semi-global matching";
-      return costs().problem();
+      if (const Sentence sentence = costs().problem(); !sentence.empty()) return sentence;
+      if (run_time_settings &&
+          costs().windows().groups_to_first_window() + clocks_to_forward() >= row_groups() * width_px)
+         return "with run-time settings the image must be higher, for a frame's first column to be there before the "
+                "next one";
+      return {};
    }
 };
 

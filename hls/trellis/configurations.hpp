@@ -27,6 +27,10 @@ STEREO_ROW(tiny_trellis_12bit, option, tiny_trellis_sad, pixel_bits = 12, cost_s
 STEREO_ROW(tiny_trellis_min3, option, tiny_trellis, min_disparity = 3);
 STEREO_ROW(tiny_trellis_d19, option, tiny_trellis, width_px = 47, disparities = 19, slice_disparities = 6,
            winner_group = 3);
+// Settings and sizes from ports.
+STEREO_ROW(tiny_trellis_settings, option, tiny_trellis, run_time_settings = true);
+STEREO_ROW(tiny_trellis_size, option, tiny_trellis_median, height_px = 16, drop_cost = 40, occlusion_cost = 90,
+           run_time_settings = true, run_time_size = true);
 // clang-format on
 
 }  // namespace stereo::trellis::configurations

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "frontend/image_size.hpp"
 #include "frontend/line_buffer.hpp"
 #include "frontend/pair_delay.hpp"
 #include "frontend/raster.hpp"
@@ -16,6 +17,7 @@
 #include "trellis/forward.hpp"
 #include "trellis/last_state.hpp"
 #include "trellis/occlusion_fill.hpp"
+#include "trellis/settings.hpp"
 #include "trellis/traceback.hpp"
 #include "winner/map_group.hpp"
 #include "winner/median.hpp"
@@ -42,6 +44,11 @@ struct Core {
    using Entry = semi_global::PathEntry<kCosts>;
    using Turn = semi_global::WinnerTurn<kCosts>;
    using MapBlock = Optional<C.median, Median<semi_global::kSumConfig<kCosts>>>;
+   static constexpr bool kTurnsRows = true;
+   using Settings = std::conditional_t<C.run_time_size, SizedSettings<trellis::Settings>, trellis::Settings>;
+   using SettingsBlock = std::conditional_t<C.run_time_settings, FrameSettings<C>, NoSettings>;
+   using Size =
+       std::conditional_t<C.run_time_size, RunTimeSize<kWindowConfig<kCosts>>, FixedSize<kWindowConfig<kCosts>>>;
 
    //            a pixel pair
    //                 |
@@ -61,10 +68,11 @@ struct Core {
    //            map_block                 7 or none   median
    //                 |
    //            a disparity
-   static constexpr int kLatency = TransformBlock::kClocks + Raster<kWindowConfig<kCosts>>::kClocks +
-                                   PairDelay<kWindowConfig<kCosts>>::kClocks + Rows::kClocks + Slices::kClocks +
-                                   Entry::kClocks + Traceback<C>::kClocks + Turn::kClocks + OcclusionFill<C>::kClocks +
-                                   MapBlock::kClocks;
+   static constexpr int kClocksToForward = TransformBlock::kClocks + Raster<kWindowConfig<kCosts>>::kClocks +
+                                           PairDelay<kWindowConfig<kCosts>>::kClocks + Rows::kClocks + Slices::kClocks +
+                                           Entry::kClocks;
+   static constexpr int kLatency =
+       kClocksToForward + Traceback<C>::kClocks + Turn::kClocks + OcclusionFill<C>::kClocks + MapBlock::kClocks;
    /// Valid groups that the blocks hold back, up to a row's first window centre and the columns after it.
    static constexpr int kGroupsToFirstOutput = TransformBlock::kLagGroups + Rows::kLagGroups +
                                                kWindows.first_map_column() + kWindows.columns_after() +
@@ -72,6 +80,10 @@ struct Core {
    static constexpr Schedule kSchedule =
        raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput, kWindows.gap_groups());
 
+   static_assert(!C.run_time_settings || kClocksToForward < C.clocks_to_forward(), "the bound in Config is too low");
+
+   [[no_unique_address]] SettingsBlock settings;
+   [[no_unique_address]] Size size;
    TransformBlock transform;
    Raster<kWindowConfig<kCosts>> raster;
    PairDelay<kWindowConfig<kCosts>> delay;
@@ -106,6 +118,8 @@ struct Core {
    /// In data-flow order. Registers of slice number s begin with "slice<s>".
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (C.run_time_settings) visit.block("settings", settings);
+      if constexpr (C.run_time_size) visit.block("size", size);
       visit.block("transform", transform);
       visit.block("raster", raster);
       visit.block("delay", delay);
@@ -126,23 +140,31 @@ struct Core {
 
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE void clock(const CoreInput<C>& in) {
-      if constexpr (C.median) map_block.clock(fill.out);
+      if constexpr (C.median) map_block.clock(fill.out, size);
       fill.clock(turn.output());
-      turn.clock(traceback.out);
+      turn.clock(traceback.out, size);
       traceback.clock(entry, decisions, last);
       last.clock(entry, forward);
       decisions.clock(entry, forward);
-      forward.clock(entry);
-      entry.clock(slices);
-      slices.clock(rows.search, rows.reference, rows.tag);
+      forward.clock(entry, settings);
+      entry.clock(slices, size);
+      slices.clock(rows.search, rows.reference, rows.tag, NoSettings(), size);
       rows.clock(delay);
-      delay.clock(raster);
+      delay.clock(raster, size);
       if constexpr (kWindows.has_transform()) {
-         raster.clock(transform.output());
-         transform.clock(in);
+         raster.clock(transform.output(), size);
+         transform.clock(in, size);
       } else {
-         raster.clock(grey_values<kWindowConfig<kCosts>>(in));
+         raster.clock(grey_values<kWindowConfig<kCosts>>(in), size);
       }
+   }
+
+   /// The same where the configuration has run-time settings or a run-time size. `now`: what the ports show. Settings
+   /// count in the clock of a start of frame; the size is that of all frames from one reset to the next.
+   HLS_INLINE void clock(const CoreInput<C>& in, const Settings& now) {
+      clock(in);
+      if constexpr (C.run_time_settings) settings.clock(in, now);
+      if constexpr (C.run_time_size) size.clock(now.image_width, now.image_height);
    }
 
   private:

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "semi_global/path_entry.hpp"
-#include "trellis/config.hpp"
+#include "trellis/settings.hpp"
 
 namespace stereo::trellis {
 
@@ -25,6 +25,8 @@ struct Forward {
    /// Loses against every cost of a first column.
    static constexpr Value kFar = Value(uint64_t(1) << (kBits - 2));
 
+   [[no_unique_address]] NumberHere<C.run_time_settings, C.drop_cost> drop_cost;
+   [[no_unique_address]] NumberHere<C.run_time_settings, C.occlusion_cost> occlusion_cost;
    // move 1
    PathCost<C> next_cost[kCount];
    bool next_first;  ///< its column is the first of its row
@@ -42,6 +44,10 @@ struct Forward {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (C.run_time_settings) {
+         visit("drop_cost", drop_cost.value, C.drop_cost);
+         visit("occlusion_cost", occlusion_cost.value, C.occlusion_cost);
+      }
       visit("next_cost", next_cost);
       visit("next_first", next_first);
       visit("pair_cost", pair_cost);
@@ -53,7 +59,9 @@ struct Forward {
       visit("decision", decision);
    }
 
-   HLS_INLINE void clock(const Entry& entry) {
+   /// settings: of the frame whose first column comes in, when it does.
+   template <class Settings>
+   HLS_INLINE void clock(const Entry& entry, const Settings& settings) {
       const auto& moves = entry.moves_costs;
       Value best[kCount];
       bool is_far[kCount];
@@ -80,12 +88,19 @@ struct Forward {
          far[d] = select<bool>(moves.lane(d), is_far[d] && !next_first, far[d]);
          path[d] = select<Value>(moves.lane(d), own, path[d]);
          stayed[d] = select<Value>(moves.lane(d), Value(own + next_cost[d]) & kMask, stayed[d]);
-         const Value passed = Value(own + C.occlusion_cost) & kMask;
+         const Value passed = Value(own + occlusion_cost.get()) & kMask;
          occluding[d] = select<Value>(moves.lane(d), select<Value>(next_first, kFar, passed), occluding[d]);
-         pair_cost[d] = select<Value>(moves.lane(d), Value(next_cost[d] + entry.cost[d] + C.drop_cost), pair_cost[d]);
+         pair_cost[d] =
+             select<Value>(moves.lane(d), Value(next_cost[d] + entry.cost[d] + drop_cost.get()), pair_cost[d]);
          next_cost[d] = select<PathCost<C>>(moves.lane(d), entry.cost[d], next_cost[d]);
       }
       next_first = select<bool>(entry.tag.valid, entry.tag.first_column, next_first);
+      // Of the row before, no cost is added any more: columns of no map lie between the two.
+      if constexpr (C.run_time_settings) {
+         const bool starts = entry.tag.valid & entry.tag.first_column & entry.tag.start_of_frame;
+         drop_cost.take(starts, settings.drop_cost);
+         occlusion_cost.take(starts, settings.occlusion_cost);
+      }
    }
 
   private:

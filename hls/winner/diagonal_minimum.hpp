@@ -54,7 +54,8 @@ struct DiagonalMinimum {
             const int from = i == kNewest ? i : kFalls ? i + 1 : i - 1;
             Value old_cost = i == kNewest ? entering_cost : cost[p][from];
             const uint8_t old_winner = i == kNewest ? entering_winner : winner[p][from];
-            // `&` and `|`: of `&&` the front end makes a branch for each disparity, and all the others wait for its answer.
+            // `&` and `|`: of `&&` the front end makes a branch for each disparity, and all the others wait for its
+            // answer.
             const bool has_rival = !tag.first_column & !(i == kNewest && Before::kIsNone);
             bool wins = tag.output_column & (!has_rival | beats(sum[p][i], old_cost));
             if constexpr (kFullWidth<C>) wins = wins & mask.has_candidate(i);

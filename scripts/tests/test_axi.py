@@ -121,6 +121,14 @@ PENALTY_FAULTS = {
         "expected",
     ),
 }
+COST_FAULTS = {
+    "the cost of an occlusion in the register of a drop": (
+        "stereo_ip_tiny_trellis_settings",
+        "occlusion_cost => settings(1)",
+        "occlusion_cost => settings(0)",
+        "expected",
+    ),
+}
 SIZE_FAULTS = {
     "no least size": ("stereo_registers", ">= settings_least(i)", ">= 0", "register "),
     "a height of half a group": ("stereo_registers", "mod pixels_per_clock /= 0", "< 0", "register "),
@@ -140,6 +148,7 @@ SIZE_FAULTS = {
 FAULTS_OF = {
     "tiny_settings": SETTING_FAULTS,
     "tiny_sgm_settings": PENALTY_FAULTS,
+    "tiny_trellis_settings": COST_FAULTS,
     "tiny_size_census_p2": SIZE_FAULTS,
 }
 

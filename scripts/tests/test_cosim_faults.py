@@ -116,6 +116,16 @@ SETTING_FAULTS = {
         r"slice0mask_end_value <= .*;",
         "slice0mask_end_value <= 30;",
     ),
+    "the cost of a drop of the frame behind": (
+        "tiny_trellis_settings",
+        "forward_drop_cost <= settings_drop_cost",
+        "forward_drop_cost <= in_drop_cost mod 4",
+    ),
+    "filters beyond a narrower image": (
+        "tiny_phase_size",
+        r"transform_columns_up_value <= .*;",
+        "transform_columns_up_value <= transform_columns_up_value;",
+    ),
     "P1 stays": ("tiny_sgm_settings", "forward_above_p1 <= settings_p1", "forward_above_p1 <= forward_above_p1"),
 }
 

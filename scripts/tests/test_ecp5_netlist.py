@@ -13,7 +13,7 @@ from flow.base import rtl
 from flow.base.errors import FlowError
 from flow.base.ghdl import to_verilog
 from flow.base.tools import find_yosys, run
-from flow.implementation import ecp5_carry, ecp5_fanout, ecp5_half, ecp5_memory
+from flow.implementation import ecp5_carry, ecp5_fanout, ecp5_half, ecp5_memory, ecp5_reset
 
 # What the cores do with numbers: magnitudes, sums with a carry, comparisons, among them of numbers of which one of two
 # is 0; all without registers, so that a proof needs no time.
@@ -242,7 +242,7 @@ REGISTER = """
 module TRELLIS_FF(input CLK, LSR, CE, DI, M, output reg Q = 0);
   parameter GSR = "DISABLED", CEMUX = "1", CLKMUX = "CLK", LSRMUX = "LSR", SRMODE = "LSR_OVER_CE", REGSET = "RESET";
   always @(posedge CLK)
-    if (LSR) Q <= 0;
+    if (LSRMUX == "INV" ? !LSR : LSR) Q <= REGSET == "SET";
     else if (CE || CEMUX != "CE") Q <= DI;
 endmodule
 """
@@ -314,3 +314,64 @@ def test_the_proof_notices_a_copy_of_something_else(controlled: Controlled, tmp_
     wrong["connections"] = wrong["connections"] | {"DI": ["1"]}
     with pytest.raises(FlowError):
         prove_equal_in_time(before, after, tmp_path)
+
+
+# Registers that a comparison resets or sets, one of them with an enable, and one that a port resets.
+RESETS = """
+module top(input clock, reset, enable, input [3:0] a, b, input [2:0] i, j, input k,
+           output reg [3:0] index, output reg [2:0] chosen, kept, outer, output reg [1:0] least, output reg [8:0] sum);
+  wire less = a < b;
+  always @(posedge clock) begin
+    index <= less ? {1'b0, i} : {1'b1, j};
+    chosen <= less ? 3'd0 : i ^ j;
+    if (a == b) sum <= 0; else sum <= {a, i} + {b, j};
+    least <= (i == j) ? 2'b11 : {k ^ a[0], k};
+    if (less) kept <= 0; else if (enable) kept <= j;
+    outer <= reset ? 3'd0 : i;
+  end
+endmodule
+"""
+
+
+@pytest.fixture(scope="module")
+def reset_by_logic(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    work = tmp_path_factory.mktemp("resets")
+    (work / "top.v").write_text(RESETS)
+    commands = "read_verilog top.v; synth_ecp5 -abc9 -top top; write_json top.json"
+    run([find_yosys(), "-p", commands], cwd=work, log=work / "synthesis.log")
+    module = json.loads((work / "top.json").read_text())["modules"]["top"]
+    module["cells"] = {n: c for n, c in module["cells"].items() if not c["type"].startswith("$")}
+    return {"modules": {"top": module}}
+
+
+def resets_of(netlist: dict[str, Any]) -> list[int]:
+    """Of each register that has one."""
+    registers = [c for c in netlist["modules"]["top"]["cells"].values() if c["type"] == "TRELLIS_FF"]
+    return [bit for c in registers for bit in c["connections"].get("LSR", []) if isinstance(bit, int)]
+
+
+def test_resets_as_logic_are_proven_equal(reset_by_logic: dict[str, Any], tmp_path: Path) -> None:
+    after = copy.deepcopy(reset_by_logic)
+    changed = ecp5_reset.resets_to_logic(after["modules"]["top"], smallest=0)
+    assert changed > 10 and changed == len(resets_of(reset_by_logic)) - len(resets_of(after))
+    (port,) = reset_by_logic["modules"]["top"]["ports"]["reset"]["bits"]
+    kept = [bit for bit in resets_of(after) if bit != port]
+    assert resets_of(after).count(port) == 3 and len(kept) == 3 and len(set(kept)) == 1, "the one with an enable"
+    prove_equal_in_time(reset_by_logic, after, tmp_path)
+
+
+def test_resets_of_many_registers_and_of_small_designs_stay(reset_by_logic: dict[str, Any]) -> None:
+    module = copy.deepcopy(reset_by_logic)["modules"]["top"]
+    assert ecp5_reset.resets_to_logic(module) == 0
+    assert ecp5_reset.resets_to_logic(module, smallest=0, most_readers=0) == 0
+    assert module == reset_by_logic["modules"]["top"]
+
+
+def test_the_proof_notices_a_wrong_reset(reset_by_logic: dict[str, Any], tmp_path: Path) -> None:
+    after = copy.deepcopy(reset_by_logic)
+    module = after["modules"]["top"]
+    ecp5_reset.resets_to_logic(module, smallest=0)
+    wrong = next(cell for name, cell in module["cells"].items() if name.startswith("reset_as_logic_"))
+    wrong["parameters"]["INIT"] = "".join("10"[int(bit)] for bit in wrong["parameters"]["INIT"])
+    with pytest.raises(FlowError):
+        prove_equal_in_time(reset_by_logic, after, tmp_path)

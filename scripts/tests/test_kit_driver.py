@@ -33,7 +33,9 @@ def on_the_model(gcc, kit, folder):
     return subprocess.run([program], capture_output=True, text=True)
 
 
-@pytest.mark.parametrize("config", ["tiny", "tiny_p4", "tiny_sgm", "tiny_sgm_settings", "example"])
+@pytest.mark.parametrize(
+    "config", ["tiny", "tiny_p4", "tiny_sgm", "tiny_sgm_settings", "tiny_trellis_settings", "example"]
+)
 def test_driver_on_a_model(gcc, tmp_path, config):
     process = on_the_model(gcc, kits.make(tmp_path / "kit", "vivado", config), tmp_path)
     assert process.returncode == 0 and process.stdout == "0 wrong\n", process.stdout

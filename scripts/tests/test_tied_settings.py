@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Settings whose ports are tied to the configuration's own numbers: nearly no area, penalties a little. Prints it."""
+"""Settings whose ports are tied to the configuration's own numbers: nearly no area. Prints it."""
 
 import json
 import re
@@ -28,8 +28,9 @@ PAIRS = [
     ("tiny_size", "tiny", 2),
     ("tiny_size_full", "tiny_full", 2),
     ("tiny_sgm_size", "tiny_sgm", 2),
-    # The paths must hold what ports may bring, penalties up to 7 and 31 instead of 5 and 22: 7 bits instead of 6.
-    ("tiny_sgm_settings", "tiny_sgm_all", 5),
+    ("tiny_sgm_settings", "tiny_sgm_all", 2),
+    ("tiny_trellis_settings", "tiny_trellis", 2),
+    ("tiny_phase_settings", "tiny_phase_checks", 2),
 ]
 
 

@@ -2,7 +2,7 @@
 -- Stereo core, block matching, configuration tiny_settings: 32x12, 8 disparities, window 3x3, 1 pixel pair a clock.
 -- Options: disparities 8, left_right_threshold 2, uniqueness_percent 15, slice_disparities 3,
 --   run_time_settings true.
--- Made from hls/top/settings_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_settings
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 library ieee;

@@ -2,7 +2,7 @@
 -- Stereo core, block matching, configuration tiny_size_census_p2: 32x20, 8 disparities, window 3x3, 2 pixel pairs a clock.
 -- Options: disparities 8, cost census, census_width_px 7, census_height_px 3, median true, slice_disparities
 --   3, run_time_size true.
--- Made from hls/top/size_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_size_census_p2
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 library ieee;

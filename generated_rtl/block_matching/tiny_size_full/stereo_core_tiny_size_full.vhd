@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Stereo core, block matching, configuration tiny_size_full: 32x12, 8 disparities, window 3x3, 1 pixel pair a clock.
 -- Options: disparities 8, full_width true, slice_disparities 3, run_time_size true.
--- Made from hls/top/size_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_size_full
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 library ieee;

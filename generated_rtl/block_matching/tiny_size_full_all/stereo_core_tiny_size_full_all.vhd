@@ -3,7 +3,7 @@
 -- Options: disparities 8, min_disparity -3, reference left, prefilter xsobel, left_right_threshold 1,
 --   uniqueness_percent 10, texture_threshold 30, subpixel true, median true, full_width true,
 --   slice_disparities 3, run_time_settings true, run_time_size true.
--- Made from hls/top/size_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_size_full_all
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 library ieee;

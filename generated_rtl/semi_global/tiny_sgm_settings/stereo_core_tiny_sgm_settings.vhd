@@ -2,7 +2,7 @@
 -- Stereo core, semi global, configuration tiny_sgm_settings: 40x12, 12 disparities, window 3x3, P1 5, P2 22, 1 pixel pair a clock.
 -- Options: disparities 12, left_right_threshold 1, uniqueness_distance 3, subpixel true, median true,
 --   slice_disparities 5, run_time_settings true.
--- Made from hls/top/semi_global_settings_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_sgm_settings
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 library ieee;
@@ -29,9 +29,9 @@ entity stereo_core_tiny_sgm_settings is
     right_pixel : in std_logic_vector(7 downto 0);
     start_of_frame : in std_logic;  -- with column 0 of the first rows
     valid : in std_logic;  -- 0: bubble
-    p1 : in std_logic_vector(15 downto 0);  -- 0 ... 7, taken over with start_of_frame
-    p2 : in std_logic_vector(15 downto 0);  -- 0 ... 31, taken over with start_of_frame
-    uniqueness_distance : in std_logic_vector(15 downto 0);  -- 0 ... 198, taken over with start_of_frame
+    p1 : in std_logic_vector(15 downto 0);  -- 3 ... 5, taken over with start_of_frame
+    p2 : in std_logic_vector(15 downto 0);  -- 0 ... 22, taken over with start_of_frame
+    uniqueness_distance : in std_logic_vector(15 downto 0);  -- 0 ... 125, taken over with start_of_frame
     left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
     first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
     last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
@@ -104,7 +104,8 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   -- settings
   signal settings_p1 : natural range 0 to 7;
   signal settings_p2 : natural range 0 to 31;
-  signal settings_uniqueness_distance, settings_left_right_threshold : natural range 0 to 255;
+  signal settings_uniqueness_distance : natural range 0 to 127;
+  signal settings_left_right_threshold : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
@@ -474,30 +475,40 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal forward_above_ready_words_0, forward_above_ready_words_1, forward_above_write_words_0 : unsigned(31 downto 0);
   signal forward_above_write_words_1 : unsigned(31 downto 0);
   signal forward_cost_delay_held_1 : unsigned(15 downto 0);
-  signal forward_left_pair_0, forward_left_pair_1, forward_left_pair_2, forward_left_pair_3 : natural range 0 to 127;
-  signal forward_left_pair_4, forward_left_pair_5, forward_left_tree_smallest_0 : natural range 0 to 127;
-  signal forward_left_tree_smallest_1, forward_left_tree_smallest_2 : natural range 0 to 127;
-  signal forward_left_tree_next_smallest_0, forward_left_tree_next_smallest_1 : natural range 0 to 127;
-  signal forward_left_tree_next_next_smallest_0, forward_left_smallest_less : natural range 0 to 127;
-  signal forward_left_g_copy_0, forward_left_g_less_copy_0, forward_left_stay_change_0 : natural range 0 to 127;
-  signal forward_left_stay_change_1, forward_left_stay_change_2, forward_left_stay_change_3 : natural range 0 to 127;
-  signal forward_left_stay_change_4, forward_left_stay_change_5, forward_left_stay_change_6 : natural range 0 to 127;
-  signal forward_left_stay_change_7, forward_left_stay_change_8, forward_left_stay_change_9 : natural range 0 to 127;
-  signal forward_left_stay_change_10, forward_left_stay_change_11, forward_left_step_change_0 : natural range 0 to 127;
-  signal forward_left_step_change_1, forward_left_step_change_2, forward_left_step_change_3 : natural range 0 to 127;
-  signal forward_left_step_change_4, forward_left_step_change_5, forward_left_step_change_6 : natural range 0 to 127;
-  signal forward_left_step_change_7, forward_left_step_change_8, forward_left_step_change_9 : natural range 0 to 127;
-  signal forward_left_step_change_10, forward_left_step_change_11, forward_left_cost_0 : natural range 0 to 127;
-  signal forward_left_cost_1, forward_left_cost_2, forward_left_cost_3, forward_left_cost_4 : natural range 0 to 127;
-  signal forward_left_cost_5, forward_left_cost_6, forward_left_cost_7, forward_left_cost_8 : natural range 0 to 127;
-  signal forward_left_cost_9, forward_left_cost_10, forward_left_cost_11 : natural range 0 to 127;
-  signal forward_left_arrived_0, forward_left_arrived_1, forward_left_arrived_2 : natural range 0 to 127;
-  signal forward_left_arrived_3, forward_left_arrived_4, forward_left_arrived_5 : natural range 0 to 127;
-  signal forward_left_arrived_6, forward_left_arrived_7, forward_left_arrived_8 : natural range 0 to 127;
-  signal forward_left_arrived_9, forward_left_arrived_10, forward_left_arrived_11 : natural range 0 to 127;
-  signal forward_sum_0, forward_sum_1, forward_sum_2, forward_sum_3, forward_sum_4 : natural range 0 to 127;
-  signal forward_sum_5, forward_sum_6, forward_sum_7, forward_sum_8, forward_sum_9 : natural range 0 to 127;
-  signal forward_sum_10, forward_sum_11 : natural range 0 to 127;
+  signal forward_left_pair_0, forward_left_pair_1, forward_left_pair_2, forward_left_pair_3 : natural range 0 to 63;
+  signal forward_left_pair_4, forward_left_pair_5, forward_left_tree_smallest_0 : natural range 0 to 63;
+  signal forward_left_tree_smallest_1, forward_left_tree_smallest_2 : natural range 0 to 63;
+  signal forward_left_tree_next_smallest_0, forward_left_tree_next_smallest_1 : natural range 0 to 63;
+  signal forward_left_tree_next_next_smallest_0, forward_left_smallest_less : natural range 0 to 63;
+  signal forward_left_g_copy_0, forward_left_g_less_copy_0, forward_left_stay_change_0 : natural range 0 to 63;
+  signal forward_left_stay_change_1, forward_left_stay_change_2, forward_left_stay_change_3 : natural range 0 to 63;
+  signal forward_left_stay_change_4, forward_left_stay_change_5, forward_left_stay_change_6 : natural range 0 to 63;
+  signal forward_left_stay_change_7, forward_left_stay_change_8, forward_left_stay_change_9 : natural range 0 to 63;
+  signal forward_left_stay_change_10, forward_left_stay_change_11, forward_left_step_change_0 : natural range 0 to 63;
+  signal forward_left_step_change_1, forward_left_step_change_2, forward_left_step_change_3 : natural range 0 to 63;
+  signal forward_left_step_change_4, forward_left_step_change_5, forward_left_step_change_6 : natural range 0 to 63;
+  signal forward_left_step_change_7, forward_left_step_change_8, forward_left_step_change_9 : natural range 0 to 63;
+  signal forward_left_step_change_10, forward_left_step_change_11, forward_left_cost_0 : natural range 0 to 63;
+  signal forward_left_cost_1, forward_left_cost_2, forward_left_cost_3, forward_left_cost_4 : natural range 0 to 63;
+  signal forward_left_cost_5, forward_left_cost_6, forward_left_cost_7, forward_left_cost_8 : natural range 0 to 63;
+  signal forward_left_cost_9, forward_left_cost_10, forward_left_cost_11 : natural range 0 to 63;
+  signal forward_left_arrived_0, forward_left_arrived_1, forward_left_arrived_2 : natural range 0 to 63;
+  signal forward_left_arrived_3, forward_left_arrived_4, forward_left_arrived_5 : natural range 0 to 63;
+  signal forward_left_arrived_6, forward_left_arrived_7, forward_left_arrived_8 : natural range 0 to 63;
+  signal forward_left_arrived_9, forward_left_arrived_10, forward_left_arrived_11 : natural range 0 to 63;
+  signal forward_above_cost_0, forward_above_cost_1, forward_above_cost_2, forward_above_cost_3 : natural range 0 to 63;
+  signal forward_above_cost_4, forward_above_cost_5, forward_above_cost_6, forward_above_cost_7 : natural range 0 to 63;
+  signal forward_above_cost_8, forward_above_cost_9, forward_above_cost_10 : natural range 0 to 63;
+  signal forward_above_cost_11, forward_above_beside_0, forward_above_beside_1 : natural range 0 to 63;
+  signal forward_above_beside_2, forward_above_beside_3, forward_above_beside_4 : natural range 0 to 63;
+  signal forward_above_beside_5, forward_above_beside_6, forward_above_beside_7 : natural range 0 to 63;
+  signal forward_above_beside_8, forward_above_beside_9, forward_above_beside_10 : natural range 0 to 63;
+  signal forward_above_beside_11, forward_above_own_0, forward_above_own_2, forward_above_own_3 : natural range 0 to 63;
+  signal forward_above_own_4, forward_above_own_5, forward_above_own_6, forward_above_own_7 : natural range 0 to 63;
+  signal forward_above_own_8, forward_above_own_9, forward_above_own_11, forward_above_stay_0 : natural range 0 to 63;
+  signal forward_above_stay_1, forward_above_stay_2, forward_above_stay_3, forward_above_stay_4 : natural range 0 to 63;
+  signal forward_above_stay_5, forward_above_stay_6, forward_above_stay_7, forward_above_stay_8 : natural range 0 to 63;
+  signal forward_above_stay_9, forward_above_stay_10, forward_above_stay_11 : natural range 0 to 63;
   signal forward_left_p2, forward_left_room, forward_above_top_p2, forward_above_p2 : natural range 0 to 31;
   signal forward_above_column_0, forward_above_column_1, forward_above_column_2 : natural range 0 to 31;
   signal forward_above_column_3, forward_above_column_4, forward_above_column_5 : natural range 0 to 31;
@@ -526,23 +537,13 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal forward_above_smallest_copy_0 : natural range 0 to 44;
   signal forward_above_delay_held_0, forward_above_delay_held_1 : unsigned(29 downto 0);
   signal forward_above_delay_held_2 : unsigned(11 downto 0);
-  signal forward_above_cost_0, forward_above_cost_1, forward_above_cost_2, forward_above_cost_3 : natural range 0 to 63;
-  signal forward_above_cost_4, forward_above_cost_5, forward_above_cost_6, forward_above_cost_7 : natural range 0 to 63;
-  signal forward_above_cost_8, forward_above_cost_9, forward_above_cost_10 : natural range 0 to 63;
-  signal forward_above_cost_11, forward_above_beside_0, forward_above_beside_1 : natural range 0 to 63;
-  signal forward_above_beside_2, forward_above_beside_3, forward_above_beside_4 : natural range 0 to 63;
-  signal forward_above_beside_5, forward_above_beside_6, forward_above_beside_7 : natural range 0 to 63;
-  signal forward_above_beside_8, forward_above_beside_9, forward_above_beside_10 : natural range 0 to 63;
-  signal forward_above_beside_11, forward_above_own_0, forward_above_own_2, forward_above_own_3 : natural range 0 to 63;
-  signal forward_above_own_4, forward_above_own_5, forward_above_own_6, forward_above_own_7 : natural range 0 to 63;
-  signal forward_above_own_8, forward_above_own_9, forward_above_own_11, forward_above_stay_0 : natural range 0 to 63;
-  signal forward_above_stay_1, forward_above_stay_2, forward_above_stay_3, forward_above_stay_4 : natural range 0 to 63;
-  signal forward_above_stay_5, forward_above_stay_6, forward_above_stay_7, forward_above_stay_8 : natural range 0 to 63;
-  signal forward_above_stay_9, forward_above_stay_10, forward_above_stay_11 : natural range 0 to 63;
   signal forward_above_step_0, forward_above_step_1, forward_above_step_2, forward_above_step_3 : natural range 0 to 70;
   signal forward_above_step_4, forward_above_step_5, forward_above_step_6, forward_above_step_7 : natural range 0 to 70;
   signal forward_above_step_8, forward_above_step_9, forward_above_step_10 : natural range 0 to 70;
   signal forward_above_step_11 : natural range 0 to 70;
+  signal forward_sum_0, forward_sum_1, forward_sum_2, forward_sum_3, forward_sum_4 : natural range 0 to 126;
+  signal forward_sum_5, forward_sum_6, forward_sum_7, forward_sum_8, forward_sum_9 : natural range 0 to 126;
+  signal forward_sum_10, forward_sum_11 : natural range 0 to 126;
   signal forward_cost_0_0, forward_cost_0_1, forward_cost_0_2, forward_cost_0_3 : natural range 0 to 15;
   signal forward_cost_0_4, forward_cost_0_5, forward_cost_0_6, forward_cost_0_7 : natural range 0 to 15;
   signal forward_cost_0_8, forward_cost_0_9, forward_cost_0_10, forward_cost_0_11 : natural range 0 to 15;
@@ -562,7 +563,6 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal sums_turn_read_costs_1 : unsigned(15 downto 0);
   signal sums_turn_read_smallest_0 : unsigned(3 downto 0);
   signal sums_turn_ready_sums_0, sums_turn_ready_sums_1, sums_turn_ready_sums_2 : natural range 0 to 268435455;
-  signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : natural range 0 to 268435455;
   signal sums_turn_ready_costs_1, sums_turn_write_costs_1 : natural range 0 to 65535;
   signal sums_turn_ready_smallest_0, sums_cost_0_0, sums_cost_0_1, sums_cost_0_2, sums_cost_0_3 : natural range 0 to 15;
   signal sums_cost_0_4, sums_cost_0_5, sums_cost_0_6, sums_cost_0_7, sums_cost_0_8 : natural range 0 to 15;
@@ -582,39 +582,40 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 31;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 31;
   signal sums_turn_place_8, sums_turn_write_place, sums_right_p2, sums_right_room : natural range 0 to 31;
+  signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : natural range 0 to 266321790;
   signal sums_turn_write_smallest_0 : natural range 0 to 13;
-  signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 127;
-  signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 127;
-  signal sums_right_tree_smallest_1, sums_right_tree_smallest_2 : natural range 0 to 127;
-  signal sums_right_tree_next_smallest_0, sums_right_tree_next_smallest_1 : natural range 0 to 127;
-  signal sums_right_tree_next_next_smallest_0, sums_right_smallest_less, sums_right_g_copy_0 : natural range 0 to 127;
-  signal sums_right_g_less_copy_0, sums_right_stay_change_0, sums_right_stay_change_1 : natural range 0 to 127;
-  signal sums_right_stay_change_2, sums_right_stay_change_3, sums_right_stay_change_4 : natural range 0 to 127;
-  signal sums_right_stay_change_5, sums_right_stay_change_6, sums_right_stay_change_7 : natural range 0 to 127;
-  signal sums_right_stay_change_8, sums_right_stay_change_9, sums_right_stay_change_10 : natural range 0 to 127;
-  signal sums_right_stay_change_11, sums_right_step_change_0, sums_right_step_change_1 : natural range 0 to 127;
-  signal sums_right_step_change_2, sums_right_step_change_3, sums_right_step_change_4 : natural range 0 to 127;
-  signal sums_right_step_change_5, sums_right_step_change_6, sums_right_step_change_7 : natural range 0 to 127;
-  signal sums_right_step_change_8, sums_right_step_change_9, sums_right_step_change_10 : natural range 0 to 127;
-  signal sums_right_step_change_11, sums_right_cost_0, sums_right_cost_1, sums_right_cost_2 : natural range 0 to 127;
-  signal sums_right_cost_3, sums_right_cost_4, sums_right_cost_5, sums_right_cost_6 : natural range 0 to 127;
-  signal sums_right_cost_7, sums_right_cost_8, sums_right_cost_9, sums_right_cost_10 : natural range 0 to 127;
-  signal sums_right_cost_11, sums_right_arrived_0, sums_right_arrived_1, sums_right_arrived_2 : natural range 0 to 127;
-  signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5 : natural range 0 to 127;
-  signal sums_right_arrived_6, sums_right_arrived_7, sums_right_arrived_8 : natural range 0 to 127;
-  signal sums_right_arrived_9, sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 127;
+  signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 63;
+  signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 63;
+  signal sums_right_tree_smallest_1, sums_right_tree_smallest_2 : natural range 0 to 63;
+  signal sums_right_tree_next_smallest_0, sums_right_tree_next_smallest_1 : natural range 0 to 63;
+  signal sums_right_tree_next_next_smallest_0, sums_right_smallest_less, sums_right_g_copy_0 : natural range 0 to 63;
+  signal sums_right_g_less_copy_0, sums_right_stay_change_0, sums_right_stay_change_1 : natural range 0 to 63;
+  signal sums_right_stay_change_2, sums_right_stay_change_3, sums_right_stay_change_4 : natural range 0 to 63;
+  signal sums_right_stay_change_5, sums_right_stay_change_6, sums_right_stay_change_7 : natural range 0 to 63;
+  signal sums_right_stay_change_8, sums_right_stay_change_9, sums_right_stay_change_10 : natural range 0 to 63;
+  signal sums_right_stay_change_11, sums_right_step_change_0, sums_right_step_change_1 : natural range 0 to 63;
+  signal sums_right_step_change_2, sums_right_step_change_3, sums_right_step_change_4 : natural range 0 to 63;
+  signal sums_right_step_change_5, sums_right_step_change_6, sums_right_step_change_7 : natural range 0 to 63;
+  signal sums_right_step_change_8, sums_right_step_change_9, sums_right_step_change_10 : natural range 0 to 63;
+  signal sums_right_step_change_11, sums_right_cost_0, sums_right_cost_1, sums_right_cost_2 : natural range 0 to 63;
+  signal sums_right_cost_3, sums_right_cost_4, sums_right_cost_5, sums_right_cost_6 : natural range 0 to 63;
+  signal sums_right_cost_7, sums_right_cost_8, sums_right_cost_9, sums_right_cost_10 : natural range 0 to 63;
+  signal sums_right_cost_11, sums_right_arrived_0, sums_right_arrived_1, sums_right_arrived_2 : natural range 0 to 63;
+  signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5, sums_right_arrived_6 : natural range 0 to 63;
+  signal sums_right_arrived_7, sums_right_arrived_8, sums_right_arrived_9 : natural range 0 to 63;
+  signal sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 63;
   signal sums_right_p1 : natural range 0 to 7;
   signal sums_right_start_cost_0, sums_right_start_cost_1, sums_right_start_cost_2 : natural range 0 to 255;
   signal sums_right_start_cost_3, sums_right_start_cost_4, sums_right_start_cost_5 : natural range 0 to 255;
   signal sums_right_start_cost_6 : natural range 0 to 255;
   signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
-  signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 254;
-  signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 254;
+  signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 127;
+  signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 127;
   -- winnersother
-  signal winnersother_cost_0_0, winnersother_cost_0_1, winnersother_cost_0_2 : natural range 0 to 254;
-  signal winnersother_cost_0_3, winnersother_cost_0_4, winnersother_cost_0_5 : natural range 0 to 254;
-  signal winnersother_cost_0_6, winnersother_cost_0_7, winnersother_cost_0_8 : natural range 0 to 254;
-  signal winnersother_cost_0_9, winnersother_cost_0_10 : natural range 0 to 254;
+  signal winnersother_cost_0_0, winnersother_cost_0_1, winnersother_cost_0_2 : natural range 0 to 127;
+  signal winnersother_cost_0_3, winnersother_cost_0_4, winnersother_cost_0_5 : natural range 0 to 127;
+  signal winnersother_cost_0_6, winnersother_cost_0_7, winnersother_cost_0_8 : natural range 0 to 127;
+  signal winnersother_cost_0_9, winnersother_cost_0_10 : natural range 0 to 127;
   signal winnersother_winner_0_1 : boolean;
   signal winnersother_winner_0_2 : natural range 0 to 2;
   signal winnersother_winner_0_3 : natural range 0 to 3;
@@ -627,22 +628,27 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal winnersother_winner_0_10 : natural range 0 to 10;
   signal winnersother_winner_0_11, winnersother_winner_out_0 : natural range 0 to 11;
   -- winnerswinner1
-  signal winnerswinner1_held_0_0, winnerswinner1_held_0_1, winnerswinner1_held_0_2 : natural range 0 to 254;
-  signal winnerswinner1_held_0_3, winnerswinner1_held_0_4, winnerswinner1_held_0_5 : natural range 0 to 254;
-  signal winnerswinner1_held_0_6, winnerswinner1_held_0_7, winnerswinner1_held_0_8 : natural range 0 to 254;
-  signal winnerswinner1_held_0_9, winnerswinner1_held_0_10, winnerswinner1_held_0_11 : natural range 0 to 254;
-  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 254;
-  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 254;
-  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 254;
-  signal winnerswinner1_best_below_0_0, winnerswinner1_best_below_0_1 : natural range 0 to 254;
-  signal winnerswinner1_best_below_0_2, winnerswinner1_best_below_0_3 : natural range 0 to 254;
-  signal winnerswinner1_best_below_0_4, winnerswinner1_best_below_0_5 : natural range 0 to 254;
-  signal winnerswinner1_best_above_0_0, winnerswinner1_best_above_0_1 : natural range 0 to 254;
-  signal winnerswinner1_best_above_0_2, winnerswinner1_best_above_0_3 : natural range 0 to 254;
-  signal winnerswinner1_best_above_0_4, winnerswinner1_best_above_0_5 : natural range 0 to 254;
-  signal winnerswinner1_best_late_cost_0_0, winnerswinner1_best_late_cost_0_1 : natural range 0 to 254;
-  signal winnerswinner1_best_late_cost_0_2, winnerswinner1_best_late_cost_0_3 : natural range 0 to 254;
-  signal winnerswinner1_best_late_cost_0_4, winnerswinner1_best_late_cost_0_5 : natural range 0 to 254;
+  signal winnerswinner1_held_0_0, winnerswinner1_held_0_1, winnerswinner1_held_0_2 : natural range 0 to 127;
+  signal winnerswinner1_held_0_3, winnerswinner1_held_0_4, winnerswinner1_held_0_5 : natural range 0 to 127;
+  signal winnerswinner1_held_0_6, winnerswinner1_held_0_7, winnerswinner1_held_0_8 : natural range 0 to 127;
+  signal winnerswinner1_held_0_9, winnerswinner1_held_0_10, winnerswinner1_held_0_11 : natural range 0 to 127;
+  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_below_0_0, winnerswinner1_best_below_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_below_0_2, winnerswinner1_best_below_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_below_0_4, winnerswinner1_best_below_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_above_0_0, winnerswinner1_best_above_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_above_0_2, winnerswinner1_best_above_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_above_0_4, winnerswinner1_best_above_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_late_cost_0_0, winnerswinner1_best_late_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_late_cost_0_2, winnerswinner1_best_late_cost_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_late_cost_0_4, winnerswinner1_best_late_cost_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_but_first_0_1, winnerswinner1_best_but_first_0_2 : natural range 0 to 127;
+  signal winnerswinner1_best_but_first_0_3, winnerswinner1_best_but_first_0_4 : natural range 0 to 127;
+  signal winnerswinner1_best_but_first_0_5, winnerswinner1_best_but_last_0_0 : natural range 0 to 127;
+  signal winnerswinner1_best_but_last_0_1, winnerswinner1_best_but_last_0_2 : natural range 0 to 127;
+  signal winnerswinner1_best_but_last_0_3, winnerswinner1_best_but_last_0_4 : natural range 0 to 127;
   signal winnerswinner1_best_index_0_0, winnerswinner1_best_place_0_2, winnerswinner1_best_place_0_4 : boolean;
   signal winnerswinner1_tag_valid, winnerswinner1_tag_map_column, winnerswinner1_tag_output_column : boolean;
   signal winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
@@ -651,20 +657,19 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
   signal winnerswinner1_best_index_0_4 : natural range 0 to 9;
   signal winnerswinner1_best_index_0_5 : natural range 0 to 11;
-  signal winnerswinner1_best_but_first_0_1, winnerswinner1_best_but_first_0_2 : natural range 0 to 255;
-  signal winnerswinner1_best_but_first_0_3, winnerswinner1_best_but_first_0_4 : natural range 0 to 255;
-  signal winnerswinner1_best_but_first_0_5, winnerswinner1_best_but_last_0_0 : natural range 0 to 255;
-  signal winnerswinner1_best_but_last_0_1, winnerswinner1_best_but_last_0_2 : natural range 0 to 255;
-  signal winnerswinner1_best_but_last_0_3, winnerswinner1_best_but_last_0_4 : natural range 0 to 255;
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 254;
-  signal winnerswinner2_best_cost_0_2, winnerswinner2_best_below_0_0 : natural range 0 to 254;
-  signal winnerswinner2_best_below_0_1, winnerswinner2_best_below_0_2 : natural range 0 to 254;
-  signal winnerswinner2_best_above_0_0, winnerswinner2_best_above_0_1 : natural range 0 to 254;
-  signal winnerswinner2_best_above_0_2, winnerswinner2_best_first_0_1 : natural range 0 to 254;
-  signal winnerswinner2_best_first_0_2, winnerswinner2_best_last_0_0 : natural range 0 to 254;
-  signal winnerswinner2_best_last_0_1, winnerswinner2_best_late_cost_0_0 : natural range 0 to 254;
-  signal winnerswinner2_best_late_cost_0_1, winnerswinner2_best_late_cost_0_2 : natural range 0 to 254;
+  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_cost_0_2, winnerswinner2_best_below_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_below_0_1, winnerswinner2_best_below_0_2 : natural range 0 to 127;
+  signal winnerswinner2_best_above_0_0, winnerswinner2_best_above_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_above_0_2, winnerswinner2_best_first_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_first_0_2, winnerswinner2_best_last_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_last_0_1, winnerswinner2_best_late_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_late_cost_0_1, winnerswinner2_best_late_cost_0_2 : natural range 0 to 127;
+  signal winnerswinner2_best_second_0_0, winnerswinner2_best_second_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_second_0_2, winnerswinner2_best_but_first_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_but_first_0_2, winnerswinner2_best_but_last_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_but_last_0_1 : natural range 0 to 127;
   signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
   signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
   signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
@@ -673,35 +678,31 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal winnerswinner2_best_at_end_0_0, winnerswinner2_best_at_end_0_1, winnerswinner2_best_at_end_0_2 : boolean;
   signal winnerswinner2_tag_valid, winnerswinner2_tag_map_column, winnerswinner2_tag_output_column : boolean;
   signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
-  signal winnerswinner2_best_second_0_0, winnerswinner2_best_second_0_1 : natural range 0 to 255;
-  signal winnerswinner2_best_second_0_2, winnerswinner2_best_but_first_0_1 : natural range 0 to 255;
-  signal winnerswinner2_best_but_first_0_2, winnerswinner2_best_but_last_0_0 : natural range 0 to 255;
-  signal winnerswinner2_best_but_last_0_1 : natural range 0 to 255;
   -- winnerswinner3
-  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 254;
-  signal winnerswinner3_best_below_0_1, winnerswinner3_best_above_0_0 : natural range 0 to 254;
-  signal winnerswinner3_best_above_0_1, winnerswinner3_best_first_0_1 : natural range 0 to 254;
-  signal winnerswinner3_best_last_0_0, winnerswinner3_best_late_cost_0_0 : natural range 0 to 254;
-  signal winnerswinner3_best_late_cost_0_1 : natural range 0 to 254;
+  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_below_0_1, winnerswinner3_best_above_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_above_0_1, winnerswinner3_best_first_0_1 : natural range 0 to 127;
+  signal winnerswinner3_best_last_0_0, winnerswinner3_best_late_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_late_cost_0_1, winnerswinner3_best_second_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_second_0_1, winnerswinner3_best_but_first_0_1 : natural range 0 to 127;
+  signal winnerswinner3_best_but_last_0_0 : natural range 0 to 127;
   signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
   signal winnerswinner3_best_index_0_1 : natural range 0 to 11;
   signal winnerswinner3_best_place_0_0, winnerswinner3_best_at_start_0_0, winnerswinner3_best_at_end_0_0 : boolean;
   signal winnerswinner3_tag_valid, winnerswinner3_tag_map_column, winnerswinner3_tag_output_column : boolean;
   signal winnerswinner3_tag_start_of_frame, winnerswinner3_tag_end_of_line : boolean;
-  signal winnerswinner3_best_second_0_0, winnerswinner3_best_second_0_1 : natural range 0 to 255;
-  signal winnerswinner3_best_but_first_0_1, winnerswinner3_best_but_last_0_0 : natural range 0 to 255;
   -- winnerswinner4
-  signal winnerswinner4_best_cost_0_0, winnerswinner4_best_below_0_0 : natural range 0 to 254;
-  signal winnerswinner4_best_above_0_0, winnerswinner4_best_late_cost_0_0 : natural range 0 to 254;
+  signal winnerswinner4_best_cost_0_0, winnerswinner4_best_below_0_0 : natural range 0 to 127;
+  signal winnerswinner4_best_above_0_0, winnerswinner4_best_late_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner4_best_second_0_0 : natural range 0 to 127;
   signal winnerswinner4_best_index_0_0 : natural range 0 to 11;
   signal winnerswinner4_best_place_0_0, winnerswinner4_best_at_start_0_0, winnerswinner4_best_at_end_0_0 : boolean;
   signal winnerswinner4_tag_valid, winnerswinner4_tag_map_column, winnerswinner4_tag_output_column : boolean;
   signal winnerswinner4_tag_start_of_frame, winnerswinner4_tag_end_of_line : boolean;
-  signal winnerswinner4_best_second_0_0 : natural range 0 to 255;
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 11;
-  signal winners_best_below_0_0, winners_best_above_0_0, winners_best_late_cost_0_0 : natural range 0 to 254;
-  signal winners_best_second_0_0 : natural range 0 to 255;
+  signal winners_best_below_0_0, winners_best_above_0_0, winners_best_late_cost_0_0 : natural range 0 to 127;
+  signal winners_best_second_0_0 : natural range 0 to 127;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
   signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
   -- refinement
@@ -734,16 +735,16 @@ architecture rtl of stereo_core_tiny_sgm_settings is
   signal refinement_tag_11_end_of_line, refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0 : boolean;
   signal refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0 : boolean;
   signal refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
-  signal refinement_gap_0, refinement_scaled_cost_0, refinement_distance, refinement_u_0 : natural range 0 to 255;
-  signal refinement_v_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 255;
-  signal refinement_remainder_3_0, refinement_remainder_4_0, refinement_remainder_5_0 : natural range 0 to 255;
-  signal refinement_remainder_6_0, refinement_remainder_7_0, refinement_divisor_0_0 : natural range 0 to 255;
-  signal refinement_divisor_1_0, refinement_divisor_2_0, refinement_divisor_3_0 : natural range 0 to 255;
-  signal refinement_divisor_4_0, refinement_divisor_5_0, refinement_divisor_6_0 : natural range 0 to 255;
-  signal refinement_divisor_7_0, refinement_quotient_8_0 : natural range 0 to 255;
-  signal refinement_scaled_gap_0 : natural range 0 to 256;
-  signal refinement_below_0, refinement_above_0, refinement_remainder_0_0 : natural range 0 to 254;
-  signal refinement_difference_0 : integer range -254 to 254;
+  signal refinement_gap_0, refinement_scaled_cost_0, refinement_distance, refinement_below_0 : natural range 0 to 127;
+  signal refinement_above_0, refinement_u_0, refinement_v_0, refinement_remainder_0_0 : natural range 0 to 127;
+  signal refinement_remainder_1_0, refinement_remainder_2_0, refinement_remainder_3_0 : natural range 0 to 127;
+  signal refinement_remainder_4_0, refinement_remainder_5_0, refinement_remainder_6_0 : natural range 0 to 127;
+  signal refinement_remainder_7_0, refinement_divisor_0_0, refinement_divisor_1_0 : natural range 0 to 127;
+  signal refinement_divisor_2_0, refinement_divisor_3_0, refinement_divisor_4_0 : natural range 0 to 127;
+  signal refinement_divisor_5_0, refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 127;
+  signal refinement_scaled_gap_0 : natural range 0 to 128;
+  signal refinement_difference_0 : integer range -127 to 127;
+  signal refinement_quotient_8_0 : natural range 0 to 255;
   signal refinement_fraction_0 : natural range 0 to 31;
   -- leftright
   signal leftright_other_1_0, leftright_other_2_0, leftright_other_3_0, leftright_other_4_0 : natural range 0 to 11;
@@ -1077,6 +1078,8 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
+    variable settings_p1_choice, entry_order_address_choice_2, refinement_fraction_0_choice_2 : natural range 0 to 7;
+    variable turn_order_address_choice_2 : natural range 0 to 7;
     variable settings_p1_any, transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
     variable transform_read_column_inside_1_is_equal, transform_read_column_inside_1_is_equal_2 : boolean;
@@ -1421,109 +1424,95 @@ begin
     variable winnersother_cost_0_1_choice, winnersother_cost_0_1_is_equal, winnersother_cost_0_1_choice_2 : boolean;
     variable winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3, winnersother_cost_0_1_value_2 : boolean;
     variable winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3, winnersother_cost_0_1_choice_5 : boolean;
-    variable winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6, winnersother_cost_0_1_value_5 : boolean;
-    variable winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8, winnersother_cost_0_1_choice_9 : boolean;
-    variable winnersother_cost_0_1_all, winnersother_cost_0_2_value, winnersother_cost_0_2_choice : boolean;
-    variable winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2, winnersother_cost_0_2_choice_3 : boolean;
-    variable winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4, winnersother_cost_0_2_value_4 : boolean;
-    variable winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5, winnersother_cost_0_2_choice_6 : boolean;
-    variable winnersother_cost_0_2_value_6, winnersother_cost_0_2_choice_7, winnersother_cost_0_2_choice_8 : boolean;
-    variable winnersother_cost_0_2_choice_9, winnersother_cost_0_2_all, winnersother_cost_0_3_any : boolean;
-    variable winnersother_cost_0_3_choice, winnersother_cost_0_3_is_equal, winnersother_cost_0_3_choice_2 : boolean;
-    variable winnersother_cost_0_3_value, winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2 : boolean;
-    variable winnersother_cost_0_3_choice_4, winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5 : boolean;
-    variable winnersother_cost_0_3_value_4, winnersother_cost_0_3_choice_6, winnersother_cost_0_3_value_5 : boolean;
-    variable winnersother_cost_0_3_choice_7, winnersother_cost_0_3_choice_8, winnersother_cost_0_3_choice_9 : boolean;
+    variable winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6, winnersother_cost_0_1_choice_7 : boolean;
+    variable winnersother_cost_0_1_choice_8, winnersother_cost_0_1_all, winnersother_cost_0_2_value : boolean;
+    variable winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2 : boolean;
+    variable winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4 : boolean;
+    variable winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5 : boolean;
+    variable winnersother_cost_0_2_choice_6, winnersother_cost_0_2_choice_7, winnersother_cost_0_2_choice_8 : boolean;
+    variable winnersother_cost_0_2_all, winnersother_cost_0_3_any, winnersother_cost_0_3_choice : boolean;
+    variable winnersother_cost_0_3_is_equal, winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value : boolean;
+    variable winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4 : boolean;
+    variable winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4 : boolean;
+    variable winnersother_cost_0_3_choice_6, winnersother_cost_0_3_choice_7, winnersother_cost_0_3_choice_8 : boolean;
     variable winnersother_cost_0_3_all, winnersother_cost_0_4_value, winnersother_cost_0_4_choice : boolean;
     variable winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_3 : boolean;
     variable winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_4, winnersother_cost_0_4_value_4 : boolean;
     variable winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_5, winnersother_cost_0_4_choice_6 : boolean;
-    variable winnersother_cost_0_4_value_6, winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8 : boolean;
-    variable winnersother_cost_0_4_choice_9, winnersother_cost_0_4_all, winnersother_cost_0_5_any : boolean;
-    variable winnersother_cost_0_5_choice, winnersother_cost_0_5_is_equal, winnersother_cost_0_5_choice_2 : boolean;
-    variable winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2 : boolean;
-    variable winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5 : boolean;
-    variable winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6, winnersother_cost_0_5_value_5 : boolean;
-    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9 : boolean;
-    variable winnersother_cost_0_5_all, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
-    variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3 : boolean;
-    variable winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4 : boolean;
-    variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6 : boolean;
-    variable winnersother_cost_0_6_value_6, winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8 : boolean;
-    variable winnersother_cost_0_6_choice_9, winnersother_cost_0_6_all, winnersother_cost_0_7_any : boolean;
+    variable winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8, winnersother_cost_0_4_all : boolean;
+    variable winnersother_cost_0_5_any, winnersother_cost_0_5_choice, winnersother_cost_0_5_is_equal : boolean;
+    variable winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3 : boolean;
+    variable winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3 : boolean;
+    variable winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6 : boolean;
+    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_5_choice_8, winnersother_cost_0_5_all : boolean;
+    variable winnersother_cost_0_6_value, winnersother_cost_0_6_choice, winnersother_cost_0_6_choice_2 : boolean;
+    variable winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3, winnersother_cost_0_6_value_3 : boolean;
+    variable winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4, winnersother_cost_0_6_choice_5 : boolean;
+    variable winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6, winnersother_cost_0_6_choice_7 : boolean;
+    variable winnersother_cost_0_6_choice_8, winnersother_cost_0_6_all, winnersother_cost_0_7_any : boolean;
     variable winnersother_cost_0_7_choice, winnersother_cost_0_7_is_equal, winnersother_cost_0_7_choice_2 : boolean;
     variable winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3, winnersother_cost_0_7_value_2 : boolean;
     variable winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3, winnersother_cost_0_7_choice_5 : boolean;
-    variable winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6, winnersother_cost_0_7_value_5 : boolean;
-    variable winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8, winnersother_cost_0_7_choice_9 : boolean;
-    variable winnersother_cost_0_7_all, winnersother_cost_0_8_value, winnersother_cost_0_8_choice : boolean;
-    variable winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2, winnersother_cost_0_8_choice_3 : boolean;
-    variable winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4, winnersother_cost_0_8_value_4 : boolean;
-    variable winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5, winnersother_cost_0_8_choice_6 : boolean;
-    variable winnersother_cost_0_8_value_6, winnersother_cost_0_8_choice_7, winnersother_cost_0_8_choice_8 : boolean;
-    variable winnersother_cost_0_8_choice_9, winnersother_cost_0_8_all, winnersother_cost_0_9_any : boolean;
-    variable winnersother_cost_0_9_choice, winnersother_cost_0_9_is_equal, winnersother_cost_0_9_choice_2 : boolean;
-    variable winnersother_cost_0_9_value, winnersother_cost_0_9_choice_3, winnersother_cost_0_9_value_2 : boolean;
-    variable winnersother_cost_0_9_choice_4, winnersother_cost_0_9_value_3, winnersother_cost_0_9_choice_5 : boolean;
-    variable winnersother_cost_0_9_value_4, winnersother_cost_0_9_choice_6, winnersother_cost_0_9_value_5 : boolean;
-    variable winnersother_cost_0_9_choice_7, winnersother_cost_0_9_choice_8, winnersother_cost_0_9_choice_9 : boolean;
+    variable winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6, winnersother_cost_0_7_choice_7 : boolean;
+    variable winnersother_cost_0_7_choice_8, winnersother_cost_0_7_all, winnersother_cost_0_8_value : boolean;
+    variable winnersother_cost_0_8_choice, winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2 : boolean;
+    variable winnersother_cost_0_8_choice_3, winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4 : boolean;
+    variable winnersother_cost_0_8_value_4, winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5 : boolean;
+    variable winnersother_cost_0_8_choice_6, winnersother_cost_0_8_choice_7, winnersother_cost_0_8_choice_8 : boolean;
+    variable winnersother_cost_0_8_all, winnersother_cost_0_9_any, winnersother_cost_0_9_choice : boolean;
+    variable winnersother_cost_0_9_is_equal, winnersother_cost_0_9_choice_2, winnersother_cost_0_9_value : boolean;
+    variable winnersother_cost_0_9_choice_3, winnersother_cost_0_9_value_2, winnersother_cost_0_9_choice_4 : boolean;
+    variable winnersother_cost_0_9_value_3, winnersother_cost_0_9_choice_5, winnersother_cost_0_9_value_4 : boolean;
+    variable winnersother_cost_0_9_choice_6, winnersother_cost_0_9_choice_7, winnersother_cost_0_9_choice_8 : boolean;
     variable winnersother_cost_0_9_all, winnersother_cost_0_10_value, winnersother_cost_0_10_choice : boolean;
     variable winnersother_cost_0_10_choice_2, winnersother_cost_0_10_value_2, winnersother_cost_0_10_choice_3 : boolean;
     variable winnersother_cost_0_10_value_3, winnersother_cost_0_10_choice_4, winnersother_cost_0_10_value_4 : boolean;
     variable winnersother_cost_0_10_choice_5, winnersother_cost_0_10_value_5, winnersother_cost_0_10_choice_6 : boolean;
-    variable winnersother_cost_0_10_value_6, winnersother_cost_0_10_choice_7, winnersother_cost_0_10_choice_8 : boolean;
-    variable winnersother_cost_0_10_choice_9, winnersother_cost_0_10_all, winnersother_winner_0_11_any : boolean;
-    variable winnersother_winner_0_11_choice, winnersother_winner_0_11_is_equal : boolean;
+    variable winnersother_cost_0_10_choice_7, winnersother_cost_0_10_choice_8, winnersother_cost_0_10_all : boolean;
+    variable winnersother_winner_0_11_any, winnersother_winner_0_11_choice, winnersother_winner_0_11_is_equal : boolean;
     variable winnersother_winner_0_11_choice_2, winnersother_winner_0_11_value : boolean;
     variable winnersother_winner_0_11_choice_3, winnersother_winner_0_11_value_2 : boolean;
     variable winnersother_winner_0_11_choice_4, winnersother_winner_0_11_value_3 : boolean;
     variable winnersother_winner_0_11_choice_5, winnersother_winner_0_11_value_4 : boolean;
-    variable winnersother_winner_0_11_choice_6, winnersother_winner_0_11_value_5 : boolean;
-    variable winnersother_winner_0_11_choice_7, winnersother_winner_0_11_choice_8 : boolean;
+    variable winnersother_winner_0_11_choice_6, winnersother_winner_0_11_choice_7 : boolean;
     variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_choice_2 : boolean;
     variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_choice_4 : boolean;
     variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_7, winnerswinner1_best_index_0_0_choice_8 : boolean;
-    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_1_choice_8 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_7, winnerswinner1_best_index_0_1_choice : boolean;
+    variable winnerswinner1_best_index_0_1_choice_2, winnerswinner1_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_4, winnerswinner1_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_6, winnerswinner1_best_index_0_1_choice_7 : boolean;
     variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_choice_2 : boolean;
     variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_choice_4 : boolean;
     variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_2_choice_8 : boolean;
-    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_3_choice_8 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_3_choice : boolean;
+    variable winnerswinner1_best_index_0_3_choice_2, winnerswinner1_best_index_0_3_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_4, winnerswinner1_best_index_0_3_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_6, winnerswinner1_best_index_0_3_choice_7 : boolean;
     variable winnerswinner1_best_index_0_4_choice, winnerswinner1_best_index_0_4_choice_2 : boolean;
     variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_choice_4 : boolean;
     variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_4_choice_8 : boolean;
-    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_3, winnerswinner1_best_index_0_5_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_5, winnerswinner1_best_index_0_5_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_7, winnerswinner1_best_index_0_5_choice_8 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_5_choice : boolean;
+    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_6, winnerswinner1_best_index_0_5_choice_7 : boolean;
     variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
     variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
     variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
     variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
     variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_0_value_5, winnerswinner2_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_8, winnerswinner2_best_index_0_1_choice : boolean;
+    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_1_choice : boolean;
     variable winnerswinner2_best_index_0_1_choice_2, winnerswinner2_best_index_0_1_value : boolean;
     variable winnerswinner2_best_index_0_1_choice_3, winnerswinner2_best_index_0_1_value_2 : boolean;
     variable winnerswinner2_best_index_0_1_choice_4, winnerswinner2_best_index_0_1_value_3 : boolean;
     variable winnerswinner2_best_index_0_1_choice_5, winnerswinner2_best_index_0_1_value_4 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_6, winnerswinner2_best_index_0_1_value_5 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_1_choice_8 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_6, winnerswinner2_best_index_0_1_choice_7 : boolean;
     variable winnerswinner2_best_index_0_2_choice, winnerswinner2_best_index_0_2_choice_2 : boolean;
     variable winnerswinner2_best_index_0_2_value, winnerswinner2_best_index_0_2_choice_3 : boolean;
     variable winnerswinner2_best_index_0_2_value_2, winnerswinner2_best_index_0_2_choice_4 : boolean;
     variable winnerswinner2_best_index_0_2_value_3, winnerswinner2_best_index_0_2_choice_5 : boolean;
     variable winnerswinner2_best_index_0_2_value_4, winnerswinner2_best_index_0_2_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_2_value_5, winnerswinner2_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_8, winnerswinner2_best_below_0_0_is_equal : boolean;
+    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner2_best_below_0_0_is_equal : boolean;
     variable winnerswinner2_best_below_0_1_is_equal, winnerswinner2_best_below_0_2_is_equal : boolean;
     variable winnerswinner2_best_at_start_0_0_choice, winnerswinner2_best_at_start_0_1_choice : boolean;
     variable winnerswinner2_best_at_start_0_2_choice, winnerswinner3_best_index_0_0_choice : boolean;
@@ -1531,25 +1520,27 @@ begin
     variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
     variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
     variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_value_5 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner3_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_choice_7 : boolean;
     variable winnerswinner3_best_below_0_0_is_equal, winnerswinner3_best_above_0_0_is_equal : boolean;
     variable winnerswinner3_best_at_start_0_0_choice, winnerswinner4_best_index_0_0_choice : boolean;
     variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
     variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
     variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
     variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_value_5 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_7, winnerswinner4_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_choice_7 : boolean;
     variable winnerswinner4_best_below_0_0_is_equal, winnerswinner4_best_above_0_0_is_equal : boolean;
-    variable winnerswinner4_best_at_start_0_0_choice, refinement_divisor_0_0_is_less : boolean;
-    variable leftright_holds_winners_all, turn_order_address_any, turn_order_address_any_2 : boolean;
-    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_is_equal : boolean;
-    variable turn_ready_tag_row_start_choice, turn_ready_tag_row_start_choice_2 : boolean;
-    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
-    variable turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2, map_counter_group_is_equal : boolean;
-    variable map_line_ended_choice, map_at_arrives_value, map_window_complete_all, map_window_complete_choice : boolean;
-    variable map_window_complete_choice_2, map_low_1_0_all : boolean;
+    variable winnerswinner4_best_at_start_0_0_choice, refinement_passed_3_0_choice : boolean;
+    variable refinement_passed_3_0_choice_2, refinement_passed_3_0_value, refinement_passed_3_0_choice_3 : boolean;
+    variable refinement_passed_3_0_value_2, refinement_passed_3_0_choice_4, refinement_passed_3_0_value_3 : boolean;
+    variable refinement_passed_3_0_choice_5, refinement_passed_3_0_value_4, refinement_passed_3_0_choice_6 : boolean;
+    variable refinement_passed_3_0_is_equal, refinement_passed_3_0_choice_7, refinement_passed_3_0_choice_8 : boolean;
+    variable refinement_divisor_0_0_is_less, leftright_holds_winners_all, turn_order_address_any : boolean;
+    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
+    variable turn_ready_tag_row_start_choice_2, turn_ready_tag_row_start_is_equal_2 : boolean;
+    variable turn_ready_tag_row_start_all, turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2 : boolean;
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value, map_window_complete_all : boolean;
+    variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all : boolean;
     variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
@@ -1570,78 +1561,76 @@ begin
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
-    variable entry_order_address_choice_2, refinement_fraction_0_choice_2 : natural range 0 to 7;
-    variable turn_order_address_choice_2 : natural range 0 to 7;
-    variable forward_left_pair_0_choice, forward_left_pair_1_choice : natural range 0 to 127;
-    variable forward_left_pair_2_choice, forward_left_pair_3_choice : natural range 0 to 127;
-    variable forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 127;
-    variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_1_choice, forward_left_cost_1_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_2_choice, forward_left_cost_2_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_3_choice, forward_left_cost_3_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_4_choice, forward_left_cost_4_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_5_choice, forward_left_cost_5_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_6_choice, forward_left_cost_6_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_7_choice, forward_left_cost_7_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_8_choice, forward_left_cost_8_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_9_choice, forward_left_cost_9_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_10_choice, forward_left_cost_10_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_11_choice, forward_left_cost_11_choice_2 : natural range 0 to 127;
-    variable forward_left_arrived_0_choice, forward_left_arrived_1_choice : natural range 0 to 127;
-    variable forward_left_arrived_2_choice, forward_left_arrived_3_choice : natural range 0 to 127;
-    variable forward_left_arrived_3_choice_2, forward_left_arrived_4_choice : natural range 0 to 127;
-    variable forward_left_arrived_4_choice_2, forward_left_arrived_5_choice : natural range 0 to 127;
-    variable forward_left_arrived_6_choice, forward_left_arrived_7_choice : natural range 0 to 127;
-    variable forward_left_arrived_7_choice_2, forward_left_arrived_8_choice : natural range 0 to 127;
-    variable forward_left_arrived_8_choice_2, forward_left_arrived_9_choice : natural range 0 to 127;
-    variable forward_left_arrived_10_choice, forward_left_arrived_11_choice : natural range 0 to 127;
-    variable sums_right_pair_0_choice, sums_right_pair_1_choice, sums_right_pair_2_choice : natural range 0 to 127;
-    variable sums_right_pair_3_choice, sums_right_pair_4_choice, sums_right_pair_5_choice : natural range 0 to 127;
-    variable sums_right_cost_0_choice, sums_right_cost_0_choice_2, sums_right_cost_1_choice : natural range 0 to 127;
-    variable sums_right_cost_1_choice_2, sums_right_cost_2_choice, sums_right_cost_2_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_3_choice, sums_right_cost_3_choice_2, sums_right_cost_4_choice : natural range 0 to 127;
-    variable sums_right_cost_4_choice_2, sums_right_cost_5_choice, sums_right_cost_5_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_6_choice, sums_right_cost_6_choice_2, sums_right_cost_7_choice : natural range 0 to 127;
-    variable sums_right_cost_7_choice_2, sums_right_cost_8_choice, sums_right_cost_8_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_9_choice, sums_right_cost_9_choice_2, sums_right_cost_10_choice : natural range 0 to 127;
-    variable sums_right_cost_10_choice_2, sums_right_cost_11_choice : natural range 0 to 127;
-    variable sums_right_cost_11_choice_2, sums_right_arrived_0_choice : natural range 0 to 127;
-    variable sums_right_arrived_1_choice, sums_right_arrived_2_choice : natural range 0 to 127;
-    variable sums_right_arrived_3_choice, sums_right_arrived_3_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_4_choice, sums_right_arrived_4_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_5_choice, sums_right_arrived_6_choice : natural range 0 to 127;
-    variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 127;
-    variable sums_right_arrived_11_choice : natural range 0 to 127;
+    variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
+    variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
+    variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_1_choice, forward_left_cost_1_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_2_choice, forward_left_cost_2_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_3_choice, forward_left_cost_3_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_4_choice, forward_left_cost_4_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_5_choice, forward_left_cost_5_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_6_choice, forward_left_cost_6_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_7_choice, forward_left_cost_7_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_8_choice, forward_left_cost_8_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_9_choice, forward_left_cost_9_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_10_choice, forward_left_cost_10_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_11_choice, forward_left_cost_11_choice_2 : natural range 0 to 63;
+    variable forward_left_arrived_0_choice, forward_left_arrived_1_choice : natural range 0 to 63;
+    variable forward_left_arrived_2_choice, forward_left_arrived_3_choice : natural range 0 to 63;
+    variable forward_left_arrived_3_choice_2, forward_left_arrived_4_choice : natural range 0 to 63;
+    variable forward_left_arrived_4_choice_2, forward_left_arrived_5_choice : natural range 0 to 63;
+    variable forward_left_arrived_6_choice, forward_left_arrived_7_choice : natural range 0 to 63;
+    variable forward_left_arrived_7_choice_2, forward_left_arrived_8_choice : natural range 0 to 63;
+    variable forward_left_arrived_8_choice_2, forward_left_arrived_9_choice : natural range 0 to 63;
+    variable forward_left_arrived_10_choice, forward_left_arrived_11_choice : natural range 0 to 63;
+    variable sums_right_pair_0_choice, sums_right_pair_1_choice, sums_right_pair_2_choice : natural range 0 to 63;
+    variable sums_right_pair_3_choice, sums_right_pair_4_choice, sums_right_pair_5_choice : natural range 0 to 63;
+    variable sums_right_cost_0_choice, sums_right_cost_0_choice_2, sums_right_cost_1_choice : natural range 0 to 63;
+    variable sums_right_cost_1_choice_2, sums_right_cost_2_choice, sums_right_cost_2_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_3_choice, sums_right_cost_3_choice_2, sums_right_cost_4_choice : natural range 0 to 63;
+    variable sums_right_cost_4_choice_2, sums_right_cost_5_choice, sums_right_cost_5_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_6_choice, sums_right_cost_6_choice_2, sums_right_cost_7_choice : natural range 0 to 63;
+    variable sums_right_cost_7_choice_2, sums_right_cost_8_choice, sums_right_cost_8_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_9_choice, sums_right_cost_9_choice_2, sums_right_cost_10_choice : natural range 0 to 63;
+    variable sums_right_cost_10_choice_2, sums_right_cost_11_choice : natural range 0 to 63;
+    variable sums_right_cost_11_choice_2, sums_right_arrived_0_choice : natural range 0 to 63;
+    variable sums_right_arrived_1_choice, sums_right_arrived_2_choice : natural range 0 to 63;
+    variable sums_right_arrived_3_choice, sums_right_arrived_3_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_4_choice, sums_right_arrived_4_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_5_choice, sums_right_arrived_6_choice : natural range 0 to 63;
+    variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 63;
+    variable sums_right_arrived_11_choice : natural range 0 to 63;
     variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 255;
     variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_0_choice, winnerswinner2_best_second_0_0_choice_2 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_0_choice_3, winnerswinner2_best_second_0_0_choice_4 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_1_choice, winnerswinner2_best_second_0_1_choice_2 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_1_choice_3, winnerswinner2_best_second_0_1_choice_4 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_2_choice, winnerswinner2_best_second_0_2_choice_2 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_2_choice_3, winnerswinner2_best_second_0_2_choice_4 : natural range 0 to 255;
-    variable winnerswinner3_best_second_0_0_choice, winnerswinner3_best_second_0_0_choice_2 : natural range 0 to 255;
-    variable winnerswinner3_best_second_0_0_choice_3, winnerswinner3_best_second_0_0_choice_4 : natural range 0 to 255;
-    variable winnerswinner4_best_second_0_0_choice, winnerswinner4_best_second_0_0_choice_2 : natural range 0 to 255;
-    variable winnerswinner4_best_second_0_0_choice_3, winnerswinner4_best_second_0_0_choice_4 : natural range 0 to 255;
-    variable refinement_divisor_0_0_choice, refinement_fraction_0_choice : natural range 0 to 255;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 70;
     variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 70;
     variable forward_above_write_words_0_choice_5, forward_above_write_words_0_choice_6 : natural range 0 to 70;
     variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 70;
     variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 70;
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 70;
-    variable winnerswinner2_best_below_0_0_choice, winnerswinner2_best_below_0_1_choice : natural range 0 to 254;
-    variable winnerswinner2_best_below_0_2_choice, winnerswinner2_best_above_0_0_choice : natural range 0 to 254;
-    variable winnerswinner2_best_above_0_1_choice, winnerswinner2_best_above_0_2_choice : natural range 0 to 254;
-    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 254;
-    variable winnerswinner4_best_below_0_0_choice, winnerswinner4_best_above_0_0_choice : natural range 0 to 254;
-    variable refinement_remainder_1_0_difference : natural range 257 to 766;
-    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 257 to 1022;
-    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 257 to 1022;
-    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 257 to 1022;
+    variable winnerswinner2_best_below_0_0_choice, winnerswinner2_best_below_0_1_choice : natural range 0 to 127;
+    variable winnerswinner2_best_below_0_2_choice, winnerswinner2_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner2_best_above_0_1_choice, winnerswinner2_best_above_0_2_choice : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_0_choice, winnerswinner2_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_0_choice_3, winnerswinner2_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_1_choice, winnerswinner2_best_second_0_1_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_1_choice_3, winnerswinner2_best_second_0_1_choice_4 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_2_choice, winnerswinner2_best_second_0_2_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_2_choice_3, winnerswinner2_best_second_0_2_choice_4 : natural range 0 to 127;
+    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner3_best_second_0_0_choice, winnerswinner3_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner3_best_second_0_0_choice_3, winnerswinner3_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable winnerswinner4_best_below_0_0_choice, winnerswinner4_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner4_best_second_0_0_choice, winnerswinner4_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner4_best_second_0_0_choice_3, winnerswinner4_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable refinement_divisor_0_0_choice : natural range 0 to 127;
+    variable refinement_remainder_1_0_difference : natural range 129 to 383;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 129 to 510;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 129 to 510;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 129 to 510;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable leftright_checked_passed_0_difference : integer range -15 to 15;
@@ -1659,11 +1648,16 @@ begin
   begin
     if rising_edge(clock) then
       -- settings
+      if in_p1 < 5 then
+        settings_p1_choice := in_p1 mod 8;
+      else
+        settings_p1_choice := 5;
+      end if;
       settings_p1_any := (not in_valid) or (not in_start_of_frame);
       if not settings_p1_any then
-        settings_p1 <= in_p1 mod 8;
-        settings_p2 <= in_p2 mod 32;
-        settings_uniqueness_distance <= in_uniqueness_distance mod 256;
+        settings_p1 <= 3 when settings_p1_choice < 3 else settings_p1_choice;
+        settings_p2 <= in_p2 mod 32 when in_p2 < 22 else 22;
+        settings_uniqueness_distance <= in_uniqueness_distance mod 128;
         settings_left_right_threshold <= in_left_right_threshold;
       end if;
       -- transform
@@ -4970,15 +4964,15 @@ begin
         forward_left_cost_8;
       forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
-      forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_room) / 64) =
+      forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 32) + forward_left_room) / 32) =
         1;
       if forward_left_start_cost_0_value then
-        forward_left_start_cost_0_choice := (((as_number(forward_left_start_cost_0_value) + 3) mod 4) * 64) +
-          ((forward_left_tree_next_next_smallest_0 + forward_left_room) mod 64);
+        forward_left_start_cost_0_choice := (((as_number(forward_left_start_cost_0_value) + 7) mod 8) * 32) +
+          ((forward_left_tree_next_next_smallest_0 + forward_left_room) mod 32);
       else
         forward_left_start_cost_0_choice := 0;
       end if;
-      if (forward_left_tree_next_next_smallest_0 / 64) = 1 then
+      if (forward_left_tree_next_next_smallest_0 / 32) = 1 then
         forward_left_start_cost_0_choice_2 := forward_left_room;
       else
         forward_left_start_cost_0_choice_2 := forward_left_start_cost_0_choice;
@@ -4988,76 +4982,76 @@ begin
       else
         forward_left_room_choice := forward_left_room;
       end if;
-      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 64) = 1 else
+      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 32) = 1 else
         forward_left_room_choice;
       forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
-      forward_left_cost_0_choice_2 := 64 when ((forward_left_cost_0_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_0_choice;
       forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
-      forward_left_cost_1_choice_2 := 64 when ((forward_left_cost_1_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_1_choice;
       forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
-      forward_left_cost_2_choice_2 := 64 when ((forward_left_cost_2_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_2_choice;
       forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
-      forward_left_cost_3_choice_2 := 64 when ((forward_left_cost_3_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_3_choice;
       forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
-      forward_left_cost_4_choice_2 := 64 when ((forward_left_cost_4_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_4_choice;
       forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
-      forward_left_cost_5_choice_2 := 64 when ((forward_left_cost_5_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_5_choice;
       forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
-      forward_left_cost_6_choice_2 := 64 when ((forward_left_cost_6_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_6_choice;
       forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
-      forward_left_cost_7_choice_2 := 64 when ((forward_left_cost_7_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_7_choice;
       forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
-      forward_left_cost_8_choice_2 := 64 when ((forward_left_cost_8_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_8_choice;
       forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
-      forward_left_cost_9_choice_2 := 64 when ((forward_left_cost_9_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_9_choice;
       forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
         else forward_left_cost_10;
-      forward_left_cost_10_choice_2 := 64 when ((forward_left_cost_10_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_10_choice;
       forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
         else forward_left_cost_11;
-      forward_left_cost_11_choice_2 := 64 when ((forward_left_cost_11_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_11_choice;
-      forward_left_arrived_0_choice := 64 when forward_left_first_2 else forward_left_cost_1;
-      forward_left_arrived_1_choice := 64 when forward_left_first_2 else forward_left_pair_0_choice;
-      forward_left_arrived_2_choice := 64 when forward_left_first_2 else forward_left_pair_1_choice;
+      forward_left_arrived_0_choice := 32 when forward_left_first_2 else forward_left_cost_1;
+      forward_left_arrived_1_choice := 32 when forward_left_first_2 else forward_left_pair_0_choice;
+      forward_left_arrived_2_choice := 32 when forward_left_first_2 else forward_left_pair_1_choice;
       forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
-      forward_left_arrived_3_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_3_choice;
+      forward_left_arrived_3_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_3_choice;
       forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
-      forward_left_arrived_4_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_4_choice;
-      forward_left_arrived_5_choice := 64 when forward_left_first_2 else forward_left_pair_2_choice;
-      forward_left_arrived_6_choice := 64 when forward_left_first_2 else forward_left_pair_3_choice;
+      forward_left_arrived_4_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_4_choice;
+      forward_left_arrived_5_choice := 32 when forward_left_first_2 else forward_left_pair_2_choice;
+      forward_left_arrived_6_choice := 32 when forward_left_first_2 else forward_left_pair_3_choice;
       forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
-      forward_left_arrived_7_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_7_choice;
+      forward_left_arrived_7_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_7_choice;
       forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
-      forward_left_arrived_8_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_8_choice;
-      forward_left_arrived_9_choice := 64 when forward_left_first_2 else forward_left_pair_4_choice;
-      forward_left_arrived_10_choice := 64 when forward_left_first_2 else forward_left_pair_5_choice;
-      forward_left_arrived_11_choice := 64 when forward_left_first_2 else forward_left_cost_10;
+      forward_left_arrived_8_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_8_choice;
+      forward_left_arrived_9_choice := 32 when forward_left_first_2 else forward_left_pair_4_choice;
+      forward_left_arrived_10_choice := 32 when forward_left_first_2 else forward_left_pair_5_choice;
+      forward_left_arrived_11_choice := 32 when forward_left_first_2 else forward_left_cost_10;
       forward_above_total_0_choice := forward_above_top_p2 when forward_above_ready_top else
         to_integer(forward_above_ready_words_0(4 downto 0));
       forward_above_total_1_choice := forward_above_top_p2 when forward_above_ready_top else
@@ -5308,60 +5302,60 @@ begin
         forward_left_room <= 0 when sums_tags_held_3_first_column else (forward_left_room_choice_2 +
           forward_left_start_cost_6) mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
-        forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 - forward_left_p1) mod 128;
+        forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 - forward_left_p1) mod 64;
         forward_left_first_0 <= sums_tags_held_3_first_column;
         forward_left_first_1 <= forward_left_first_0;
         forward_left_first_2 <= forward_left_first_1;
-        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 128;
-        forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 128;
-        forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_2 <= (forward_cost_0_2 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_3 <= (forward_cost_0_3 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_4 <= (forward_cost_0_4 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_5 <= (forward_cost_0_5 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_6 <= (forward_cost_0_6 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_7 <= (forward_cost_0_7 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_8 <= (forward_cost_0_8 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_9 <= (forward_cost_0_9 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_10 <= (forward_cost_0_10 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_11 <= (forward_cost_0_11 - forward_left_g_copy_0) mod 128;
-        forward_left_step_change_0 <= (forward_cost_0_0 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_1 <= (forward_cost_0_1 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_2 <= (forward_cost_0_2 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_3 <= (forward_cost_0_3 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_4 <= (forward_cost_0_4 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_5 <= (forward_cost_0_5 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_6 <= (forward_cost_0_6 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_7 <= (forward_cost_0_7 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_8 <= (forward_cost_0_8 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_9 <= (forward_cost_0_9 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_10 <= (forward_cost_0_10 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_11 <= (forward_cost_0_11 - forward_left_g_less_copy_0) mod 128;
-        forward_left_cost_0 <= (forward_left_cost_0_choice_2 + forward_left_stay_change_0) mod 128;
-        forward_left_cost_1 <= (forward_left_cost_1_choice_2 + forward_left_stay_change_1) mod 128;
-        forward_left_cost_2 <= (forward_left_cost_2_choice_2 + forward_left_stay_change_2) mod 128;
-        forward_left_cost_3 <= (forward_left_cost_3_choice_2 + forward_left_stay_change_3) mod 128;
-        forward_left_cost_4 <= (forward_left_cost_4_choice_2 + forward_left_stay_change_4) mod 128;
-        forward_left_cost_5 <= (forward_left_cost_5_choice_2 + forward_left_stay_change_5) mod 128;
-        forward_left_cost_6 <= (forward_left_cost_6_choice_2 + forward_left_stay_change_6) mod 128;
-        forward_left_cost_7 <= (forward_left_cost_7_choice_2 + forward_left_stay_change_7) mod 128;
-        forward_left_cost_8 <= (forward_left_cost_8_choice_2 + forward_left_stay_change_8) mod 128;
-        forward_left_cost_9 <= (forward_left_cost_9_choice_2 + forward_left_stay_change_9) mod 128;
-        forward_left_cost_10 <= (forward_left_cost_10_choice_2 + forward_left_stay_change_10) mod 128;
-        forward_left_cost_11 <= (forward_left_cost_11_choice_2 + forward_left_stay_change_11) mod 128;
-        forward_left_arrived_0 <= (forward_left_arrived_0_choice + forward_left_step_change_0) mod 128;
-        forward_left_arrived_1 <= (forward_left_arrived_1_choice + forward_left_step_change_1) mod 128;
-        forward_left_arrived_2 <= (forward_left_arrived_2_choice + forward_left_step_change_2) mod 128;
-        forward_left_arrived_3 <= (forward_left_arrived_3_choice_2 + forward_left_step_change_3) mod 128;
-        forward_left_arrived_4 <= (forward_left_arrived_4_choice_2 + forward_left_step_change_4) mod 128;
-        forward_left_arrived_5 <= (forward_left_arrived_5_choice + forward_left_step_change_5) mod 128;
-        forward_left_arrived_6 <= (forward_left_arrived_6_choice + forward_left_step_change_6) mod 128;
-        forward_left_arrived_7 <= (forward_left_arrived_7_choice_2 + forward_left_step_change_7) mod 128;
-        forward_left_arrived_8 <= (forward_left_arrived_8_choice_2 + forward_left_step_change_8) mod 128;
-        forward_left_arrived_9 <= (forward_left_arrived_9_choice + forward_left_step_change_9) mod 128;
-        forward_left_arrived_10 <= (forward_left_arrived_10_choice + forward_left_step_change_10) mod 128;
-        forward_left_arrived_11 <= (forward_left_arrived_11_choice + forward_left_step_change_11) mod 128;
+        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 64;
+        forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 64;
+        forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_2 <= (forward_cost_0_2 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_3 <= (forward_cost_0_3 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_4 <= (forward_cost_0_4 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_5 <= (forward_cost_0_5 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_6 <= (forward_cost_0_6 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_7 <= (forward_cost_0_7 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_8 <= (forward_cost_0_8 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_9 <= (forward_cost_0_9 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_10 <= (forward_cost_0_10 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_11 <= (forward_cost_0_11 - forward_left_g_copy_0) mod 64;
+        forward_left_step_change_0 <= (forward_cost_0_0 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_1 <= (forward_cost_0_1 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_2 <= (forward_cost_0_2 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_3 <= (forward_cost_0_3 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_4 <= (forward_cost_0_4 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_5 <= (forward_cost_0_5 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_6 <= (forward_cost_0_6 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_7 <= (forward_cost_0_7 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_8 <= (forward_cost_0_8 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_9 <= (forward_cost_0_9 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_10 <= (forward_cost_0_10 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_11 <= (forward_cost_0_11 - forward_left_g_less_copy_0) mod 64;
+        forward_left_cost_0 <= (forward_left_cost_0_choice_2 + forward_left_stay_change_0) mod 64;
+        forward_left_cost_1 <= (forward_left_cost_1_choice_2 + forward_left_stay_change_1) mod 64;
+        forward_left_cost_2 <= (forward_left_cost_2_choice_2 + forward_left_stay_change_2) mod 64;
+        forward_left_cost_3 <= (forward_left_cost_3_choice_2 + forward_left_stay_change_3) mod 64;
+        forward_left_cost_4 <= (forward_left_cost_4_choice_2 + forward_left_stay_change_4) mod 64;
+        forward_left_cost_5 <= (forward_left_cost_5_choice_2 + forward_left_stay_change_5) mod 64;
+        forward_left_cost_6 <= (forward_left_cost_6_choice_2 + forward_left_stay_change_6) mod 64;
+        forward_left_cost_7 <= (forward_left_cost_7_choice_2 + forward_left_stay_change_7) mod 64;
+        forward_left_cost_8 <= (forward_left_cost_8_choice_2 + forward_left_stay_change_8) mod 64;
+        forward_left_cost_9 <= (forward_left_cost_9_choice_2 + forward_left_stay_change_9) mod 64;
+        forward_left_cost_10 <= (forward_left_cost_10_choice_2 + forward_left_stay_change_10) mod 64;
+        forward_left_cost_11 <= (forward_left_cost_11_choice_2 + forward_left_stay_change_11) mod 64;
+        forward_left_arrived_0 <= (forward_left_arrived_0_choice + forward_left_step_change_0) mod 64;
+        forward_left_arrived_1 <= (forward_left_arrived_1_choice + forward_left_step_change_1) mod 64;
+        forward_left_arrived_2 <= (forward_left_arrived_2_choice + forward_left_step_change_2) mod 64;
+        forward_left_arrived_3 <= (forward_left_arrived_3_choice_2 + forward_left_step_change_3) mod 64;
+        forward_left_arrived_4 <= (forward_left_arrived_4_choice_2 + forward_left_step_change_4) mod 64;
+        forward_left_arrived_5 <= (forward_left_arrived_5_choice + forward_left_step_change_5) mod 64;
+        forward_left_arrived_6 <= (forward_left_arrived_6_choice + forward_left_step_change_6) mod 64;
+        forward_left_arrived_7 <= (forward_left_arrived_7_choice_2 + forward_left_step_change_7) mod 64;
+        forward_left_arrived_8 <= (forward_left_arrived_8_choice_2 + forward_left_step_change_8) mod 64;
+        forward_left_arrived_9 <= (forward_left_arrived_9_choice + forward_left_step_change_9) mod 64;
+        forward_left_arrived_10 <= (forward_left_arrived_10_choice + forward_left_step_change_10) mod 64;
+        forward_left_arrived_11 <= (forward_left_arrived_11_choice + forward_left_step_change_11) mod 64;
         forward_above_ready_words_0 <= forward_above_read_words_0;
         forward_above_ready_words_1 <= forward_above_read_words_1;
         forward_above_ready_cost_0 <= entry_cost_0;
@@ -5515,18 +5509,18 @@ begin
         forward_above_column_7 <= forward_above_column_6;
         forward_above_column_8 <= forward_above_column_7;
         forward_above_column_9 <= forward_above_column_8;
-        forward_sum_0 <= (forward_left_cost_0 + forward_above_cost_0) mod 128;
-        forward_sum_1 <= (forward_left_cost_1 + forward_above_cost_1) mod 128;
-        forward_sum_2 <= (forward_left_cost_2 + forward_above_cost_2) mod 128;
-        forward_sum_3 <= (forward_left_cost_3 + forward_above_cost_3) mod 128;
-        forward_sum_4 <= (forward_left_cost_4 + forward_above_cost_4) mod 128;
-        forward_sum_5 <= (forward_left_cost_5 + forward_above_cost_5) mod 128;
-        forward_sum_6 <= (forward_left_cost_6 + forward_above_cost_6) mod 128;
-        forward_sum_7 <= (forward_left_cost_7 + forward_above_cost_7) mod 128;
-        forward_sum_8 <= (forward_left_cost_8 + forward_above_cost_8) mod 128;
-        forward_sum_9 <= (forward_left_cost_9 + forward_above_cost_9) mod 128;
-        forward_sum_10 <= (forward_left_cost_10 + forward_above_cost_10) mod 128;
-        forward_sum_11 <= (forward_left_cost_11 + forward_above_cost_11) mod 128;
+        forward_sum_0 <= forward_left_cost_0 + forward_above_cost_0;
+        forward_sum_1 <= forward_left_cost_1 + forward_above_cost_1;
+        forward_sum_2 <= forward_left_cost_2 + forward_above_cost_2;
+        forward_sum_3 <= forward_left_cost_3 + forward_above_cost_3;
+        forward_sum_4 <= forward_left_cost_4 + forward_above_cost_4;
+        forward_sum_5 <= forward_left_cost_5 + forward_above_cost_5;
+        forward_sum_6 <= forward_left_cost_6 + forward_above_cost_6;
+        forward_sum_7 <= forward_left_cost_7 + forward_above_cost_7;
+        forward_sum_8 <= forward_left_cost_8 + forward_above_cost_8;
+        forward_sum_9 <= forward_left_cost_9 + forward_above_cost_9;
+        forward_sum_10 <= forward_left_cost_10 + forward_above_cost_10;
+        forward_sum_11 <= forward_left_cost_11 + forward_above_cost_11;
         forward_first_0 <= entry_turned_first_column;
         forward_first_1 <= forward_first_0;
         forward_first_2 <= forward_first_1;
@@ -5661,14 +5655,14 @@ begin
         sums_right_cost_8;
       sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
         sums_right_cost_9;
-      sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_room) / 64) = 1;
+      sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 32) + sums_right_room) / 32) = 1;
       if sums_right_start_cost_0_value then
-        sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 3) mod 4) * 64) +
-          ((sums_right_tree_next_next_smallest_0 + sums_right_room) mod 64);
+        sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 7) mod 8) * 32) +
+          ((sums_right_tree_next_next_smallest_0 + sums_right_room) mod 32);
       else
         sums_right_start_cost_0_choice := 0;
       end if;
-      if (sums_right_tree_next_next_smallest_0 / 64) = 1 then
+      if (sums_right_tree_next_next_smallest_0 / 32) = 1 then
         sums_right_start_cost_0_choice_2 := sums_right_room;
       else
         sums_right_start_cost_0_choice_2 := sums_right_start_cost_0_choice;
@@ -5678,75 +5672,75 @@ begin
       else
         sums_right_room_choice := sums_right_room;
       end if;
-      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 64) = 1 else sums_right_room_choice;
+      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 32) = 1 else sums_right_room_choice;
       sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
         sums_right_cost_0;
-      sums_right_cost_0_choice_2 := 64 when ((sums_right_cost_0_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_0_choice;
       sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
         sums_right_cost_1;
-      sums_right_cost_1_choice_2 := 64 when ((sums_right_cost_1_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_1_choice;
       sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
-      sums_right_cost_2_choice_2 := 64 when ((sums_right_cost_2_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_2_choice;
       sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
-      sums_right_cost_3_choice_2 := 64 when ((sums_right_cost_3_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_3_choice;
       sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
         sums_right_cost_4;
-      sums_right_cost_4_choice_2 := 64 when ((sums_right_cost_4_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_4_choice;
       sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
         sums_right_cost_5;
-      sums_right_cost_5_choice_2 := 64 when ((sums_right_cost_5_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_5_choice;
       sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
-      sums_right_cost_6_choice_2 := 64 when ((sums_right_cost_6_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_6_choice;
       sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
-      sums_right_cost_7_choice_2 := 64 when ((sums_right_cost_7_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_7_choice;
       sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
         sums_right_cost_8;
-      sums_right_cost_8_choice_2 := 64 when ((sums_right_cost_8_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_8_choice;
       sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
         sums_right_cost_9;
-      sums_right_cost_9_choice_2 := 64 when ((sums_right_cost_9_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_9_choice;
       sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
         sums_right_cost_10;
-      sums_right_cost_10_choice_2 := 64 when ((sums_right_cost_10_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_10_choice;
       sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
         sums_right_cost_11;
-      sums_right_cost_11_choice_2 := 64 when ((sums_right_cost_11_choice / 64) = 1) or sums_right_first_2 else
+      sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_11_choice;
-      sums_right_arrived_0_choice := 64 when sums_right_first_2 else sums_right_cost_1;
-      sums_right_arrived_1_choice := 64 when sums_right_first_2 else sums_right_pair_0_choice;
-      sums_right_arrived_2_choice := 64 when sums_right_first_2 else sums_right_pair_1_choice;
+      sums_right_arrived_0_choice := 32 when sums_right_first_2 else sums_right_cost_1;
+      sums_right_arrived_1_choice := 32 when sums_right_first_2 else sums_right_pair_0_choice;
+      sums_right_arrived_2_choice := 32 when sums_right_first_2 else sums_right_pair_1_choice;
       sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
-      sums_right_arrived_3_choice_2 := 64 when sums_right_first_2 else sums_right_arrived_3_choice;
+      sums_right_arrived_3_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_3_choice;
       sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
-      sums_right_arrived_4_choice_2 := 64 when sums_right_first_2 else sums_right_arrived_4_choice;
-      sums_right_arrived_5_choice := 64 when sums_right_first_2 else sums_right_pair_2_choice;
-      sums_right_arrived_6_choice := 64 when sums_right_first_2 else sums_right_pair_3_choice;
+      sums_right_arrived_4_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_4_choice;
+      sums_right_arrived_5_choice := 32 when sums_right_first_2 else sums_right_pair_2_choice;
+      sums_right_arrived_6_choice := 32 when sums_right_first_2 else sums_right_pair_3_choice;
       sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
-      sums_right_arrived_7_choice_2 := 64 when sums_right_first_2 else sums_right_arrived_7_choice;
+      sums_right_arrived_7_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_7_choice;
       sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
-      sums_right_arrived_8_choice_2 := 64 when sums_right_first_2 else sums_right_arrived_8_choice;
-      sums_right_arrived_9_choice := 64 when sums_right_first_2 else sums_right_pair_4_choice;
-      sums_right_arrived_10_choice := 64 when sums_right_first_2 else sums_right_pair_5_choice;
-      sums_right_arrived_11_choice := 64 when sums_right_first_2 else sums_right_cost_10;
+      sums_right_arrived_8_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_8_choice;
+      sums_right_arrived_9_choice := 32 when sums_right_first_2 else sums_right_pair_4_choice;
+      sums_right_arrived_10_choice := 32 when sums_right_first_2 else sums_right_pair_5_choice;
+      sums_right_arrived_11_choice := 32 when sums_right_first_2 else sums_right_cost_10;
       if entry_tag_valid then
         sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
         sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
@@ -5814,60 +5808,60 @@ begin
         sums_right_start_cost_6 <= 0 when forward_first_0 else sums_right_start_cost_5;
         sums_right_room <= 0 when forward_first_0 else (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
         sums_right_smallest <= sums_turn_ready_smallest_0;
-        sums_right_smallest_less <= (sums_turn_ready_smallest_0 - sums_right_p1) mod 128;
+        sums_right_smallest_less <= (sums_turn_ready_smallest_0 - sums_right_p1) mod 64;
         sums_right_first_0 <= forward_first_0;
         sums_right_first_1 <= sums_right_first_0;
         sums_right_first_2 <= sums_right_first_1;
-        sums_right_g_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest) mod 128;
-        sums_right_g_less_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest_less) mod 128;
-        sums_right_stay_change_0 <= (sums_cost_1_0 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_1 <= (sums_cost_1_1 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_2 <= (sums_cost_1_2 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_3 <= (sums_cost_1_3 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_4 <= (sums_cost_1_4 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_5 <= (sums_cost_1_5 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_6 <= (sums_cost_1_6 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_7 <= (sums_cost_1_7 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_8 <= (sums_cost_1_8 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_9 <= (sums_cost_1_9 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_10 <= (sums_cost_1_10 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_11 <= (sums_cost_1_11 - sums_right_g_copy_0) mod 128;
-        sums_right_step_change_0 <= (sums_cost_1_0 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_1 <= (sums_cost_1_1 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_2 <= (sums_cost_1_2 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_3 <= (sums_cost_1_3 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_4 <= (sums_cost_1_4 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_5 <= (sums_cost_1_5 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_6 <= (sums_cost_1_6 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_7 <= (sums_cost_1_7 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_8 <= (sums_cost_1_8 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_9 <= (sums_cost_1_9 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_10 <= (sums_cost_1_10 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_11 <= (sums_cost_1_11 - sums_right_g_less_copy_0) mod 128;
-        sums_right_cost_0 <= (sums_right_cost_0_choice_2 + sums_right_stay_change_0) mod 128;
-        sums_right_cost_1 <= (sums_right_cost_1_choice_2 + sums_right_stay_change_1) mod 128;
-        sums_right_cost_2 <= (sums_right_cost_2_choice_2 + sums_right_stay_change_2) mod 128;
-        sums_right_cost_3 <= (sums_right_cost_3_choice_2 + sums_right_stay_change_3) mod 128;
-        sums_right_cost_4 <= (sums_right_cost_4_choice_2 + sums_right_stay_change_4) mod 128;
-        sums_right_cost_5 <= (sums_right_cost_5_choice_2 + sums_right_stay_change_5) mod 128;
-        sums_right_cost_6 <= (sums_right_cost_6_choice_2 + sums_right_stay_change_6) mod 128;
-        sums_right_cost_7 <= (sums_right_cost_7_choice_2 + sums_right_stay_change_7) mod 128;
-        sums_right_cost_8 <= (sums_right_cost_8_choice_2 + sums_right_stay_change_8) mod 128;
-        sums_right_cost_9 <= (sums_right_cost_9_choice_2 + sums_right_stay_change_9) mod 128;
-        sums_right_cost_10 <= (sums_right_cost_10_choice_2 + sums_right_stay_change_10) mod 128;
-        sums_right_cost_11 <= (sums_right_cost_11_choice_2 + sums_right_stay_change_11) mod 128;
-        sums_right_arrived_0 <= (sums_right_arrived_0_choice + sums_right_step_change_0) mod 128;
-        sums_right_arrived_1 <= (sums_right_arrived_1_choice + sums_right_step_change_1) mod 128;
-        sums_right_arrived_2 <= (sums_right_arrived_2_choice + sums_right_step_change_2) mod 128;
-        sums_right_arrived_3 <= (sums_right_arrived_3_choice_2 + sums_right_step_change_3) mod 128;
-        sums_right_arrived_4 <= (sums_right_arrived_4_choice_2 + sums_right_step_change_4) mod 128;
-        sums_right_arrived_5 <= (sums_right_arrived_5_choice + sums_right_step_change_5) mod 128;
-        sums_right_arrived_6 <= (sums_right_arrived_6_choice + sums_right_step_change_6) mod 128;
-        sums_right_arrived_7 <= (sums_right_arrived_7_choice_2 + sums_right_step_change_7) mod 128;
-        sums_right_arrived_8 <= (sums_right_arrived_8_choice_2 + sums_right_step_change_8) mod 128;
-        sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 128;
-        sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 128;
-        sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 128;
+        sums_right_g_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest) mod 64;
+        sums_right_g_less_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest_less) mod 64;
+        sums_right_stay_change_0 <= (sums_cost_1_0 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_1 <= (sums_cost_1_1 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_2 <= (sums_cost_1_2 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_3 <= (sums_cost_1_3 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_4 <= (sums_cost_1_4 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_5 <= (sums_cost_1_5 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_6 <= (sums_cost_1_6 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_7 <= (sums_cost_1_7 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_8 <= (sums_cost_1_8 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_9 <= (sums_cost_1_9 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_10 <= (sums_cost_1_10 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_11 <= (sums_cost_1_11 - sums_right_g_copy_0) mod 64;
+        sums_right_step_change_0 <= (sums_cost_1_0 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_1 <= (sums_cost_1_1 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_2 <= (sums_cost_1_2 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_3 <= (sums_cost_1_3 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_4 <= (sums_cost_1_4 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_5 <= (sums_cost_1_5 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_6 <= (sums_cost_1_6 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_7 <= (sums_cost_1_7 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_8 <= (sums_cost_1_8 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_9 <= (sums_cost_1_9 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_10 <= (sums_cost_1_10 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_11 <= (sums_cost_1_11 - sums_right_g_less_copy_0) mod 64;
+        sums_right_cost_0 <= (sums_right_cost_0_choice_2 + sums_right_stay_change_0) mod 64;
+        sums_right_cost_1 <= (sums_right_cost_1_choice_2 + sums_right_stay_change_1) mod 64;
+        sums_right_cost_2 <= (sums_right_cost_2_choice_2 + sums_right_stay_change_2) mod 64;
+        sums_right_cost_3 <= (sums_right_cost_3_choice_2 + sums_right_stay_change_3) mod 64;
+        sums_right_cost_4 <= (sums_right_cost_4_choice_2 + sums_right_stay_change_4) mod 64;
+        sums_right_cost_5 <= (sums_right_cost_5_choice_2 + sums_right_stay_change_5) mod 64;
+        sums_right_cost_6 <= (sums_right_cost_6_choice_2 + sums_right_stay_change_6) mod 64;
+        sums_right_cost_7 <= (sums_right_cost_7_choice_2 + sums_right_stay_change_7) mod 64;
+        sums_right_cost_8 <= (sums_right_cost_8_choice_2 + sums_right_stay_change_8) mod 64;
+        sums_right_cost_9 <= (sums_right_cost_9_choice_2 + sums_right_stay_change_9) mod 64;
+        sums_right_cost_10 <= (sums_right_cost_10_choice_2 + sums_right_stay_change_10) mod 64;
+        sums_right_cost_11 <= (sums_right_cost_11_choice_2 + sums_right_stay_change_11) mod 64;
+        sums_right_arrived_0 <= (sums_right_arrived_0_choice + sums_right_step_change_0) mod 64;
+        sums_right_arrived_1 <= (sums_right_arrived_1_choice + sums_right_step_change_1) mod 64;
+        sums_right_arrived_2 <= (sums_right_arrived_2_choice + sums_right_step_change_2) mod 64;
+        sums_right_arrived_3 <= (sums_right_arrived_3_choice_2 + sums_right_step_change_3) mod 64;
+        sums_right_arrived_4 <= (sums_right_arrived_4_choice_2 + sums_right_step_change_4) mod 64;
+        sums_right_arrived_5 <= (sums_right_arrived_5_choice + sums_right_step_change_5) mod 64;
+        sums_right_arrived_6 <= (sums_right_arrived_6_choice + sums_right_step_change_6) mod 64;
+        sums_right_arrived_7 <= (sums_right_arrived_7_choice_2 + sums_right_step_change_7) mod 64;
+        sums_right_arrived_8 <= (sums_right_arrived_8_choice_2 + sums_right_step_change_8) mod 64;
+        sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 64;
+        sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 64;
+        sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 64;
         sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
           (sums_sum_delay_ring_read_address + 1) mod 4;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
@@ -5892,18 +5886,18 @@ begin
       end if;
       sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
-      sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(6 downto 0));
-      sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(13 downto 7));
-      sums_sum_0_2 <= sums_right_cost_2 + to_integer(sums_sum_delay_held_0(20 downto 14));
-      sums_sum_0_3 <= sums_right_cost_3 + to_integer(sums_sum_delay_held_0(27 downto 21));
-      sums_sum_0_4 <= sums_right_cost_4 + to_integer(sums_sum_delay_held_1(6 downto 0));
-      sums_sum_0_5 <= sums_right_cost_5 + to_integer(sums_sum_delay_held_1(13 downto 7));
-      sums_sum_0_6 <= sums_right_cost_6 + to_integer(sums_sum_delay_held_1(20 downto 14));
-      sums_sum_0_7 <= sums_right_cost_7 + to_integer(sums_sum_delay_held_1(27 downto 21));
-      sums_sum_0_8 <= sums_right_cost_8 + to_integer(sums_sum_delay_held_2(6 downto 0));
-      sums_sum_0_9 <= sums_right_cost_9 + to_integer(sums_sum_delay_held_2(13 downto 7));
-      sums_sum_0_10 <= sums_right_cost_10 + to_integer(sums_sum_delay_held_2(20 downto 14));
-      sums_sum_0_11 <= sums_right_cost_11 + to_integer(sums_sum_delay_held_2(27 downto 21));
+      sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0)) mod 128;
+      sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(27 downto 7))) mod 128;
+      sums_sum_0_2 <= (sums_right_cost_2 + to_integer(sums_sum_delay_held_0(27 downto 14))) mod 128;
+      sums_sum_0_3 <= (sums_right_cost_3 + to_integer(sums_sum_delay_held_0(27 downto 21))) mod 128;
+      sums_sum_0_4 <= (sums_right_cost_4 + to_integer(sums_sum_delay_held_1)) mod 128;
+      sums_sum_0_5 <= (sums_right_cost_5 + to_integer(sums_sum_delay_held_1(27 downto 7))) mod 128;
+      sums_sum_0_6 <= (sums_right_cost_6 + to_integer(sums_sum_delay_held_1(27 downto 14))) mod 128;
+      sums_sum_0_7 <= (sums_right_cost_7 + to_integer(sums_sum_delay_held_1(27 downto 21))) mod 128;
+      sums_sum_0_8 <= (sums_right_cost_8 + to_integer(sums_sum_delay_held_2)) mod 128;
+      sums_sum_0_9 <= (sums_right_cost_9 + to_integer(sums_sum_delay_held_2(27 downto 7))) mod 128;
+      sums_sum_0_10 <= (sums_right_cost_10 + to_integer(sums_sum_delay_held_2(27 downto 14))) mod 128;
+      sums_sum_0_11 <= (sums_right_cost_11 + to_integer(sums_sum_delay_held_2(27 downto 21))) mod 128;
       sums_tag_valid <= sums_tags_moved;
       sums_tag_map_column <= forward_above_comes_4;
       sums_tag_output_column <= sums_tags_held_4_output_column;
@@ -5954,15 +5948,11 @@ begin
       winnersother_cost_0_1_choice_6 := (not (((winnersother_cost_0_0 / 32) mod 2) = 1)) or
         winnersother_cost_0_1_value_4 when winnersother_cost_0_1_choice_5 else (not (((winnersother_cost_0_0 / 32) mod
         2) = 1)) and winnersother_cost_0_1_value_4;
-      winnersother_cost_0_1_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
-      winnersother_cost_0_1_choice_7 := (not (((winnersother_cost_0_0 / 64) mod 2) = 1)) or
-        winnersother_cost_0_1_value_5 when winnersother_cost_0_1_choice_6 else (not (((winnersother_cost_0_0 / 64) mod
-        2) = 1)) and winnersother_cost_0_1_value_5;
-      winnersother_cost_0_1_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_1 / 128) = 1) when
-        (winnersother_cost_0_0 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_1_choice_9 := winnersother_cost_0_1_choice_8 when winnersother_cost_0_1_choice_7 else (not
-        ((winnersother_cost_0_0 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 128) = 1);
-      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_1_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_1 / 64) = 1) when
+        (winnersother_cost_0_0 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_1_choice_8 := winnersother_cost_0_1_choice_7 when winnersother_cost_0_1_choice_6 else (not
+        ((winnersother_cost_0_0 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 64) = 1);
+      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_8) and sums_tag_output_column;
       winnersother_cost_0_2_value := ((sums_sum_0_2 / 2) mod 2) = 1;
       winnersother_cost_0_2_choice := (not winnersother_cost_0_2_value) or (not ((sums_sum_0_2 mod 2) = 1)) when
         (winnersother_cost_0_1 mod 2) = 1 else not winnersother_cost_0_2_value;
@@ -5984,15 +5974,11 @@ begin
       winnersother_cost_0_2_choice_6 := (not (((winnersother_cost_0_1 / 32) mod 2) = 1)) or
         winnersother_cost_0_2_value_5 when winnersother_cost_0_2_choice_5 else (not (((winnersother_cost_0_1 / 32) mod
         2) = 1)) and winnersother_cost_0_2_value_5;
-      winnersother_cost_0_2_value_6 := ((sums_sum_0_2 / 64) mod 2) = 1;
-      winnersother_cost_0_2_choice_7 := (not (((winnersother_cost_0_1 / 64) mod 2) = 1)) or
-        winnersother_cost_0_2_value_6 when winnersother_cost_0_2_choice_6 else (not (((winnersother_cost_0_1 / 64) mod
-        2) = 1)) and winnersother_cost_0_2_value_6;
-      winnersother_cost_0_2_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_2 / 128) = 1) when
-        (winnersother_cost_0_1 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_2_choice_9 := winnersother_cost_0_2_choice_8 when winnersother_cost_0_2_choice_7 else (not
-        ((winnersother_cost_0_1 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 128) = 1);
-      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_2_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_2 / 64) = 1) when
+        (winnersother_cost_0_1 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_2_choice_8 := winnersother_cost_0_2_choice_7 when winnersother_cost_0_2_choice_6 else (not
+        ((winnersother_cost_0_1 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 64) = 1);
+      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_8) and sums_tag_output_column;
       winnersother_cost_0_3_any := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1));
       winnersother_cost_0_3_choice := winnersother_cost_0_3_any when (winnersother_cost_0_2 mod 2) = 1 else not
         (((sums_sum_0_3 / 2) mod 2) = 1);
@@ -6015,15 +6001,11 @@ begin
       winnersother_cost_0_3_choice_6 := (not (((winnersother_cost_0_2 / 32) mod 2) = 1)) or
         winnersother_cost_0_3_value_4 when winnersother_cost_0_3_choice_5 else (not (((winnersother_cost_0_2 / 32) mod
         2) = 1)) and winnersother_cost_0_3_value_4;
-      winnersother_cost_0_3_value_5 := ((sums_sum_0_3 / 64) mod 2) = 1;
-      winnersother_cost_0_3_choice_7 := (not (((winnersother_cost_0_2 / 64) mod 2) = 1)) or
-        winnersother_cost_0_3_value_5 when winnersother_cost_0_3_choice_6 else (not (((winnersother_cost_0_2 / 64) mod
-        2) = 1)) and winnersother_cost_0_3_value_5;
-      winnersother_cost_0_3_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_3 / 128) = 1) when
-        (winnersother_cost_0_2 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_3_choice_9 := winnersother_cost_0_3_choice_8 when winnersother_cost_0_3_choice_7 else (not
-        ((winnersother_cost_0_2 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 128) = 1);
-      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_3_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_3 / 64) = 1) when
+        (winnersother_cost_0_2 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_3_choice_8 := winnersother_cost_0_3_choice_7 when winnersother_cost_0_3_choice_6 else (not
+        ((winnersother_cost_0_2 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 64) = 1);
+      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_8) and sums_tag_output_column;
       winnersother_cost_0_4_value := ((sums_sum_0_4 / 2) mod 2) = 1;
       winnersother_cost_0_4_choice := (not winnersother_cost_0_4_value) or (not ((sums_sum_0_4 mod 2) = 1)) when
         (winnersother_cost_0_3 mod 2) = 1 else not winnersother_cost_0_4_value;
@@ -6045,15 +6027,11 @@ begin
       winnersother_cost_0_4_choice_6 := (not (((winnersother_cost_0_3 / 32) mod 2) = 1)) or
         winnersother_cost_0_4_value_5 when winnersother_cost_0_4_choice_5 else (not (((winnersother_cost_0_3 / 32) mod
         2) = 1)) and winnersother_cost_0_4_value_5;
-      winnersother_cost_0_4_value_6 := ((sums_sum_0_4 / 64) mod 2) = 1;
-      winnersother_cost_0_4_choice_7 := (not (((winnersother_cost_0_3 / 64) mod 2) = 1)) or
-        winnersother_cost_0_4_value_6 when winnersother_cost_0_4_choice_6 else (not (((winnersother_cost_0_3 / 64) mod
-        2) = 1)) and winnersother_cost_0_4_value_6;
-      winnersother_cost_0_4_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_4 / 128) = 1) when
-        (winnersother_cost_0_3 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_4_choice_9 := winnersother_cost_0_4_choice_8 when winnersother_cost_0_4_choice_7 else (not
-        ((winnersother_cost_0_3 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 128) = 1);
-      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_4_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_4 / 64) = 1) when
+        (winnersother_cost_0_3 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_4_choice_8 := winnersother_cost_0_4_choice_7 when winnersother_cost_0_4_choice_6 else (not
+        ((winnersother_cost_0_3 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 64) = 1);
+      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_8) and sums_tag_output_column;
       winnersother_cost_0_5_any := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1));
       winnersother_cost_0_5_choice := winnersother_cost_0_5_any when (winnersother_cost_0_4 mod 2) = 1 else not
         (((sums_sum_0_5 / 2) mod 2) = 1);
@@ -6076,15 +6054,11 @@ begin
       winnersother_cost_0_5_choice_6 := (not (((winnersother_cost_0_4 / 32) mod 2) = 1)) or
         winnersother_cost_0_5_value_4 when winnersother_cost_0_5_choice_5 else (not (((winnersother_cost_0_4 / 32) mod
         2) = 1)) and winnersother_cost_0_5_value_4;
-      winnersother_cost_0_5_value_5 := ((sums_sum_0_5 / 64) mod 2) = 1;
-      winnersother_cost_0_5_choice_7 := (not (((winnersother_cost_0_4 / 64) mod 2) = 1)) or
-        winnersother_cost_0_5_value_5 when winnersother_cost_0_5_choice_6 else (not (((winnersother_cost_0_4 / 64) mod
-        2) = 1)) and winnersother_cost_0_5_value_5;
-      winnersother_cost_0_5_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_5 / 128) = 1) when
-        (winnersother_cost_0_4 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_5_choice_9 := winnersother_cost_0_5_choice_8 when winnersother_cost_0_5_choice_7 else (not
-        ((winnersother_cost_0_4 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 128) = 1);
-      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_5_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_5 / 64) = 1) when
+        (winnersother_cost_0_4 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_5_choice_8 := winnersother_cost_0_5_choice_7 when winnersother_cost_0_5_choice_6 else (not
+        ((winnersother_cost_0_4 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 64) = 1);
+      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_8) and sums_tag_output_column;
       winnersother_cost_0_6_value := ((sums_sum_0_6 / 2) mod 2) = 1;
       winnersother_cost_0_6_choice := (not winnersother_cost_0_6_value) or (not ((sums_sum_0_6 mod 2) = 1)) when
         (winnersother_cost_0_5 mod 2) = 1 else not winnersother_cost_0_6_value;
@@ -6106,15 +6080,11 @@ begin
       winnersother_cost_0_6_choice_6 := (not (((winnersother_cost_0_5 / 32) mod 2) = 1)) or
         winnersother_cost_0_6_value_5 when winnersother_cost_0_6_choice_5 else (not (((winnersother_cost_0_5 / 32) mod
         2) = 1)) and winnersother_cost_0_6_value_5;
-      winnersother_cost_0_6_value_6 := ((sums_sum_0_6 / 64) mod 2) = 1;
-      winnersother_cost_0_6_choice_7 := (not (((winnersother_cost_0_5 / 64) mod 2) = 1)) or
-        winnersother_cost_0_6_value_6 when winnersother_cost_0_6_choice_6 else (not (((winnersother_cost_0_5 / 64) mod
-        2) = 1)) and winnersother_cost_0_6_value_6;
-      winnersother_cost_0_6_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_6 / 128) = 1) when
-        (winnersother_cost_0_5 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_6_choice_9 := winnersother_cost_0_6_choice_8 when winnersother_cost_0_6_choice_7 else (not
-        ((winnersother_cost_0_5 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 128) = 1);
-      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_6_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_6 / 64) = 1) when
+        (winnersother_cost_0_5 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_6_choice_8 := winnersother_cost_0_6_choice_7 when winnersother_cost_0_6_choice_6 else (not
+        ((winnersother_cost_0_5 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 64) = 1);
+      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_8) and sums_tag_output_column;
       winnersother_cost_0_7_any := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1));
       winnersother_cost_0_7_choice := winnersother_cost_0_7_any when (winnersother_cost_0_6 mod 2) = 1 else not
         (((sums_sum_0_7 / 2) mod 2) = 1);
@@ -6137,15 +6107,11 @@ begin
       winnersother_cost_0_7_choice_6 := (not (((winnersother_cost_0_6 / 32) mod 2) = 1)) or
         winnersother_cost_0_7_value_4 when winnersother_cost_0_7_choice_5 else (not (((winnersother_cost_0_6 / 32) mod
         2) = 1)) and winnersother_cost_0_7_value_4;
-      winnersother_cost_0_7_value_5 := ((sums_sum_0_7 / 64) mod 2) = 1;
-      winnersother_cost_0_7_choice_7 := (not (((winnersother_cost_0_6 / 64) mod 2) = 1)) or
-        winnersother_cost_0_7_value_5 when winnersother_cost_0_7_choice_6 else (not (((winnersother_cost_0_6 / 64) mod
-        2) = 1)) and winnersother_cost_0_7_value_5;
-      winnersother_cost_0_7_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_7 / 128) = 1) when
-        (winnersother_cost_0_6 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_7_choice_9 := winnersother_cost_0_7_choice_8 when winnersother_cost_0_7_choice_7 else (not
-        ((winnersother_cost_0_6 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 128) = 1);
-      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_7_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_7 / 64) = 1) when
+        (winnersother_cost_0_6 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_7_choice_8 := winnersother_cost_0_7_choice_7 when winnersother_cost_0_7_choice_6 else (not
+        ((winnersother_cost_0_6 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 64) = 1);
+      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_8) and sums_tag_output_column;
       winnersother_cost_0_8_value := ((sums_sum_0_8 / 2) mod 2) = 1;
       winnersother_cost_0_8_choice := (not winnersother_cost_0_8_value) or (not ((sums_sum_0_8 mod 2) = 1)) when
         (winnersother_cost_0_7 mod 2) = 1 else not winnersother_cost_0_8_value;
@@ -6167,15 +6133,11 @@ begin
       winnersother_cost_0_8_choice_6 := (not (((winnersother_cost_0_7 / 32) mod 2) = 1)) or
         winnersother_cost_0_8_value_5 when winnersother_cost_0_8_choice_5 else (not (((winnersother_cost_0_7 / 32) mod
         2) = 1)) and winnersother_cost_0_8_value_5;
-      winnersother_cost_0_8_value_6 := ((sums_sum_0_8 / 64) mod 2) = 1;
-      winnersother_cost_0_8_choice_7 := (not (((winnersother_cost_0_7 / 64) mod 2) = 1)) or
-        winnersother_cost_0_8_value_6 when winnersother_cost_0_8_choice_6 else (not (((winnersother_cost_0_7 / 64) mod
-        2) = 1)) and winnersother_cost_0_8_value_6;
-      winnersother_cost_0_8_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_8 / 128) = 1) when
-        (winnersother_cost_0_7 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_8_choice_9 := winnersother_cost_0_8_choice_8 when winnersother_cost_0_8_choice_7 else (not
-        ((winnersother_cost_0_7 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 128) = 1);
-      winnersother_cost_0_8_all := (not winnersother_cost_0_8_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_8_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_8 / 64) = 1) when
+        (winnersother_cost_0_7 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_8_choice_8 := winnersother_cost_0_8_choice_7 when winnersother_cost_0_8_choice_6 else (not
+        ((winnersother_cost_0_7 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 64) = 1);
+      winnersother_cost_0_8_all := (not winnersother_cost_0_8_choice_8) and sums_tag_output_column;
       winnersother_cost_0_9_any := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1));
       winnersother_cost_0_9_choice := winnersother_cost_0_9_any when (winnersother_cost_0_8 mod 2) = 1 else not
         (((sums_sum_0_9 / 2) mod 2) = 1);
@@ -6198,15 +6160,11 @@ begin
       winnersother_cost_0_9_choice_6 := (not (((winnersother_cost_0_8 / 32) mod 2) = 1)) or
         winnersother_cost_0_9_value_4 when winnersother_cost_0_9_choice_5 else (not (((winnersother_cost_0_8 / 32) mod
         2) = 1)) and winnersother_cost_0_9_value_4;
-      winnersother_cost_0_9_value_5 := ((sums_sum_0_9 / 64) mod 2) = 1;
-      winnersother_cost_0_9_choice_7 := (not (((winnersother_cost_0_8 / 64) mod 2) = 1)) or
-        winnersother_cost_0_9_value_5 when winnersother_cost_0_9_choice_6 else (not (((winnersother_cost_0_8 / 64) mod
-        2) = 1)) and winnersother_cost_0_9_value_5;
-      winnersother_cost_0_9_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_9 / 128) = 1) when
-        (winnersother_cost_0_8 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_9_choice_9 := winnersother_cost_0_9_choice_8 when winnersother_cost_0_9_choice_7 else (not
-        ((winnersother_cost_0_8 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 128) = 1);
-      winnersother_cost_0_9_all := (not winnersother_cost_0_9_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_9_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_9 / 64) = 1) when
+        (winnersother_cost_0_8 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_9_choice_8 := winnersother_cost_0_9_choice_7 when winnersother_cost_0_9_choice_6 else (not
+        ((winnersother_cost_0_8 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 64) = 1);
+      winnersother_cost_0_9_all := (not winnersother_cost_0_9_choice_8) and sums_tag_output_column;
       winnersother_cost_0_10_value := ((sums_sum_0_10 / 2) mod 2) = 1;
       winnersother_cost_0_10_choice := (not winnersother_cost_0_10_value) or (not ((sums_sum_0_10 mod 2) = 1)) when
         (winnersother_cost_0_9 mod 2) = 1 else not winnersother_cost_0_10_value;
@@ -6228,15 +6186,11 @@ begin
       winnersother_cost_0_10_choice_6 := (not (((winnersother_cost_0_9 / 32) mod 2) = 1)) or
         winnersother_cost_0_10_value_5 when winnersother_cost_0_10_choice_5 else (not (((winnersother_cost_0_9 / 32)
         mod 2) = 1)) and winnersother_cost_0_10_value_5;
-      winnersother_cost_0_10_value_6 := ((sums_sum_0_10 / 64) mod 2) = 1;
-      winnersother_cost_0_10_choice_7 := (not (((winnersother_cost_0_9 / 64) mod 2) = 1)) or
-        winnersother_cost_0_10_value_6 when winnersother_cost_0_10_choice_6 else (not (((winnersother_cost_0_9 / 64)
-        mod 2) = 1)) and winnersother_cost_0_10_value_6;
-      winnersother_cost_0_10_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_10 / 128) = 1) when
-        (winnersother_cost_0_9 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_10_choice_9 := winnersother_cost_0_10_choice_8 when winnersother_cost_0_10_choice_7 else (not
-        ((winnersother_cost_0_9 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_10 / 128) = 1);
-      winnersother_cost_0_10_all := (not winnersother_cost_0_10_choice_9) and sums_tag_output_column;
+      winnersother_cost_0_10_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_10 / 64) = 1) when
+        (winnersother_cost_0_9 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_10_choice_8 := winnersother_cost_0_10_choice_7 when winnersother_cost_0_10_choice_6 else (not
+        ((winnersother_cost_0_9 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_10 / 64) = 1);
+      winnersother_cost_0_10_all := (not winnersother_cost_0_10_choice_8) and sums_tag_output_column;
       winnersother_winner_0_11_any := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) = 1));
       winnersother_winner_0_11_choice := winnersother_winner_0_11_any when (winnersother_cost_0_10 mod 2) = 1 else not
         (((sums_sum_0_11 / 2) mod 2) = 1);
@@ -6259,13 +6213,9 @@ begin
       winnersother_winner_0_11_choice_6 := (not (((winnersother_cost_0_10 / 32) mod 2) = 1)) or
         winnersother_winner_0_11_value_4 when winnersother_winner_0_11_choice_5 else (not (((winnersother_cost_0_10 /
         32) mod 2) = 1)) and winnersother_winner_0_11_value_4;
-      winnersother_winner_0_11_value_5 := ((sums_sum_0_11 / 64) mod 2) = 1;
-      winnersother_winner_0_11_choice_7 := (not (((winnersother_cost_0_10 / 64) mod 2) = 1)) or
-        winnersother_winner_0_11_value_5 when winnersother_winner_0_11_choice_6 else (not (((winnersother_cost_0_10 /
-        64) mod 2) = 1)) and winnersother_winner_0_11_value_5;
-      winnersother_winner_0_11_choice_8 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_10 / 128) = 1))
-        or ((sums_sum_0_11 / 128) = 1)) when winnersother_winner_0_11_choice_7 else (not sums_tag_first_column) and
-        (not ((winnersother_cost_0_10 / 128) = 1)) and ((sums_sum_0_11 / 128) = 1);
+      winnersother_winner_0_11_choice_7 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_10 / 64) = 1))
+        or ((sums_sum_0_11 / 64) = 1)) when winnersother_winner_0_11_choice_6 else (not sums_tag_first_column) and (not
+        ((winnersother_cost_0_10 / 64) = 1)) and ((sums_sum_0_11 / 64) = 1);
       if sums_tag_valid then
         winnersother_cost_0_0 <= sums_sum_0_0 when sums_tag_output_column else 0;
         winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_0;
@@ -6288,7 +6238,7 @@ begin
         winnersother_winner_0_8 <= 8 when winnersother_cost_0_8_all else winnersother_winner_0_7;
         winnersother_winner_0_9 <= 9 when winnersother_cost_0_9_all else winnersother_winner_0_8;
         winnersother_winner_0_10 <= 10 when winnersother_cost_0_10_all else winnersother_winner_0_9;
-        winnersother_winner_0_11 <= 11 when (not winnersother_winner_0_11_choice_8) and sums_tag_output_column else
+        winnersother_winner_0_11 <= 11 when (not winnersother_winner_0_11_choice_7) and sums_tag_output_column else
           winnersother_winner_0_10;
       end if;
       winnersother_winner_out_0 <= winnersother_winner_0_11;
@@ -6309,11 +6259,8 @@ begin
       winnerswinner1_best_index_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
         winnersother_cost_0_1_value_4 when winnerswinner1_best_index_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
         2) = 1)) and winnersother_cost_0_1_value_4;
-      winnerswinner1_best_index_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) or
-        winnersother_cost_0_1_value_5 when winnerswinner1_best_index_0_0_choice_6 else (not (((sums_sum_0_0 / 64) mod
-        2) = 1)) and winnersother_cost_0_1_value_5;
-      winnerswinner1_best_index_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) and (not ((sums_sum_0_1 / 128) = 1)) when
-        winnerswinner1_best_index_0_0_choice_7 else ((sums_sum_0_0 / 128) = 1) or (not ((sums_sum_0_1 / 128) = 1));
+      winnerswinner1_best_index_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
+        winnerswinner1_best_index_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
       winnerswinner1_best_index_0_1_choice := winnersother_cost_0_3_any when (sums_sum_0_2 mod 2) = 1 else not
         (((sums_sum_0_3 / 2) mod 2) = 1);
       winnerswinner1_best_index_0_1_choice_2 := winnerswinner1_best_index_0_1_choice when winnersother_cost_0_2_value
@@ -6330,11 +6277,8 @@ begin
       winnerswinner1_best_index_0_1_choice_6 := (not winnersother_cost_0_2_value_5) or winnersother_cost_0_3_value_4
         when winnerswinner1_best_index_0_1_choice_5 else (not winnersother_cost_0_2_value_5) and
         winnersother_cost_0_3_value_4;
-      winnerswinner1_best_index_0_1_choice_7 := (not winnersother_cost_0_2_value_6) or winnersother_cost_0_3_value_5
-        when winnerswinner1_best_index_0_1_choice_6 else (not winnersother_cost_0_2_value_6) and
-        winnersother_cost_0_3_value_5;
-      winnerswinner1_best_index_0_1_choice_8 := ((sums_sum_0_2 / 128) = 1) and (not ((sums_sum_0_3 / 128) = 1)) when
-        winnerswinner1_best_index_0_1_choice_7 else ((sums_sum_0_2 / 128) = 1) or (not ((sums_sum_0_3 / 128) = 1));
+      winnerswinner1_best_index_0_1_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
+        winnerswinner1_best_index_0_1_choice_6 else ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
       winnerswinner1_best_index_0_2_choice := winnersother_cost_0_5_any when (sums_sum_0_4 mod 2) = 1 else not
         (((sums_sum_0_5 / 2) mod 2) = 1);
       winnerswinner1_best_index_0_2_choice_2 := winnerswinner1_best_index_0_2_choice when winnersother_cost_0_4_value
@@ -6351,11 +6295,8 @@ begin
       winnerswinner1_best_index_0_2_choice_6 := (not winnersother_cost_0_4_value_5) or winnersother_cost_0_5_value_4
         when winnerswinner1_best_index_0_2_choice_5 else (not winnersother_cost_0_4_value_5) and
         winnersother_cost_0_5_value_4;
-      winnerswinner1_best_index_0_2_choice_7 := (not winnersother_cost_0_4_value_6) or winnersother_cost_0_5_value_5
-        when winnerswinner1_best_index_0_2_choice_6 else (not winnersother_cost_0_4_value_6) and
-        winnersother_cost_0_5_value_5;
-      winnerswinner1_best_index_0_2_choice_8 := ((sums_sum_0_4 / 128) = 1) and (not ((sums_sum_0_5 / 128) = 1)) when
-        winnerswinner1_best_index_0_2_choice_7 else ((sums_sum_0_4 / 128) = 1) or (not ((sums_sum_0_5 / 128) = 1));
+      winnerswinner1_best_index_0_2_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
+        winnerswinner1_best_index_0_2_choice_6 else ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
       winnerswinner1_best_index_0_3_choice := winnersother_cost_0_7_any when (sums_sum_0_6 mod 2) = 1 else not
         (((sums_sum_0_7 / 2) mod 2) = 1);
       winnerswinner1_best_index_0_3_choice_2 := winnerswinner1_best_index_0_3_choice when winnersother_cost_0_6_value
@@ -6372,11 +6313,8 @@ begin
       winnerswinner1_best_index_0_3_choice_6 := (not winnersother_cost_0_6_value_5) or winnersother_cost_0_7_value_4
         when winnerswinner1_best_index_0_3_choice_5 else (not winnersother_cost_0_6_value_5) and
         winnersother_cost_0_7_value_4;
-      winnerswinner1_best_index_0_3_choice_7 := (not winnersother_cost_0_6_value_6) or winnersother_cost_0_7_value_5
-        when winnerswinner1_best_index_0_3_choice_6 else (not winnersother_cost_0_6_value_6) and
-        winnersother_cost_0_7_value_5;
-      winnerswinner1_best_index_0_3_choice_8 := ((sums_sum_0_6 / 128) = 1) and (not ((sums_sum_0_7 / 128) = 1)) when
-        winnerswinner1_best_index_0_3_choice_7 else ((sums_sum_0_6 / 128) = 1) or (not ((sums_sum_0_7 / 128) = 1));
+      winnerswinner1_best_index_0_3_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
+        winnerswinner1_best_index_0_3_choice_6 else ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
       winnerswinner1_best_index_0_4_choice := winnersother_cost_0_9_any when (sums_sum_0_8 mod 2) = 1 else not
         (((sums_sum_0_9 / 2) mod 2) = 1);
       winnerswinner1_best_index_0_4_choice_2 := winnerswinner1_best_index_0_4_choice when winnersother_cost_0_8_value
@@ -6393,11 +6331,8 @@ begin
       winnerswinner1_best_index_0_4_choice_6 := (not winnersother_cost_0_8_value_5) or winnersother_cost_0_9_value_4
         when winnerswinner1_best_index_0_4_choice_5 else (not winnersother_cost_0_8_value_5) and
         winnersother_cost_0_9_value_4;
-      winnerswinner1_best_index_0_4_choice_7 := (not winnersother_cost_0_8_value_6) or winnersother_cost_0_9_value_5
-        when winnerswinner1_best_index_0_4_choice_6 else (not winnersother_cost_0_8_value_6) and
-        winnersother_cost_0_9_value_5;
-      winnerswinner1_best_index_0_4_choice_8 := ((sums_sum_0_8 / 128) = 1) and (not ((sums_sum_0_9 / 128) = 1)) when
-        winnerswinner1_best_index_0_4_choice_7 else ((sums_sum_0_8 / 128) = 1) or (not ((sums_sum_0_9 / 128) = 1));
+      winnerswinner1_best_index_0_4_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
+        winnerswinner1_best_index_0_4_choice_6 else ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
       winnerswinner1_best_index_0_5_choice := winnersother_winner_0_11_any when (sums_sum_0_10 mod 2) = 1 else not
         (((sums_sum_0_11 / 2) mod 2) = 1);
       winnerswinner1_best_index_0_5_choice_2 := winnerswinner1_best_index_0_5_choice when winnersother_cost_0_10_value
@@ -6414,11 +6349,8 @@ begin
       winnerswinner1_best_index_0_5_choice_6 := (not winnersother_cost_0_10_value_5) or
         winnersother_winner_0_11_value_4 when winnerswinner1_best_index_0_5_choice_5 else (not
         winnersother_cost_0_10_value_5) and winnersother_winner_0_11_value_4;
-      winnerswinner1_best_index_0_5_choice_7 := (not winnersother_cost_0_10_value_6) or
-        winnersother_winner_0_11_value_5 when winnerswinner1_best_index_0_5_choice_6 else (not
-        winnersother_cost_0_10_value_6) and winnersother_winner_0_11_value_5;
-      winnerswinner1_best_index_0_5_choice_8 := ((sums_sum_0_10 / 128) = 1) and (not ((sums_sum_0_11 / 128) = 1)) when
-        winnerswinner1_best_index_0_5_choice_7 else ((sums_sum_0_10 / 128) = 1) or (not ((sums_sum_0_11 / 128) = 1));
+      winnerswinner1_best_index_0_5_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1)) when
+        winnerswinner1_best_index_0_5_choice_6 else ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
       winnerswinner1_held_0_0 <= sums_sum_0_0;
       winnerswinner1_held_0_1 <= sums_sum_0_1;
       winnerswinner1_held_0_2 <= sums_sum_0_2;
@@ -6437,26 +6369,26 @@ begin
       winnerswinner1_best_cost_0_3 <= sums_sum_0_7 when (sums_sum_0_7 - sums_sum_0_6) < 0 else sums_sum_0_6;
       winnerswinner1_best_cost_0_4 <= sums_sum_0_9 when (sums_sum_0_9 - sums_sum_0_8) < 0 else sums_sum_0_8;
       winnerswinner1_best_cost_0_5 <= sums_sum_0_11 when (sums_sum_0_11 - sums_sum_0_10) < 0 else sums_sum_0_10;
-      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_0_choice_8;
-      winnerswinner1_best_index_0_1 <= 3 when winnerswinner1_best_index_0_1_choice_8 else 2;
-      winnerswinner1_best_index_0_2 <= 5 when winnerswinner1_best_index_0_2_choice_8 else 4;
-      winnerswinner1_best_index_0_3 <= 7 when winnerswinner1_best_index_0_3_choice_8 else 6;
-      winnerswinner1_best_index_0_4 <= 9 when winnerswinner1_best_index_0_4_choice_8 else 8;
-      winnerswinner1_best_index_0_5 <= 11 when winnerswinner1_best_index_0_5_choice_8 else 10;
-      winnerswinner1_best_below_0_0 <= sums_sum_0_0 when winnerswinner1_best_index_0_0_choice_8 else 0;
-      winnerswinner1_best_below_0_1 <= sums_sum_0_2 when winnerswinner1_best_index_0_1_choice_8 else 0;
-      winnerswinner1_best_below_0_2 <= sums_sum_0_4 when winnerswinner1_best_index_0_2_choice_8 else 0;
-      winnerswinner1_best_below_0_3 <= sums_sum_0_6 when winnerswinner1_best_index_0_3_choice_8 else 0;
-      winnerswinner1_best_below_0_4 <= sums_sum_0_8 when winnerswinner1_best_index_0_4_choice_8 else 0;
-      winnerswinner1_best_below_0_5 <= sums_sum_0_10 when winnerswinner1_best_index_0_5_choice_8 else 0;
-      winnerswinner1_best_above_0_0 <= 0 when winnerswinner1_best_index_0_0_choice_8 else sums_sum_0_1;
-      winnerswinner1_best_above_0_1 <= 0 when winnerswinner1_best_index_0_1_choice_8 else sums_sum_0_3;
-      winnerswinner1_best_above_0_2 <= 0 when winnerswinner1_best_index_0_2_choice_8 else sums_sum_0_5;
-      winnerswinner1_best_above_0_3 <= 0 when winnerswinner1_best_index_0_3_choice_8 else sums_sum_0_7;
-      winnerswinner1_best_above_0_4 <= 0 when winnerswinner1_best_index_0_4_choice_8 else sums_sum_0_9;
-      winnerswinner1_best_above_0_5 <= 0 when winnerswinner1_best_index_0_5_choice_8 else sums_sum_0_11;
-      winnerswinner1_best_place_0_2 <= winnerswinner1_best_index_0_2_choice_8;
-      winnerswinner1_best_place_0_4 <= winnerswinner1_best_index_0_4_choice_8;
+      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_0_choice_7;
+      winnerswinner1_best_index_0_1 <= 3 when winnerswinner1_best_index_0_1_choice_7 else 2;
+      winnerswinner1_best_index_0_2 <= 5 when winnerswinner1_best_index_0_2_choice_7 else 4;
+      winnerswinner1_best_index_0_3 <= 7 when winnerswinner1_best_index_0_3_choice_7 else 6;
+      winnerswinner1_best_index_0_4 <= 9 when winnerswinner1_best_index_0_4_choice_7 else 8;
+      winnerswinner1_best_index_0_5 <= 11 when winnerswinner1_best_index_0_5_choice_7 else 10;
+      winnerswinner1_best_below_0_0 <= sums_sum_0_0 when winnerswinner1_best_index_0_0_choice_7 else 0;
+      winnerswinner1_best_below_0_1 <= sums_sum_0_2 when winnerswinner1_best_index_0_1_choice_7 else 0;
+      winnerswinner1_best_below_0_2 <= sums_sum_0_4 when winnerswinner1_best_index_0_2_choice_7 else 0;
+      winnerswinner1_best_below_0_3 <= sums_sum_0_6 when winnerswinner1_best_index_0_3_choice_7 else 0;
+      winnerswinner1_best_below_0_4 <= sums_sum_0_8 when winnerswinner1_best_index_0_4_choice_7 else 0;
+      winnerswinner1_best_below_0_5 <= sums_sum_0_10 when winnerswinner1_best_index_0_5_choice_7 else 0;
+      winnerswinner1_best_above_0_0 <= 0 when winnerswinner1_best_index_0_0_choice_7 else sums_sum_0_1;
+      winnerswinner1_best_above_0_1 <= 0 when winnerswinner1_best_index_0_1_choice_7 else sums_sum_0_3;
+      winnerswinner1_best_above_0_2 <= 0 when winnerswinner1_best_index_0_2_choice_7 else sums_sum_0_5;
+      winnerswinner1_best_above_0_3 <= 0 when winnerswinner1_best_index_0_3_choice_7 else sums_sum_0_7;
+      winnerswinner1_best_above_0_4 <= 0 when winnerswinner1_best_index_0_4_choice_7 else sums_sum_0_9;
+      winnerswinner1_best_above_0_5 <= 0 when winnerswinner1_best_index_0_5_choice_7 else sums_sum_0_11;
+      winnerswinner1_best_place_0_2 <= winnerswinner1_best_index_0_2_choice_7;
+      winnerswinner1_best_place_0_4 <= winnerswinner1_best_index_0_4_choice_7;
       winnerswinner1_best_late_cost_0_0 <= winnerswinner1_best_cost_0_0;
       winnerswinner1_best_late_cost_0_1 <= winnerswinner1_best_cost_0_1;
       winnerswinner1_best_late_cost_0_2 <= winnerswinner1_best_cost_0_2;
@@ -6501,13 +6433,9 @@ begin
       winnerswinner2_best_index_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
         winnerswinner2_best_index_0_0_value_4 when winnerswinner2_best_index_0_0_choice_5 else (not
         (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_4;
-      winnerswinner2_best_index_0_0_value_5 := ((winnerswinner1_best_cost_0_1 / 64) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_5 when winnerswinner2_best_index_0_0_choice_6 else (not
-        (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_5;
-      winnerswinner2_best_index_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 128) = 1)) when winnerswinner2_best_index_0_0_choice_7 else
-        ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      winnerswinner2_best_index_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_best_index_0_0_choice_6 else
+        ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not ((winnerswinner1_best_cost_0_1 / 64) = 1));
       winnerswinner2_best_index_0_1_choice := (not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1)) or (not
         ((winnerswinner1_best_cost_0_3 mod 2) = 1)) when (winnerswinner1_best_cost_0_2 mod 2) = 1 else not
         (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1);
@@ -6530,13 +6458,9 @@ begin
       winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) or
         winnerswinner2_best_index_0_1_value_4 when winnerswinner2_best_index_0_1_choice_5 else (not
         (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_4;
-      winnerswinner2_best_index_0_1_value_5 := ((winnerswinner1_best_cost_0_3 / 64) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_7 := (not (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_5 when winnerswinner2_best_index_0_1_choice_6 else (not
-        (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_5;
-      winnerswinner2_best_index_0_1_choice_8 := ((winnerswinner1_best_cost_0_2 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_3 / 128) = 1)) when winnerswinner2_best_index_0_1_choice_7 else
-        ((winnerswinner1_best_cost_0_2 / 128) = 1) or (not ((winnerswinner1_best_cost_0_3 / 128) = 1));
+      winnerswinner2_best_index_0_1_choice_7 := ((winnerswinner1_best_cost_0_2 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_3 / 64) = 1)) when winnerswinner2_best_index_0_1_choice_6 else
+        ((winnerswinner1_best_cost_0_2 / 64) = 1) or (not ((winnerswinner1_best_cost_0_3 / 64) = 1));
       winnerswinner2_best_index_0_2_choice := (not (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1)) or (not
         ((winnerswinner1_best_cost_0_5 mod 2) = 1)) when (winnerswinner1_best_cost_0_4 mod 2) = 1 else not
         (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1);
@@ -6559,13 +6483,9 @@ begin
       winnerswinner2_best_index_0_2_choice_6 := (not (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) or
         winnerswinner2_best_index_0_2_value_4 when winnerswinner2_best_index_0_2_choice_5 else (not
         (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_4;
-      winnerswinner2_best_index_0_2_value_5 := ((winnerswinner1_best_cost_0_5 / 64) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_7 := (not (((winnerswinner1_best_cost_0_4 / 64) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_5 when winnerswinner2_best_index_0_2_choice_6 else (not
-        (((winnerswinner1_best_cost_0_4 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_5;
-      winnerswinner2_best_index_0_2_choice_8 := ((winnerswinner1_best_cost_0_4 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_5 / 128) = 1)) when winnerswinner2_best_index_0_2_choice_7 else
-        ((winnerswinner1_best_cost_0_4 / 128) = 1) or (not ((winnerswinner1_best_cost_0_5 / 128) = 1));
+      winnerswinner2_best_index_0_2_choice_7 := ((winnerswinner1_best_cost_0_4 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_5 / 64) = 1)) when winnerswinner2_best_index_0_2_choice_6 else
+        ((winnerswinner1_best_cost_0_4 / 64) = 1) or (not ((winnerswinner1_best_cost_0_5 / 64) = 1));
       winnerswinner2_best_below_0_0_is_equal := winnerswinner1_best_index_0_1 = 2;
       winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1 when winnerswinner2_best_below_0_0_is_equal else
         winnerswinner1_best_below_0_1;
@@ -6581,37 +6501,37 @@ begin
         winnerswinner1_best_above_0_2;
       winnerswinner2_best_above_0_2_choice := winnerswinner1_held_0_10 when winnerswinner1_best_place_0_4 else
         winnerswinner1_best_above_0_4;
-      winnerswinner2_best_at_start_0_0_choice := (not ((winnerswinner1_best_cost_0_0 / 128) = 1)) or
-        ((winnerswinner1_best_cost_0_1 / 128) = 1) when winnerswinner2_best_index_0_0_choice_7 else (not
-        ((winnerswinner1_best_cost_0_0 / 128) = 1)) and ((winnerswinner1_best_cost_0_1 / 128) = 1);
-      winnerswinner2_best_at_start_0_1_choice := (not ((winnerswinner1_best_cost_0_2 / 128) = 1)) or
-        ((winnerswinner1_best_cost_0_3 / 128) = 1) when winnerswinner2_best_index_0_1_choice_7 else (not
-        ((winnerswinner1_best_cost_0_2 / 128) = 1)) and ((winnerswinner1_best_cost_0_3 / 128) = 1);
-      winnerswinner2_best_at_start_0_2_choice := (not ((winnerswinner1_best_cost_0_4 / 128) = 1)) or
-        ((winnerswinner1_best_cost_0_5 / 128) = 1) when winnerswinner2_best_index_0_2_choice_7 else (not
-        ((winnerswinner1_best_cost_0_4 / 128) = 1)) and ((winnerswinner1_best_cost_0_5 / 128) = 1);
-      winnerswinner2_best_second_0_0_choice := 255 when winnerswinner2_best_place_0_0 else
+      winnerswinner2_best_at_start_0_0_choice := (not ((winnerswinner1_best_cost_0_0 / 64) = 1)) or
+        ((winnerswinner1_best_cost_0_1 / 64) = 1) when winnerswinner2_best_index_0_0_choice_6 else (not
+        ((winnerswinner1_best_cost_0_0 / 64) = 1)) and ((winnerswinner1_best_cost_0_1 / 64) = 1);
+      winnerswinner2_best_at_start_0_1_choice := (not ((winnerswinner1_best_cost_0_2 / 64) = 1)) or
+        ((winnerswinner1_best_cost_0_3 / 64) = 1) when winnerswinner2_best_index_0_1_choice_6 else (not
+        ((winnerswinner1_best_cost_0_2 / 64) = 1)) and ((winnerswinner1_best_cost_0_3 / 64) = 1);
+      winnerswinner2_best_at_start_0_2_choice := (not ((winnerswinner1_best_cost_0_4 / 64) = 1)) or
+        ((winnerswinner1_best_cost_0_5 / 64) = 1) when winnerswinner2_best_index_0_2_choice_6 else (not
+        ((winnerswinner1_best_cost_0_4 / 64) = 1)) and ((winnerswinner1_best_cost_0_5 / 64) = 1);
+      winnerswinner2_best_second_0_0_choice := 127 when winnerswinner2_best_place_0_0 else
         winnerswinner1_best_late_cost_0_1;
       winnerswinner2_best_second_0_0_choice_2 := winnerswinner1_best_but_first_0_1 when winnerswinner2_best_at_end_0_0
         else winnerswinner2_best_second_0_0_choice;
       winnerswinner2_best_second_0_0_choice_3 := winnerswinner1_best_late_cost_0_0 when winnerswinner2_best_place_0_0
-        else 255;
+        else 127;
       winnerswinner2_best_second_0_0_choice_4 := winnerswinner1_best_but_last_0_0 when winnerswinner2_best_at_start_0_0
         else winnerswinner2_best_second_0_0_choice_3;
-      winnerswinner2_best_second_0_1_choice := 255 when winnerswinner2_best_place_0_1 else
+      winnerswinner2_best_second_0_1_choice := 127 when winnerswinner2_best_place_0_1 else
         winnerswinner1_best_late_cost_0_3;
       winnerswinner2_best_second_0_1_choice_2 := winnerswinner1_best_but_first_0_3 when winnerswinner2_best_at_end_0_1
         else winnerswinner2_best_second_0_1_choice;
       winnerswinner2_best_second_0_1_choice_3 := winnerswinner1_best_late_cost_0_2 when winnerswinner2_best_place_0_1
-        else 255;
+        else 127;
       winnerswinner2_best_second_0_1_choice_4 := winnerswinner1_best_but_last_0_2 when winnerswinner2_best_at_start_0_1
         else winnerswinner2_best_second_0_1_choice_3;
-      winnerswinner2_best_second_0_2_choice := 255 when winnerswinner2_best_place_0_2 else
+      winnerswinner2_best_second_0_2_choice := 127 when winnerswinner2_best_place_0_2 else
         winnerswinner1_best_late_cost_0_5;
       winnerswinner2_best_second_0_2_choice_2 := winnerswinner1_best_but_first_0_5 when winnerswinner2_best_at_end_0_2
         else winnerswinner2_best_second_0_2_choice;
       winnerswinner2_best_second_0_2_choice_3 := winnerswinner1_best_late_cost_0_4 when winnerswinner2_best_place_0_2
-        else 255;
+        else 127;
       winnerswinner2_best_second_0_2_choice_4 := winnerswinner1_best_but_last_0_4 when winnerswinner2_best_at_start_0_2
         else winnerswinner2_best_second_0_2_choice_3;
       winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when (winnerswinner1_best_cost_0_1 -
@@ -6620,31 +6540,31 @@ begin
         winnerswinner1_best_cost_0_2) < 0 else winnerswinner1_best_cost_0_2;
       winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when (winnerswinner1_best_cost_0_5 -
         winnerswinner1_best_cost_0_4) < 0 else winnerswinner1_best_cost_0_4;
-      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_8 else
+      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_7 else
         as_number(winnerswinner1_best_index_0_0);
-      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_8 else
+      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_7 else
         winnerswinner1_best_index_0_2;
-      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_8 else
+      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_7 else
         winnerswinner1_best_index_0_4;
-      winnerswinner2_best_below_0_0 <= winnerswinner2_best_below_0_0_choice when winnerswinner2_best_index_0_0_choice_8
+      winnerswinner2_best_below_0_0 <= winnerswinner2_best_below_0_0_choice when winnerswinner2_best_index_0_0_choice_7
         else winnerswinner1_best_below_0_0;
-      winnerswinner2_best_below_0_1 <= winnerswinner2_best_below_0_1_choice when winnerswinner2_best_index_0_1_choice_8
+      winnerswinner2_best_below_0_1 <= winnerswinner2_best_below_0_1_choice when winnerswinner2_best_index_0_1_choice_7
         else winnerswinner1_best_below_0_2;
-      winnerswinner2_best_below_0_2 <= winnerswinner2_best_below_0_2_choice when winnerswinner2_best_index_0_2_choice_8
+      winnerswinner2_best_below_0_2 <= winnerswinner2_best_below_0_2_choice when winnerswinner2_best_index_0_2_choice_7
         else winnerswinner1_best_below_0_4;
-      winnerswinner2_best_above_0_0 <= winnerswinner1_best_above_0_1 when winnerswinner2_best_index_0_0_choice_8 else
+      winnerswinner2_best_above_0_0 <= winnerswinner1_best_above_0_1 when winnerswinner2_best_index_0_0_choice_7 else
         winnerswinner2_best_above_0_0_choice;
-      winnerswinner2_best_above_0_1 <= winnerswinner1_best_above_0_3 when winnerswinner2_best_index_0_1_choice_8 else
+      winnerswinner2_best_above_0_1 <= winnerswinner1_best_above_0_3 when winnerswinner2_best_index_0_1_choice_7 else
         winnerswinner2_best_above_0_1_choice;
-      winnerswinner2_best_above_0_2 <= winnerswinner1_best_above_0_5 when winnerswinner2_best_index_0_2_choice_8 else
+      winnerswinner2_best_above_0_2 <= winnerswinner1_best_above_0_5 when winnerswinner2_best_index_0_2_choice_7 else
         winnerswinner2_best_above_0_2_choice;
       winnerswinner2_best_first_0_1 <= winnerswinner1_held_0_4;
       winnerswinner2_best_first_0_2 <= winnerswinner1_held_0_8;
       winnerswinner2_best_last_0_0 <= winnerswinner1_held_0_3;
       winnerswinner2_best_last_0_1 <= winnerswinner1_held_0_7;
-      winnerswinner2_best_place_0_0 <= winnerswinner2_best_index_0_0_choice_8;
-      winnerswinner2_best_place_0_1 <= winnerswinner2_best_index_0_1_choice_8;
-      winnerswinner2_best_place_0_2 <= winnerswinner2_best_index_0_2_choice_8;
+      winnerswinner2_best_place_0_0 <= winnerswinner2_best_index_0_0_choice_7;
+      winnerswinner2_best_place_0_1 <= winnerswinner2_best_index_0_1_choice_7;
+      winnerswinner2_best_place_0_2 <= winnerswinner2_best_index_0_2_choice_7;
       winnerswinner2_best_at_start_0_0 <= (not winnerswinner2_best_at_start_0_0_choice) and
         winnerswinner2_best_below_0_0_is_equal;
       winnerswinner2_best_at_start_0_1 <= (not winnerswinner2_best_at_start_0_1_choice) and
@@ -6702,22 +6622,18 @@ begin
       winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
         winnerswinner3_best_index_0_0_value_4 when winnerswinner3_best_index_0_0_choice_5 else (not
         (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_4;
-      winnerswinner3_best_index_0_0_value_5 := ((winnerswinner2_best_cost_0_1 / 64) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_7 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_5 when winnerswinner3_best_index_0_0_choice_6 else (not
-        (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_5;
-      winnerswinner3_best_index_0_0_choice_8 := ((winnerswinner2_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner2_best_cost_0_1 / 128) = 1)) when winnerswinner3_best_index_0_0_choice_7 else
-        ((winnerswinner2_best_cost_0_0 / 128) = 1) or (not ((winnerswinner2_best_cost_0_1 / 128) = 1));
+      winnerswinner3_best_index_0_0_choice_7 := ((winnerswinner2_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner2_best_cost_0_1 / 64) = 1)) when winnerswinner3_best_index_0_0_choice_6 else
+        ((winnerswinner2_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_cost_0_1 / 64) = 1));
       winnerswinner3_best_below_0_0_is_equal := winnerswinner2_best_index_0_1 = 4;
       winnerswinner3_best_below_0_0_choice := winnerswinner2_best_last_0_0 when winnerswinner3_best_below_0_0_is_equal
         else winnerswinner2_best_below_0_1;
       winnerswinner3_best_above_0_0_is_equal := winnerswinner2_best_index_0_0 = 3;
       winnerswinner3_best_above_0_0_choice := winnerswinner2_best_first_0_1 when winnerswinner3_best_above_0_0_is_equal
         else winnerswinner2_best_above_0_0;
-      winnerswinner3_best_at_start_0_0_choice := (not ((winnerswinner2_best_cost_0_0 / 128) = 1)) or
-        ((winnerswinner2_best_cost_0_1 / 128) = 1) when winnerswinner3_best_index_0_0_choice_7 else (not
-        ((winnerswinner2_best_cost_0_0 / 128) = 1)) and ((winnerswinner2_best_cost_0_1 / 128) = 1);
+      winnerswinner3_best_at_start_0_0_choice := (not ((winnerswinner2_best_cost_0_0 / 64) = 1)) or
+        ((winnerswinner2_best_cost_0_1 / 64) = 1) when winnerswinner3_best_index_0_0_choice_6 else (not
+        ((winnerswinner2_best_cost_0_0 / 64) = 1)) and ((winnerswinner2_best_cost_0_1 / 64) = 1);
       winnerswinner3_best_second_0_0_choice := winnerswinner2_best_second_0_1 when winnerswinner3_best_place_0_0 else
         winnerswinner2_best_late_cost_0_1;
       winnerswinner3_best_second_0_0_choice_2 := winnerswinner2_best_but_first_0_1 when winnerswinner3_best_at_end_0_0
@@ -6728,18 +6644,18 @@ begin
         else winnerswinner3_best_second_0_0_choice_3;
       winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when (winnerswinner2_best_cost_0_1 -
         winnerswinner2_best_cost_0_0) < 0 else winnerswinner2_best_cost_0_0;
-      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_8 else
+      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_7 else
         winnerswinner2_best_index_0_0;
       winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
-      winnerswinner3_best_below_0_0 <= winnerswinner3_best_below_0_0_choice when winnerswinner3_best_index_0_0_choice_8
+      winnerswinner3_best_below_0_0 <= winnerswinner3_best_below_0_0_choice when winnerswinner3_best_index_0_0_choice_7
         else winnerswinner2_best_below_0_0;
       winnerswinner3_best_below_0_1 <= winnerswinner2_best_below_0_2;
-      winnerswinner3_best_above_0_0 <= winnerswinner2_best_above_0_1 when winnerswinner3_best_index_0_0_choice_8 else
+      winnerswinner3_best_above_0_0 <= winnerswinner2_best_above_0_1 when winnerswinner3_best_index_0_0_choice_7 else
         winnerswinner3_best_above_0_0_choice;
       winnerswinner3_best_above_0_1 <= winnerswinner2_best_above_0_2;
       winnerswinner3_best_first_0_1 <= winnerswinner2_best_first_0_2;
       winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0_1;
-      winnerswinner3_best_place_0_0 <= winnerswinner3_best_index_0_0_choice_8;
+      winnerswinner3_best_place_0_0 <= winnerswinner3_best_index_0_0_choice_7;
       winnerswinner3_best_at_start_0_0 <= (not winnerswinner3_best_at_start_0_0_choice) and
         winnerswinner3_best_below_0_0_is_equal;
       winnerswinner3_best_at_end_0_0 <= winnerswinner3_best_at_start_0_0_choice and
@@ -6781,22 +6697,18 @@ begin
       winnerswinner4_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) or
         winnerswinner4_best_index_0_0_value_4 when winnerswinner4_best_index_0_0_choice_5 else (not
         (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_4;
-      winnerswinner4_best_index_0_0_value_5 := ((winnerswinner2_best_late_cost_0_2 / 64) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_7 := (not (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_5 when winnerswinner4_best_index_0_0_choice_6 else (not
-        (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_5;
-      winnerswinner4_best_index_0_0_choice_8 := ((winnerswinner3_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner2_best_late_cost_0_2 / 128) = 1)) when winnerswinner4_best_index_0_0_choice_7 else
-        ((winnerswinner3_best_cost_0_0 / 128) = 1) or (not ((winnerswinner2_best_late_cost_0_2 / 128) = 1));
+      winnerswinner4_best_index_0_0_choice_7 := ((winnerswinner3_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner2_best_late_cost_0_2 / 64) = 1)) when winnerswinner4_best_index_0_0_choice_6 else
+        ((winnerswinner3_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_late_cost_0_2 / 64) = 1));
       winnerswinner4_best_below_0_0_is_equal := (winnerswinner3_best_index_0_1 mod 4) = 0;
       winnerswinner4_best_below_0_0_choice := winnerswinner3_best_last_0_0 when ((winnerswinner3_best_index_0_1 / 8) =
         1) and winnerswinner4_best_below_0_0_is_equal else winnerswinner3_best_below_0_1;
       winnerswinner4_best_above_0_0_is_equal := winnerswinner3_best_index_0_0 = 7;
       winnerswinner4_best_above_0_0_choice := winnerswinner3_best_first_0_1 when winnerswinner4_best_above_0_0_is_equal
         else winnerswinner3_best_above_0_0;
-      winnerswinner4_best_at_start_0_0_choice := (not ((winnerswinner3_best_cost_0_0 / 128) = 1)) or
-        ((winnerswinner2_best_late_cost_0_2 / 128) = 1) when winnerswinner4_best_index_0_0_choice_7 else (not
-        ((winnerswinner3_best_cost_0_0 / 128) = 1)) and ((winnerswinner2_best_late_cost_0_2 / 128) = 1);
+      winnerswinner4_best_at_start_0_0_choice := (not ((winnerswinner3_best_cost_0_0 / 64) = 1)) or
+        ((winnerswinner2_best_late_cost_0_2 / 64) = 1) when winnerswinner4_best_index_0_0_choice_6 else (not
+        ((winnerswinner3_best_cost_0_0 / 64) = 1)) and ((winnerswinner2_best_late_cost_0_2 / 64) = 1);
       winnerswinner4_best_second_0_0_choice := winnerswinner3_best_second_0_1 when winnerswinner4_best_place_0_0 else
         winnerswinner3_best_late_cost_0_1;
       winnerswinner4_best_second_0_0_choice_2 := winnerswinner3_best_but_first_0_1 when winnerswinner4_best_at_end_0_0
@@ -6807,13 +6719,13 @@ begin
         else winnerswinner4_best_second_0_0_choice_3;
       winnerswinner4_best_cost_0_0 <= winnerswinner2_best_late_cost_0_2 when (winnerswinner2_best_late_cost_0_2 -
         winnerswinner3_best_cost_0_0) < 0 else winnerswinner3_best_cost_0_0;
-      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1 when winnerswinner4_best_index_0_0_choice_8 else
+      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1 when winnerswinner4_best_index_0_0_choice_7 else
         winnerswinner3_best_index_0_0;
-      winnerswinner4_best_below_0_0 <= winnerswinner4_best_below_0_0_choice when winnerswinner4_best_index_0_0_choice_8
+      winnerswinner4_best_below_0_0 <= winnerswinner4_best_below_0_0_choice when winnerswinner4_best_index_0_0_choice_7
         else winnerswinner3_best_below_0_0;
-      winnerswinner4_best_above_0_0 <= winnerswinner3_best_above_0_1 when winnerswinner4_best_index_0_0_choice_8 else
+      winnerswinner4_best_above_0_0 <= winnerswinner3_best_above_0_1 when winnerswinner4_best_index_0_0_choice_7 else
         winnerswinner4_best_above_0_0_choice;
-      winnerswinner4_best_place_0_0 <= winnerswinner4_best_index_0_0_choice_8;
+      winnerswinner4_best_place_0_0 <= winnerswinner4_best_index_0_0_choice_7;
       winnerswinner4_best_at_start_0_0 <= (not winnerswinner4_best_at_start_0_0_choice) and
         ((winnerswinner3_best_index_0_1 / 8) = 1) and winnerswinner4_best_below_0_0_is_equal;
       winnerswinner4_best_at_end_0_0 <= winnerswinner4_best_at_start_0_0_choice and
@@ -6839,13 +6751,39 @@ begin
       winners_best_tag_start_of_frame <= winnerswinner4_tag_start_of_frame;
       winners_best_tag_end_of_line <= winnerswinner4_tag_end_of_line;
       -- refinement
-      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 512) - refinement_divisor_0_0;
-      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 512) - refinement_divisor_1_0;
-      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 512) - refinement_divisor_2_0;
-      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 512) - refinement_divisor_3_0;
-      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 512) - refinement_divisor_4_0;
-      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 512) - refinement_divisor_5_0;
-      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 512) - refinement_divisor_6_0;
+      refinement_passed_3_0_choice := not (((refinement_scaled_gap_0 / 2) mod 2) = 1) when (refinement_scaled_cost_0
+        mod 2) = 1 else (refinement_scaled_gap_0 mod 4) = 0;
+      refinement_passed_3_0_choice_2 := ((refinement_scaled_cost_0 mod 2) = 1) or (not (((refinement_scaled_gap_0 / 2)
+        mod 2) = 1)) or (not ((refinement_scaled_gap_0 mod 2) = 1)) when ((refinement_scaled_cost_0 / 2) mod 2) = 1
+        else refinement_passed_3_0_choice;
+      refinement_passed_3_0_value := ((refinement_scaled_gap_0 / 4) mod 2) = 1;
+      refinement_passed_3_0_choice_3 := (not (((refinement_scaled_cost_0 / 4) mod 2) = 1)) and
+        refinement_passed_3_0_value when refinement_passed_3_0_choice_2 else (not (((refinement_scaled_cost_0 / 4) mod
+        2) = 1)) or refinement_passed_3_0_value;
+      refinement_passed_3_0_value_2 := ((refinement_scaled_gap_0 / 8) mod 2) = 1;
+      refinement_passed_3_0_choice_4 := (not (((refinement_scaled_cost_0 / 8) mod 2) = 1)) or
+        refinement_passed_3_0_value_2 when refinement_passed_3_0_choice_3 else (not (((refinement_scaled_cost_0 / 8)
+        mod 2) = 1)) and refinement_passed_3_0_value_2;
+      refinement_passed_3_0_value_3 := ((refinement_scaled_gap_0 / 16) mod 2) = 1;
+      refinement_passed_3_0_choice_5 := (not (((refinement_scaled_cost_0 / 16) mod 2) = 1)) or
+        refinement_passed_3_0_value_3 when refinement_passed_3_0_choice_4 else (not (((refinement_scaled_cost_0 / 16)
+        mod 2) = 1)) and refinement_passed_3_0_value_3;
+      refinement_passed_3_0_value_4 := ((refinement_scaled_gap_0 / 32) mod 2) = 1;
+      refinement_passed_3_0_choice_6 := (not (((refinement_scaled_cost_0 / 32) mod 2) = 1)) or
+        refinement_passed_3_0_value_4 when refinement_passed_3_0_choice_5 else (not (((refinement_scaled_cost_0 / 32)
+        mod 2) = 1)) and refinement_passed_3_0_value_4;
+      refinement_passed_3_0_is_equal := (refinement_scaled_gap_0 / 64) = 0;
+      refinement_passed_3_0_choice_7 := not ((refinement_scaled_gap_0 / 128) = 1) when (refinement_scaled_cost_0 / 64)
+        = 1 else refinement_passed_3_0_is_equal;
+      refinement_passed_3_0_choice_8 := ((refinement_scaled_cost_0 / 64) = 1) and refinement_passed_3_0_is_equal when
+        refinement_passed_3_0_choice_6 else refinement_passed_3_0_choice_7;
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 256) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 256) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 256) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 256) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 256) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 256) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 256) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
       refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
@@ -6872,8 +6810,8 @@ begin
       refinement_disparity_9_0 <= refinement_disparity_8_0;
       refinement_disparity_10_0 <= refinement_disparity_9_0;
       refinement_disparity_11_0 <= refinement_disparity_10_0;
-      refinement_passed_3_0 <= transform_columns_column_inside_2 when refinement_alone_1_0 else
-        transform_columns_column_inside_2 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      refinement_passed_3_0 <= refinement_alone_1_0 and transform_columns_column_inside_2 when
+        refinement_passed_3_0_choice_8 else transform_columns_column_inside_2;
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -6942,33 +6880,33 @@ begin
       refinement_tag_11_output_column <= refinement_tag_10_output_column;
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
-      refinement_alone_0_0 <= winners_best_second_0_0 = 255;
+      refinement_alone_0_0 <= winners_best_second_0_0 = 127;
       refinement_alone_1_0 <= refinement_alone_0_0;
-      refinement_gap_0 <= (winners_best_second_0_0 - winners_best_late_cost_0_0) mod 256;
+      refinement_gap_0 <= (winners_best_second_0_0 - winners_best_late_cost_0_0) mod 128;
       refinement_scaled_gap_0 <= refinement_gap_0 + 1;
       refinement_scaled_cost_0 <= refinement_distance;
       refinement_below_0 <= winners_best_above_0_0 when winners_best_index_0_0 = 0 else winners_best_below_0_0;
       refinement_above_0 <= winners_best_below_0_0 when winners_best_index_0_0 = 11 else winners_best_above_0_0;
-      refinement_u_0 <= (refinement_below_0 - winners_best_late_cost_0_0) mod 256;
-      refinement_v_0 <= (refinement_above_0 - winners_best_late_cost_0_0) mod 256;
+      refinement_u_0 <= (refinement_below_0 - winners_best_late_cost_0_0) mod 128;
+      refinement_v_0 <= (refinement_above_0 - winners_best_late_cost_0_0) mod 128;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 256 when (refinement_remainder_1_0_difference
-        / 512) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 256 when (refinement_remainder_2_0_difference
-        / 512) = 1 else (refinement_remainder_1_0 mod 128) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 256 when (refinement_remainder_3_0_difference
-        / 512) = 1 else (refinement_remainder_2_0 mod 128) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 256 when (refinement_remainder_4_0_difference
-        / 512) = 1 else (refinement_remainder_3_0 mod 128) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 256 when (refinement_remainder_5_0_difference
-        / 512) = 1 else (refinement_remainder_4_0 mod 128) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 256 when (refinement_remainder_6_0_difference
-        / 512) = 1 else (refinement_remainder_5_0 mod 128) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 256 when (refinement_remainder_7_0_difference
-        / 512) = 1 else (refinement_remainder_6_0 mod 128) * 2;
-      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 8)) or
-        (to_unsigned(as_number(((refinement_v_0 = 0) and (refinement_u_0 = 0))), 8))));
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 128 when (refinement_remainder_1_0_difference
+        / 256) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 128 when (refinement_remainder_2_0_difference
+        / 256) = 1 else (refinement_remainder_1_0 mod 64) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 128 when (refinement_remainder_3_0_difference
+        / 256) = 1 else (refinement_remainder_2_0 mod 64) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 128 when (refinement_remainder_4_0_difference
+        / 256) = 1 else (refinement_remainder_3_0 mod 64) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 128 when (refinement_remainder_5_0_difference
+        / 256) = 1 else (refinement_remainder_4_0 mod 64) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 128 when (refinement_remainder_6_0_difference
+        / 256) = 1 else (refinement_remainder_5_0 mod 64) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 128 when (refinement_remainder_7_0_difference
+        / 256) = 1 else (refinement_remainder_6_0 mod 64) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 7)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 7))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
       refinement_divisor_3_0 <= refinement_divisor_2_0;
@@ -6976,7 +6914,7 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((refinement_remainder_7_0 * 2) + 512) - refinement_divisor_7_0) / 512) + ((other_5
+      refinement_quotient_8_0 <= ((((256 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 128) + ((other_5
         / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -7290,13 +7228,13 @@ begin
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
       other_3 <= to_integer(other_4);
-      other_5 <= ((refinement_remainder_7_0_difference / 512) * 2) + ((other_6 / 4) * 4);
-      other_6 <= ((refinement_remainder_6_0_difference / 512) * 4) + ((other_7 / 8) * 8);
-      other_7 <= ((refinement_remainder_5_0_difference / 512) * 8) + ((other_8 / 16) * 16);
-      other_8 <= ((refinement_remainder_4_0_difference / 512) * 16) + ((other_9 / 32) * 32);
-      other_9 <= ((refinement_remainder_3_0_difference / 512) * 32) + ((other_10 / 64) * 64);
-      other_10 <= ((refinement_remainder_2_0_difference / 512) * 64) + ((other_11 / 128) * 128);
-      other_11 <= (refinement_remainder_1_0_difference / 512) * 128;
+      other_5 <= ((refinement_remainder_7_0_difference / 256) * 2) + ((other_6 / 4) * 4);
+      other_6 <= ((refinement_remainder_6_0_difference / 256) * 4) + ((other_7 / 8) * 8);
+      other_7 <= ((refinement_remainder_5_0_difference / 256) * 8) + ((other_8 / 16) * 16);
+      other_8 <= ((refinement_remainder_4_0_difference / 256) * 16) + ((other_9 / 32) * 32);
+      other_9 <= ((refinement_remainder_3_0_difference / 256) * 32) + ((other_10 / 64) * 64);
+      other_10 <= ((refinement_remainder_2_0_difference / 256) * 64) + ((other_11 / 128) * 128);
+      other_11 <= (refinement_remainder_1_0_difference / 256) * 128;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;

@@ -66,10 +66,11 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"d980c4de",
+      core_id => x"b6fbc60b",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (7, 198, 11, 31, 0, 0, 0, 0),
-      settings_start => (5, 3, 1, 22, 0, 0, 0, 0))
+      settings_largest => (5, 125, 11, 22, 0, 0, 0, 0),
+      settings_start => (5, 3, 1, 22, 0, 0, 0, 0),
+      settings_least => (3, 0, 0, 0, 0, 0, 0, 0))
     port map (
       aclk => aclk,
       aresetn => aresetn,

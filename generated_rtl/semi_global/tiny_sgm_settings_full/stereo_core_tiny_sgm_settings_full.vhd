@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration tiny_sgm_settings_full: 40x12, 12 disparities, window 3x3, P1 5, P2 22, 1 pixel pair a clock.
--- Options: disparities 12, min_disparity 2, reference left, ties largest, left_right_threshold 1,
---   uniqueness_distance 3, subpixel true, median true, full_width true, slice_disparities 5,
+-- Stereo core, semi global, configuration tiny_sgm_settings_full: 40x12, 12 disparities, window 3x3, P1 10, P2 40, 1 pixel pair a clock.
+-- Options: disparities 12, min_disparity 2, reference left, p1 10, p2 40, ties largest, left_right_threshold
+--   1, uniqueness_distance 3, subpixel true, median true, full_width true, slice_disparities 5,
 --   run_time_settings true.
--- Made from hls/top/semi_global_settings_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_sgm_settings_full
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 library ieee;
@@ -30,9 +30,9 @@ entity stereo_core_tiny_sgm_settings_full is
     right_pixel : in std_logic_vector(7 downto 0);
     start_of_frame : in std_logic;  -- with column 0 of the first rows
     valid : in std_logic;  -- 0: bubble
-    p1 : in std_logic_vector(15 downto 0);  -- 0 ... 7, taken over with start_of_frame
-    p2 : in std_logic_vector(15 downto 0);  -- 0 ... 31, taken over with start_of_frame
-    uniqueness_distance : in std_logic_vector(15 downto 0);  -- 0 ... 198, taken over with start_of_frame
+    p1 : in std_logic_vector(15 downto 0);  -- 0 ... 10, taken over with start_of_frame
+    p2 : in std_logic_vector(15 downto 0);  -- 0 ... 40, taken over with start_of_frame
+    uniqueness_distance : in std_logic_vector(15 downto 0);  -- 0 ... 207, taken over with start_of_frame
     left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
     first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
     last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
@@ -105,8 +105,8 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal in_p2 : natural range 0 to 65535;
   signal in_p1 : natural range 0 to 65535;
   -- settings
-  signal settings_p1 : natural range 0 to 7;
-  signal settings_p2 : natural range 0 to 31;
+  signal settings_p1 : natural range 0 to 15;
+  signal settings_p2 : natural range 0 to 63;
   signal settings_uniqueness_distance, settings_left_right_threshold, settings_first_disparity : natural range 0 to 255;
   signal settings_last_disparity : natural range 0 to 255;
   -- transform
@@ -486,11 +486,8 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal forward_above_ready_cost_11, forward_smallest_cost_0, forward_smallest_cost_1 : natural range 0 to 13;
   signal forward_smallest_cost_2, forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 13;
   signal forward_cost_delay_ring_read_address, forward_cost_delay_ring_write_address : natural range 0 to 7;
-  signal forward_left_p1, forward_above_delay_ring_read_address : natural range 0 to 7;
-  signal forward_above_delay_ring_write_address, forward_above_p1 : natural range 0 to 7;
-  signal forward_cost_delay_held_0, forward_above_read_words_0, forward_above_read_words_1 : unsigned(31 downto 0);
-  signal forward_above_ready_words_0, forward_above_ready_words_1, forward_above_write_words_0 : unsigned(31 downto 0);
-  signal forward_above_write_words_1 : unsigned(31 downto 0);
+  signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
+  signal forward_cost_delay_held_0 : unsigned(31 downto 0);
   signal forward_cost_delay_held_1 : unsigned(15 downto 0);
   signal forward_left_pair_0, forward_left_pair_1, forward_left_pair_2, forward_left_pair_3 : natural range 0 to 127;
   signal forward_left_pair_4, forward_left_pair_5, forward_left_tree_smallest_0 : natural range 0 to 127;
@@ -513,10 +510,37 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal forward_left_arrived_3, forward_left_arrived_4, forward_left_arrived_5 : natural range 0 to 127;
   signal forward_left_arrived_6, forward_left_arrived_7, forward_left_arrived_8 : natural range 0 to 127;
   signal forward_left_arrived_9, forward_left_arrived_10, forward_left_arrived_11 : natural range 0 to 127;
-  signal forward_sum_0, forward_sum_1, forward_sum_2, forward_sum_3, forward_sum_4 : natural range 0 to 127;
-  signal forward_sum_5, forward_sum_6, forward_sum_7, forward_sum_8, forward_sum_9 : natural range 0 to 127;
-  signal forward_sum_10, forward_sum_11 : natural range 0 to 127;
-  signal forward_left_p2, forward_left_room, forward_above_top_p2, forward_above_p2 : natural range 0 to 31;
+  signal forward_left_p1, forward_above_p1, forward_cost_0_0, forward_cost_0_1 : natural range 0 to 15;
+  signal forward_cost_0_2, forward_cost_0_3, forward_cost_0_4, forward_cost_0_5 : natural range 0 to 15;
+  signal forward_cost_0_6, forward_cost_0_7, forward_cost_0_8, forward_cost_0_9 : natural range 0 to 15;
+  signal forward_cost_0_10, forward_cost_0_11, forward_cost_1_0, forward_cost_1_1 : natural range 0 to 15;
+  signal forward_cost_1_2, forward_cost_1_3, forward_cost_1_4, forward_cost_1_5 : natural range 0 to 15;
+  signal forward_cost_1_6, forward_cost_1_7, forward_cost_1_8, forward_cost_1_9 : natural range 0 to 15;
+  signal forward_cost_1_10, forward_cost_1_11, forward_cost_2_0, forward_cost_2_1 : natural range 0 to 15;
+  signal forward_cost_2_2, forward_cost_2_3, forward_cost_2_4, forward_cost_2_5 : natural range 0 to 15;
+  signal forward_cost_2_6, forward_cost_2_7, forward_cost_2_8, forward_cost_2_9 : natural range 0 to 15;
+  signal forward_cost_2_10, forward_cost_2_11, forward_cost_3_0, forward_cost_3_1 : natural range 0 to 15;
+  signal forward_cost_3_2, forward_cost_3_3, forward_cost_3_4, forward_cost_3_5 : natural range 0 to 15;
+  signal forward_cost_3_6, forward_cost_3_7, forward_cost_3_8, forward_cost_3_9 : natural range 0 to 15;
+  signal forward_cost_3_10, forward_cost_3_11 : natural range 0 to 15;
+  signal forward_left_p2, forward_left_room, forward_above_top_p2, forward_above_cost_0 : natural range 0 to 63;
+  signal forward_above_cost_1, forward_above_cost_2, forward_above_cost_3, forward_above_cost_4 : natural range 0 to 63;
+  signal forward_above_cost_5, forward_above_cost_6, forward_above_cost_7, forward_above_cost_8 : natural range 0 to 63;
+  signal forward_above_cost_9, forward_above_cost_10, forward_above_cost_11 : natural range 0 to 63;
+  signal forward_above_beside_0, forward_above_beside_1, forward_above_beside_2 : natural range 0 to 63;
+  signal forward_above_beside_3, forward_above_beside_4, forward_above_beside_5 : natural range 0 to 63;
+  signal forward_above_beside_6, forward_above_beside_7, forward_above_beside_8 : natural range 0 to 63;
+  signal forward_above_beside_9, forward_above_beside_10, forward_above_beside_11 : natural range 0 to 63;
+  signal forward_above_own_0, forward_above_own_2, forward_above_own_3, forward_above_own_4 : natural range 0 to 63;
+  signal forward_above_own_5, forward_above_own_6, forward_above_own_7, forward_above_own_8 : natural range 0 to 63;
+  signal forward_above_own_9, forward_above_own_11, forward_above_p2, forward_above_stay_0 : natural range 0 to 63;
+  signal forward_above_stay_1, forward_above_stay_2, forward_above_stay_3, forward_above_stay_4 : natural range 0 to 63;
+  signal forward_above_stay_5, forward_above_stay_6, forward_above_stay_7, forward_above_stay_8 : natural range 0 to 63;
+  signal forward_above_stay_9, forward_above_stay_10, forward_above_stay_11 : natural range 0 to 63;
+  signal forward_above_column_0, forward_above_column_1, forward_above_column_2 : natural range 0 to 63;
+  signal forward_above_column_3, forward_above_column_4, forward_above_column_5 : natural range 0 to 63;
+  signal forward_above_column_6, forward_above_column_7, forward_above_column_8 : natural range 0 to 63;
+  signal forward_above_column_9, forward_above_write_column : natural range 0 to 63;
   signal forward_left_start_cost_0, forward_left_start_cost_1, forward_left_start_cost_2 : natural range 0 to 255;
   signal forward_left_start_cost_3, forward_left_start_cost_4, forward_left_start_cost_5 : natural range 0 to 255;
   signal forward_left_start_cost_6 : natural range 0 to 255;
@@ -528,67 +552,42 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal forward_first_7, forward_first_8, forward_starts_moved_0, forward_starts_moved_1 : boolean;
   signal forward_starts_moved_2, forward_starts_moved_3, forward_starts_moved_4, forward_starts_moved_5 : boolean;
   signal forward_starts_moved_6, forward_starts_moved_7 : boolean;
-  signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 44;
-  signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 44;
-  signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 44;
-  signal forward_above_total_9, forward_above_total_10, forward_above_total_11 : natural range 0 to 44;
-  signal forward_above_tree_smallest_0, forward_above_tree_smallest_1 : natural range 0 to 44;
-  signal forward_above_tree_smallest_2, forward_above_tree_smallest_3 : natural range 0 to 44;
-  signal forward_above_tree_smallest_4, forward_above_tree_smallest_5 : natural range 0 to 44;
-  signal forward_above_tree_next_smallest_0, forward_above_tree_next_smallest_1 : natural range 0 to 44;
-  signal forward_above_tree_next_smallest_2, forward_above_tree_next_next_smallest_0 : natural range 0 to 44;
-  signal forward_above_tree_next_next_smallest_1, forward_above_tree_next_next_next_smallest_0 : natural range 0 to 44;
-  signal forward_above_smallest_copy_0 : natural range 0 to 44;
-  signal forward_above_delay_held_0, forward_above_delay_held_1 : unsigned(29 downto 0);
-  signal forward_above_delay_held_2 : unsigned(11 downto 0);
-  signal forward_above_cost_0, forward_above_cost_1, forward_above_cost_2, forward_above_cost_3 : natural range 0 to 63;
-  signal forward_above_cost_4, forward_above_cost_5, forward_above_cost_6, forward_above_cost_7 : natural range 0 to 63;
-  signal forward_above_cost_8, forward_above_cost_9, forward_above_cost_10 : natural range 0 to 63;
-  signal forward_above_cost_11, forward_above_beside_0, forward_above_beside_1 : natural range 0 to 63;
-  signal forward_above_beside_2, forward_above_beside_3, forward_above_beside_4 : natural range 0 to 63;
-  signal forward_above_beside_5, forward_above_beside_6, forward_above_beside_7 : natural range 0 to 63;
-  signal forward_above_beside_8, forward_above_beside_9, forward_above_beside_10 : natural range 0 to 63;
-  signal forward_above_beside_11, forward_above_own_0, forward_above_own_2, forward_above_own_3 : natural range 0 to 63;
-  signal forward_above_own_4, forward_above_own_5, forward_above_own_6, forward_above_own_7 : natural range 0 to 63;
-  signal forward_above_own_8, forward_above_own_9, forward_above_own_11, forward_above_stay_0 : natural range 0 to 63;
-  signal forward_above_stay_1, forward_above_stay_2, forward_above_stay_3, forward_above_stay_4 : natural range 0 to 63;
-  signal forward_above_stay_5, forward_above_stay_6, forward_above_stay_7, forward_above_stay_8 : natural range 0 to 63;
-  signal forward_above_stay_9, forward_above_stay_10, forward_above_stay_11 : natural range 0 to 63;
-  signal forward_above_column_0, forward_above_column_1, forward_above_column_2 : natural range 0 to 63;
-  signal forward_above_column_3, forward_above_column_4, forward_above_column_5 : natural range 0 to 63;
-  signal forward_above_column_6, forward_above_column_7, forward_above_column_8 : natural range 0 to 63;
-  signal forward_above_column_9, forward_above_write_column : natural range 0 to 63;
-  signal forward_above_step_0, forward_above_step_1, forward_above_step_2, forward_above_step_3 : natural range 0 to 70;
-  signal forward_above_step_4, forward_above_step_5, forward_above_step_6, forward_above_step_7 : natural range 0 to 70;
-  signal forward_above_step_8, forward_above_step_9, forward_above_step_10 : natural range 0 to 70;
-  signal forward_above_step_11 : natural range 0 to 70;
-  signal forward_cost_0_0, forward_cost_0_1, forward_cost_0_2, forward_cost_0_3 : natural range 0 to 15;
-  signal forward_cost_0_4, forward_cost_0_5, forward_cost_0_6, forward_cost_0_7 : natural range 0 to 15;
-  signal forward_cost_0_8, forward_cost_0_9, forward_cost_0_10, forward_cost_0_11 : natural range 0 to 15;
-  signal forward_cost_1_0, forward_cost_1_1, forward_cost_1_2, forward_cost_1_3 : natural range 0 to 15;
-  signal forward_cost_1_4, forward_cost_1_5, forward_cost_1_6, forward_cost_1_7 : natural range 0 to 15;
-  signal forward_cost_1_8, forward_cost_1_9, forward_cost_1_10, forward_cost_1_11 : natural range 0 to 15;
-  signal forward_cost_2_0, forward_cost_2_1, forward_cost_2_2, forward_cost_2_3 : natural range 0 to 15;
-  signal forward_cost_2_4, forward_cost_2_5, forward_cost_2_6, forward_cost_2_7 : natural range 0 to 15;
-  signal forward_cost_2_8, forward_cost_2_9, forward_cost_2_10, forward_cost_2_11 : natural range 0 to 15;
-  signal forward_cost_3_0, forward_cost_3_1, forward_cost_3_2, forward_cost_3_3 : natural range 0 to 15;
-  signal forward_cost_3_4, forward_cost_3_5, forward_cost_3_6, forward_cost_3_7 : natural range 0 to 15;
-  signal forward_cost_3_8, forward_cost_3_9, forward_cost_3_10, forward_cost_3_11 : natural range 0 to 15;
+  signal forward_above_read_words_0, forward_above_read_words_1, forward_above_delay_held_0 : unsigned(30 downto 0);
+  signal forward_above_delay_held_1 : unsigned(30 downto 0);
+  signal forward_above_read_words_2, forward_above_delay_held_2 : unsigned(12 downto 0);
+  signal forward_above_ready_words_0, forward_above_ready_words_1 : natural range 0 to 2147483647;
+  signal forward_above_write_words_0, forward_above_write_words_1 : natural range 0 to 2147483647;
+  signal forward_above_ready_words_2, forward_above_write_words_2 : natural range 0 to 8191;
+  signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 76;
+  signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 76;
+  signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 76;
+  signal forward_above_total_9, forward_above_total_10, forward_above_total_11 : natural range 0 to 76;
+  signal forward_above_tree_smallest_0, forward_above_tree_smallest_1 : natural range 0 to 76;
+  signal forward_above_tree_smallest_2, forward_above_tree_smallest_3 : natural range 0 to 76;
+  signal forward_above_tree_smallest_4, forward_above_tree_smallest_5 : natural range 0 to 76;
+  signal forward_above_tree_next_smallest_0, forward_above_tree_next_smallest_1 : natural range 0 to 76;
+  signal forward_above_tree_next_smallest_2, forward_above_tree_next_next_smallest_0 : natural range 0 to 76;
+  signal forward_above_tree_next_next_smallest_1, forward_above_tree_next_next_next_smallest_0 : natural range 0 to 76;
+  signal forward_above_smallest_copy_0 : natural range 0 to 76;
+  signal forward_above_step_0, forward_above_step_1, forward_above_step_2, forward_above_step_3 : natural range 0 to 78;
+  signal forward_above_step_4, forward_above_step_5, forward_above_step_6, forward_above_step_7 : natural range 0 to 78;
+  signal forward_above_step_8, forward_above_step_9, forward_above_step_10 : natural range 0 to 78;
+  signal forward_above_step_11 : natural range 0 to 78;
   -- sums
-  signal sums_turn_read_sums_0, sums_turn_read_sums_1, sums_turn_read_sums_2 : unsigned(27 downto 0);
-  signal sums_sum_delay_held_0, sums_sum_delay_held_1, sums_sum_delay_held_2 : unsigned(27 downto 0);
-  signal sums_turn_read_costs_0, sums_turn_ready_costs_0, sums_turn_write_costs_0 : unsigned(31 downto 0);
+  signal sums_turn_read_sums_0, sums_turn_read_sums_1, sums_turn_read_sums_2 : unsigned(31 downto 0);
+  signal sums_turn_read_costs_0, sums_turn_ready_sums_0, sums_turn_ready_sums_1 : unsigned(31 downto 0);
+  signal sums_turn_ready_sums_2, sums_turn_ready_costs_0, sums_turn_write_sums_0 : unsigned(31 downto 0);
+  signal sums_turn_write_sums_1, sums_turn_write_sums_2, sums_turn_write_costs_0 : unsigned(31 downto 0);
+  signal sums_sum_delay_held_0, sums_sum_delay_held_1, sums_sum_delay_held_2 : unsigned(31 downto 0);
   signal sums_turn_read_costs_1 : unsigned(15 downto 0);
   signal sums_turn_read_smallest_0 : unsigned(3 downto 0);
-  signal sums_turn_ready_sums_0, sums_turn_ready_sums_1, sums_turn_ready_sums_2 : natural range 0 to 268435455;
-  signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : natural range 0 to 268435455;
   signal sums_turn_ready_costs_1, sums_turn_write_costs_1 : natural range 0 to 65535;
   signal sums_turn_ready_smallest_0, sums_cost_0_0, sums_cost_0_1, sums_cost_0_2, sums_cost_0_3 : natural range 0 to 15;
   signal sums_cost_0_4, sums_cost_0_5, sums_cost_0_6, sums_cost_0_7, sums_cost_0_8 : natural range 0 to 15;
   signal sums_cost_0_9, sums_cost_0_10, sums_cost_0_11, sums_cost_1_0, sums_cost_1_1 : natural range 0 to 15;
   signal sums_cost_1_2, sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6 : natural range 0 to 15;
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 15;
-  signal sums_right_smallest : natural range 0 to 15;
+  signal sums_right_p1, sums_right_smallest : natural range 0 to 15;
   signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_turn_waiting_first_0, sums_turn_waiting_first_1 : boolean;
   signal sums_turn_waiting_first_2, sums_turn_waiting_first_3, sums_right_first_0, sums_right_first_1 : boolean;
   signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
@@ -612,7 +611,8 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal sums_tags_held_13_end_of_line, sums_tags_moved : boolean;
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 63;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 63;
-  signal sums_turn_place_8, sums_turn_write_place, sums_turn_waiting_read_place : natural range 0 to 63;
+  signal sums_turn_place_8, sums_turn_write_place, sums_turn_waiting_read_place, sums_right_p2 : natural range 0 to 63;
+  signal sums_right_room : natural range 0 to 63;
   signal sums_turn_write_smallest_0 : natural range 0 to 13;
   signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 127;
   signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 127;
@@ -634,14 +634,12 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5 : natural range 0 to 127;
   signal sums_right_arrived_6, sums_right_arrived_7, sums_right_arrived_8 : natural range 0 to 127;
   signal sums_right_arrived_9, sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 127;
-  signal sums_right_p1 : natural range 0 to 7;
-  signal sums_right_p2, sums_right_room : natural range 0 to 31;
   signal sums_right_start_cost_0, sums_right_start_cost_1, sums_right_start_cost_2 : natural range 0 to 255;
   signal sums_right_start_cost_3, sums_right_start_cost_4, sums_right_start_cost_5 : natural range 0 to 255;
-  signal sums_right_start_cost_6 : natural range 0 to 255;
+  signal sums_right_start_cost_6, sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3 : natural range 0 to 255;
+  signal sums_sum_0_4, sums_sum_0_5, sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9 : natural range 0 to 255;
+  signal sums_sum_0_10, sums_sum_0_11 : natural range 0 to 255;
   signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
-  signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 254;
-  signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 254;
   -- winnersmask
   signal winnersmask_inside_0, winnersmask_inside_1, winnersmask_inside_2, winnersmask_inside_3 : boolean;
   signal winnersmask_inside_4, winnersmask_inside_5, winnersmask_inside_6, winnersmask_inside_7 : boolean;
@@ -852,26 +850,28 @@ architecture rtl of stereo_core_tiny_sgm_settings_full is
   signal other_15 : natural range 0 to 224;
   signal other_16 : natural range 0 to 192;
   signal other_17 : natural range 0 to 128;
+  signal other_22, other_23, other_24 : unsigned(31 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal other_10_memory_write_data : unsigned(25 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
-  signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
-  signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
-  signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
-  signal sums_turn_read_sums_2_memory_write_data : unsigned(27 downto 0);
-  signal sums_turn_read_sums_1_memory_write_data : unsigned(27 downto 0);
-  signal sums_turn_read_sums_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_2_memory_write_data : unsigned(31 downto 0);
+  signal sums_sum_delay_held_1_memory_write_data : unsigned(31 downto 0);
+  signal sums_sum_delay_held_0_memory_write_data : unsigned(31 downto 0);
+  signal sums_turn_read_sums_2_memory_write_data : unsigned(31 downto 0);
+  signal sums_turn_read_sums_1_memory_write_data : unsigned(31 downto 0);
+  signal sums_turn_read_sums_0_memory_write_data : unsigned(31 downto 0);
   signal sums_turn_read_costs_1_memory_write_data : unsigned(15 downto 0);
   signal sums_turn_read_costs_0_memory_write_data : unsigned(31 downto 0);
   signal sums_turn_read_smallest_0_memory_write_data : unsigned(3 downto 0);
-  signal forward_above_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal forward_above_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal forward_above_delay_held_2_memory_write_data : unsigned(11 downto 0);
-  signal forward_above_delay_held_1_memory_write_data : unsigned(29 downto 0);
-  signal forward_above_delay_held_0_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_read_words_2_memory_write_data : unsigned(12 downto 0);
+  signal forward_above_read_words_1_memory_write_data : unsigned(30 downto 0);
+  signal forward_above_read_words_0_memory_write_data : unsigned(30 downto 0);
+  signal forward_above_delay_held_2_memory_write_data : unsigned(12 downto 0);
+  signal forward_above_delay_held_1_memory_write_data : unsigned(30 downto 0);
+  signal forward_above_delay_held_0_memory_write_data : unsigned(30 downto 0);
   signal forward_cost_delay_held_1_memory_write_data : unsigned(15 downto 0);
   signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
@@ -945,49 +945,49 @@ begin
       read_address => leftright_ring_read_address, read_data => leftright_held_0,
       write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
-  sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
+  sums_sum_delay_held_2_memory_write_data <= sums_turn_ready_sums_2;
   sums_sum_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 32)
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_2,
       write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
 
-  sums_sum_delay_held_1_memory_write_data <= to_unsigned(sums_turn_ready_sums_1, 28);
+  sums_sum_delay_held_1_memory_write_data <= sums_turn_ready_sums_1;
   sums_sum_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 32)
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_1,
       write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
 
-  sums_sum_delay_held_0_memory_write_data <= to_unsigned(sums_turn_ready_sums_0, 28);
+  sums_sum_delay_held_0_memory_write_data <= sums_turn_ready_sums_0;
   sums_sum_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 32)
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_0,
       write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
 
-  sums_turn_read_sums_2_memory_write_data <= to_unsigned(sums_turn_write_sums_2, 28);
+  sums_turn_read_sums_2_memory_write_data <= sums_turn_write_sums_2;
   sums_turn_read_sums_2_memory : entity work.line_memory
-    generic map (depth => 38, width => 28)
+    generic map (depth => 38, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_2,
       write_address => sums_turn_write_place, write_data => sums_turn_read_sums_2_memory_write_data);
 
-  sums_turn_read_sums_1_memory_write_data <= to_unsigned(sums_turn_write_sums_1, 28);
+  sums_turn_read_sums_1_memory_write_data <= sums_turn_write_sums_1;
   sums_turn_read_sums_1_memory : entity work.line_memory
-    generic map (depth => 38, width => 28)
+    generic map (depth => 38, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_1,
       write_address => sums_turn_write_place, write_data => sums_turn_read_sums_1_memory_write_data);
 
-  sums_turn_read_sums_0_memory_write_data <= to_unsigned(sums_turn_write_sums_0, 28);
+  sums_turn_read_sums_0_memory_write_data <= sums_turn_write_sums_0;
   sums_turn_read_sums_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 28)
+    generic map (depth => 38, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_0,
@@ -1017,41 +1017,49 @@ begin
       read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_smallest_0,
       write_address => sums_turn_write_place, write_data => sums_turn_read_smallest_0_memory_write_data);
 
-  forward_above_read_words_1_memory_write_data <= forward_above_write_words_1;
+  forward_above_read_words_2_memory_write_data <= to_unsigned(forward_above_write_words_2, 13);
+  forward_above_read_words_2_memory : entity work.line_memory
+    generic map (depth => 38, width => 13)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_next_column, read_data => forward_above_read_words_2,
+      write_address => forward_above_write_column, write_data => forward_above_read_words_2_memory_write_data);
+
+  forward_above_read_words_1_memory_write_data <= to_unsigned(forward_above_write_words_1, 31);
   forward_above_read_words_1_memory : entity work.line_memory
-    generic map (depth => 38, width => 32)
+    generic map (depth => 38, width => 31)
     port map (
       clock => clock, read_enable => true,
       read_address => entry_next_column, read_data => forward_above_read_words_1,
       write_address => forward_above_write_column, write_data => forward_above_read_words_1_memory_write_data);
 
-  forward_above_read_words_0_memory_write_data <= forward_above_write_words_0;
+  forward_above_read_words_0_memory_write_data <= to_unsigned(forward_above_write_words_0, 31);
   forward_above_read_words_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 32)
+    generic map (depth => 38, width => 31)
     port map (
       clock => clock, read_enable => true,
       read_address => entry_next_column, read_data => forward_above_read_words_0,
       write_address => forward_above_write_column, write_data => forward_above_read_words_0_memory_write_data);
 
-  forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total_11, 6) & to_unsigned(forward_above_total_10, 6);
+  forward_above_delay_held_2_memory_write_data <= ((to_unsigned(forward_above_total_11, 7) & to_unsigned(0, 6)) or (to_unsigned(forward_above_total_10, 13)));
   forward_above_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 5, width => 12)
+    generic map (depth => 5, width => 13)
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_2,
       write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
-  forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
+  forward_above_delay_held_1_memory_write_data <= ((to_unsigned(forward_above_total_9, 7) & to_unsigned(to_integer(((to_unsigned(forward_above_total_6, 13) & to_unsigned(0, 6)) or (to_unsigned(forward_above_total_7, 7) & to_unsigned(forward_above_total_5, 12)))), 24)) or (to_unsigned(forward_above_total_8, 13) & to_unsigned(0, 18)));
   forward_above_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 30)
+    generic map (depth => 5, width => 31)
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_1,
       write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
-  forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
+  forward_above_delay_held_0_memory_write_data <= ((to_unsigned(forward_above_total_4, 7) & to_unsigned(forward_above_total_2, 12) & to_unsigned(0, 12)) or (to_unsigned(forward_above_total_3, 13) & to_unsigned(to_integer(((to_unsigned(forward_above_total_1, 7) & to_unsigned(0, 6)) or (to_unsigned(forward_above_total_0, 13)))), 18)));
   forward_above_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 30)
+    generic map (depth => 5, width => 31)
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_0,
@@ -1447,195 +1455,189 @@ begin
     variable forward_left_start_cost_0_value, forward_above_stay_0_value, forward_above_stay_0_choice : boolean;
     variable forward_above_stay_0_choice_2, forward_above_stay_0_value_2, forward_above_stay_0_value_3 : boolean;
     variable forward_above_stay_0_choice_3, forward_above_stay_0_value_4, forward_above_stay_0_value_5 : boolean;
-    variable forward_above_stay_0_choice_4, forward_above_stay_0_value_6, forward_above_stay_0_choice_5 : boolean;
-    variable forward_above_stay_0_choice_6, forward_above_stay_1_any, forward_above_stay_1_choice : boolean;
-    variable forward_above_stay_1_is_equal, forward_above_stay_1_choice_2, forward_above_stay_1_choice_3 : boolean;
-    variable forward_above_stay_1_choice_4, forward_above_stay_1_value, forward_above_stay_1_choice_5 : boolean;
-    variable forward_above_stay_2_choice, forward_above_stay_2_choice_2, forward_above_stay_2_choice_3 : boolean;
-    variable forward_above_stay_2_choice_4, forward_above_stay_2_value, forward_above_stay_2_choice_5 : boolean;
-    variable forward_above_stay_3_choice, forward_above_stay_3_choice_2, forward_above_stay_3_choice_3 : boolean;
-    variable forward_above_stay_3_choice_4, forward_above_stay_3_value, forward_above_stay_3_choice_5 : boolean;
-    variable forward_above_stay_4_choice, forward_above_stay_4_choice_2, forward_above_stay_4_choice_3 : boolean;
-    variable forward_above_stay_4_choice_4, forward_above_stay_4_value, forward_above_stay_4_choice_5 : boolean;
-    variable forward_above_stay_5_choice, forward_above_stay_5_choice_2, forward_above_stay_5_choice_3 : boolean;
-    variable forward_above_stay_5_choice_4, forward_above_stay_5_value, forward_above_stay_5_choice_5 : boolean;
-    variable forward_above_stay_6_choice, forward_above_stay_6_choice_2, forward_above_stay_6_choice_3 : boolean;
-    variable forward_above_stay_6_choice_4, forward_above_stay_6_value, forward_above_stay_6_choice_5 : boolean;
-    variable forward_above_stay_7_choice, forward_above_stay_7_choice_2, forward_above_stay_7_choice_3 : boolean;
-    variable forward_above_stay_7_choice_4, forward_above_stay_7_value, forward_above_stay_7_choice_5 : boolean;
-    variable forward_above_stay_8_choice, forward_above_stay_8_choice_2, forward_above_stay_8_choice_3 : boolean;
-    variable forward_above_stay_8_choice_4, forward_above_stay_8_value, forward_above_stay_8_choice_5 : boolean;
-    variable forward_above_stay_9_choice, forward_above_stay_9_choice_2, forward_above_stay_9_choice_3 : boolean;
-    variable forward_above_stay_9_choice_4, forward_above_stay_9_value, forward_above_stay_9_choice_5 : boolean;
-    variable forward_above_stay_10_choice, forward_above_stay_10_choice_2, forward_above_stay_10_choice_3 : boolean;
-    variable forward_above_stay_10_choice_4, forward_above_stay_10_value, forward_above_stay_10_choice_5 : boolean;
-    variable forward_above_stay_11_choice, forward_above_stay_11_choice_2, forward_above_stay_11_choice_3 : boolean;
-    variable forward_above_stay_11_choice_4, forward_above_stay_11_value, forward_above_stay_11_choice_5 : boolean;
-    variable forward_left_p1_any, forward_above_p1_any, forward_above_writes_copy_0_choice : boolean;
-    variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice, sums_right_p1_any : boolean;
-    variable winnersmask_inside_11_choice, winnersmask_searched_0_all, winnersother_cost_0_1_choice : boolean;
-    variable winnersother_cost_0_1_choice_2, winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3 : boolean;
-    variable winnersother_cost_0_1_value_2, winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3 : boolean;
-    variable winnersother_cost_0_1_choice_5, winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6 : boolean;
-    variable winnersother_cost_0_1_value_5, winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8 : boolean;
-    variable winnersother_cost_0_1_choice_9, winnersother_cost_0_1_all, winnersother_cost_0_2_value : boolean;
-    variable winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2 : boolean;
-    variable winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4 : boolean;
-    variable winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5 : boolean;
-    variable winnersother_cost_0_2_choice_6, winnersother_cost_0_2_value_6, winnersother_cost_0_2_choice_7 : boolean;
-    variable winnersother_cost_0_2_choice_8, winnersother_cost_0_2_choice_9, winnersother_cost_0_2_all : boolean;
-    variable winnersother_cost_0_3_choice, winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value : boolean;
-    variable winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4 : boolean;
-    variable winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4 : boolean;
-    variable winnersother_cost_0_3_choice_6, winnersother_cost_0_3_value_5, winnersother_cost_0_3_choice_7 : boolean;
-    variable winnersother_cost_0_3_choice_8, winnersother_cost_0_3_choice_9, winnersother_cost_0_3_all : boolean;
-    variable winnersother_cost_0_4_value, winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2 : boolean;
-    variable winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3 : boolean;
-    variable winnersother_cost_0_4_choice_4, winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5 : boolean;
-    variable winnersother_cost_0_4_value_5, winnersother_cost_0_4_choice_6, winnersother_cost_0_4_value_6 : boolean;
-    variable winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8, winnersother_cost_0_4_choice_9 : boolean;
-    variable winnersother_cost_0_4_all, winnersother_cost_0_5_choice, winnersother_cost_0_5_choice_2 : boolean;
-    variable winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2 : boolean;
-    variable winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5 : boolean;
-    variable winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6, winnersother_cost_0_5_value_5 : boolean;
-    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9 : boolean;
-    variable winnersother_cost_0_5_all, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
-    variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3 : boolean;
-    variable winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4 : boolean;
-    variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6 : boolean;
-    variable winnersother_cost_0_6_value_6, winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8 : boolean;
-    variable winnersother_cost_0_6_choice_9, winnersother_cost_0_6_all, winnersother_cost_0_7_choice : boolean;
-    variable winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3 : boolean;
-    variable winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3 : boolean;
-    variable winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6 : boolean;
-    variable winnersother_cost_0_7_value_5, winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8 : boolean;
-    variable winnersother_cost_0_7_choice_9, winnersother_cost_0_7_all, winnersother_cost_0_8_value : boolean;
-    variable winnersother_cost_0_8_choice, winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2 : boolean;
-    variable winnersother_cost_0_8_choice_3, winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4 : boolean;
-    variable winnersother_cost_0_8_value_4, winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5 : boolean;
-    variable winnersother_cost_0_8_choice_6, winnersother_cost_0_8_value_6, winnersother_cost_0_8_choice_7 : boolean;
-    variable winnersother_cost_0_8_choice_8, winnersother_cost_0_8_choice_9, winnersother_cost_0_8_all : boolean;
-    variable winnersother_cost_0_9_choice, winnersother_cost_0_9_choice_2, winnersother_cost_0_9_value : boolean;
-    variable winnersother_cost_0_9_choice_3, winnersother_cost_0_9_value_2, winnersother_cost_0_9_choice_4 : boolean;
-    variable winnersother_cost_0_9_value_3, winnersother_cost_0_9_choice_5, winnersother_cost_0_9_value_4 : boolean;
-    variable winnersother_cost_0_9_choice_6, winnersother_cost_0_9_value_5, winnersother_cost_0_9_choice_7 : boolean;
-    variable winnersother_cost_0_9_choice_8, winnersother_cost_0_9_choice_9, winnersother_cost_0_9_all : boolean;
-    variable winnersother_cost_0_10_value, winnersother_cost_0_10_choice, winnersother_cost_0_10_choice_2 : boolean;
-    variable winnersother_cost_0_10_value_2, winnersother_cost_0_10_choice_3, winnersother_cost_0_10_value_3 : boolean;
-    variable winnersother_cost_0_10_choice_4, winnersother_cost_0_10_value_4, winnersother_cost_0_10_choice_5 : boolean;
-    variable winnersother_cost_0_10_value_5, winnersother_cost_0_10_choice_6, winnersother_cost_0_10_value_6 : boolean;
-    variable winnersother_cost_0_10_choice_7, winnersother_cost_0_10_choice_8 : boolean;
-    variable winnersother_cost_0_10_choice_9, winnersother_cost_0_10_all, winnersother_cost_0_11_all : boolean;
-    variable winnersother_winner_0_0_value, winnersother_winner_0_0_choice, winnersother_winner_0_0_choice_2 : boolean;
-    variable winnersother_winner_0_0_value_2, winnersother_winner_0_0_choice_3 : boolean;
-    variable winnersother_winner_0_0_value_3, winnersother_winner_0_0_choice_4 : boolean;
-    variable winnersother_winner_0_0_value_4, winnersother_winner_0_0_choice_5 : boolean;
-    variable winnersother_winner_0_0_value_5, winnersother_winner_0_0_choice_6 : boolean;
-    variable winnersother_winner_0_0_value_6, winnersother_winner_0_0_choice_7 : boolean;
-    variable winnersother_winner_0_0_choice_8, winnerswinner1_best_index_0_0_value : boolean;
-    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_value_2 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_value_3 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_value_4 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_value_5 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_value_6 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_1_value, winnerswinner1_best_index_0_1_choice : boolean;
-    variable winnerswinner1_best_index_0_1_value_2, winnerswinner1_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_1_value_3, winnerswinner1_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_1_value_4, winnerswinner1_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_1_value_5, winnerswinner1_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_1_value_6, winnerswinner1_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_1_value_7, winnerswinner1_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_2_value, winnerswinner1_best_index_0_2_choice : boolean;
-    variable winnerswinner1_best_index_0_2_value_2, winnerswinner1_best_index_0_2_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_2_value_3, winnerswinner1_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_2_value_4, winnerswinner1_best_index_0_2_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_2_value_5, winnerswinner1_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_2_value_6, winnerswinner1_best_index_0_2_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_2_value_7, winnerswinner1_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_3_value, winnerswinner1_best_index_0_3_choice : boolean;
-    variable winnerswinner1_best_index_0_3_value_2, winnerswinner1_best_index_0_3_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_3_value_3, winnerswinner1_best_index_0_3_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_3_value_4, winnerswinner1_best_index_0_3_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_3_value_5, winnerswinner1_best_index_0_3_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_3_value_6, winnerswinner1_best_index_0_3_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_3_value_7, winnerswinner1_best_index_0_3_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_4_value, winnerswinner1_best_index_0_4_choice : boolean;
-    variable winnerswinner1_best_index_0_4_value_2, winnerswinner1_best_index_0_4_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_4_value_3, winnerswinner1_best_index_0_4_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_4_value_4, winnerswinner1_best_index_0_4_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_4_value_5, winnerswinner1_best_index_0_4_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_4_value_6, winnerswinner1_best_index_0_4_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_4_value_7, winnerswinner1_best_index_0_4_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_5_value, winnerswinner1_best_index_0_5_choice : boolean;
-    variable winnerswinner1_best_index_0_5_value_2, winnerswinner1_best_index_0_5_value_3 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_value_4 : boolean;
-    variable winnerswinner1_best_index_0_5_value_5, winnerswinner1_best_index_0_5_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_5_value_6, winnerswinner1_best_index_0_5_value_7 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_value_8 : boolean;
-    variable winnerswinner1_best_index_0_5_value_9, winnerswinner1_best_index_0_5_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_5_value_10, winnerswinner1_best_index_0_5_value_11 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_6, winnerswinner1_best_index_0_5_value_12 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
-    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
-    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_value_5 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_0_choice_8 : boolean;
-    variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_1_value_5, winnerswinner2_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_8, winnerswinner2_best_index_0_2_choice : boolean;
-    variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
-    variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_value_5 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner2_best_index_0_2_choice_8 : boolean;
-    variable winnerswinner2_best_at_start_0_0_choice, winnerswinner2_best_at_start_0_1_choice : boolean;
-    variable winnerswinner2_best_at_start_0_2_choice, winnerswinner3_best_index_0_0_choice : boolean;
-    variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
-    variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_value_5 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner3_best_index_0_0_choice_8 : boolean;
-    variable winnerswinner3_best_below_0_0_is_equal, winnerswinner3_best_above_0_0_is_equal : boolean;
-    variable winnerswinner3_best_at_start_0_0_choice, winnerswinner4_best_index_0_0_choice : boolean;
-    variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
-    variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_value_5 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_7, winnerswinner4_best_index_0_0_choice_8 : boolean;
-    variable winnerswinner4_best_below_0_0_is_equal, winnerswinner4_best_above_0_0_is_equal : boolean;
-    variable refinement_below_0_differs, refinement_below_0_differs_2, refinement_above_0_all : boolean;
-    variable refinement_above_0_choice, refinement_above_0_choice_2, refinement_divisor_0_0_is_less : boolean;
-    variable leftright_holds_winners_all, turn_order_address_any, turn_order_address_any_2 : boolean;
-    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_is_equal : boolean;
-    variable turn_ready_tag_row_start_choice, turn_ready_tag_row_start_choice_2 : boolean;
-    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
-    variable turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2, map_counter_group_is_equal : boolean;
-    variable map_line_ended_choice, map_at_arrives_value, map_window_complete_choice : boolean;
-    variable map_window_complete_choice_2, map_low_1_0_all, map_low_0_0_all, other_0_choice, other_0_any : boolean;
-    variable other_0_choice_2, other_1_choice, other_1_all, other_0_all, other_3_any, other_3_choice : boolean;
+    variable forward_above_stay_0_choice_4, forward_above_stay_0_value_6, forward_above_stay_0_value_7 : boolean;
+    variable forward_above_stay_0_choice_5, forward_above_stay_0_choice_6, forward_above_stay_1_any : boolean;
+    variable forward_above_stay_1_choice, forward_above_stay_1_is_equal, forward_above_stay_1_choice_2 : boolean;
+    variable forward_above_stay_1_choice_3, forward_above_stay_1_choice_4, forward_above_stay_1_choice_5 : boolean;
+    variable forward_above_stay_1_choice_6, forward_above_stay_2_choice, forward_above_stay_2_choice_2 : boolean;
+    variable forward_above_stay_2_choice_3, forward_above_stay_2_choice_4, forward_above_stay_2_choice_5 : boolean;
+    variable forward_above_stay_2_choice_6, forward_above_stay_3_choice, forward_above_stay_3_choice_2 : boolean;
+    variable forward_above_stay_3_choice_3, forward_above_stay_3_choice_4, forward_above_stay_3_choice_5 : boolean;
+    variable forward_above_stay_3_choice_6, forward_above_stay_4_choice, forward_above_stay_4_choice_2 : boolean;
+    variable forward_above_stay_4_choice_3, forward_above_stay_4_choice_4, forward_above_stay_4_choice_5 : boolean;
+    variable forward_above_stay_4_choice_6, forward_above_stay_5_choice, forward_above_stay_5_choice_2 : boolean;
+    variable forward_above_stay_5_choice_3, forward_above_stay_5_choice_4, forward_above_stay_5_choice_5 : boolean;
+    variable forward_above_stay_5_choice_6, forward_above_stay_6_choice, forward_above_stay_6_choice_2 : boolean;
+    variable forward_above_stay_6_choice_3, forward_above_stay_6_choice_4, forward_above_stay_6_choice_5 : boolean;
+    variable forward_above_stay_6_choice_6, forward_above_stay_7_choice, forward_above_stay_7_choice_2 : boolean;
+    variable forward_above_stay_7_choice_3, forward_above_stay_7_choice_4, forward_above_stay_7_choice_5 : boolean;
+    variable forward_above_stay_7_choice_6, forward_above_stay_8_choice, forward_above_stay_8_choice_2 : boolean;
+    variable forward_above_stay_8_choice_3, forward_above_stay_8_choice_4, forward_above_stay_8_choice_5 : boolean;
+    variable forward_above_stay_8_choice_6, forward_above_stay_9_choice, forward_above_stay_9_choice_2 : boolean;
+    variable forward_above_stay_9_choice_3, forward_above_stay_9_choice_4, forward_above_stay_9_choice_5 : boolean;
+    variable forward_above_stay_9_choice_6, forward_above_stay_10_choice, forward_above_stay_10_choice_2 : boolean;
+    variable forward_above_stay_10_choice_3, forward_above_stay_10_choice_4, forward_above_stay_10_choice_5 : boolean;
+    variable forward_above_stay_10_choice_6, forward_above_stay_11_choice, forward_above_stay_11_choice_2 : boolean;
+    variable forward_above_stay_11_choice_3, forward_above_stay_11_choice_4, forward_above_stay_11_choice_5 : boolean;
+    variable forward_above_stay_11_choice_6, forward_left_p1_any, forward_above_p1_any : boolean;
+    variable forward_above_writes_copy_0_choice, sums_right_start_cost_0_value : boolean;
+    variable sums_turn_writes_copy_0_choice, sums_right_p1_any, winnersmask_inside_11_choice : boolean;
+    variable winnersmask_searched_0_all, winnersother_cost_0_1_choice, winnersother_cost_0_1_choice_2 : boolean;
+    variable winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3, winnersother_cost_0_1_value_2 : boolean;
+    variable winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3, winnersother_cost_0_1_choice_5 : boolean;
+    variable winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6, winnersother_cost_0_1_value_5 : boolean;
+    variable winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8, winnersother_cost_0_1_choice_9 : boolean;
+    variable winnersother_cost_0_1_all, winnersother_cost_0_2_value, winnersother_cost_0_2_choice : boolean;
+    variable winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2, winnersother_cost_0_2_choice_3 : boolean;
+    variable winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4, winnersother_cost_0_2_value_4 : boolean;
+    variable winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5, winnersother_cost_0_2_choice_6 : boolean;
+    variable winnersother_cost_0_2_value_6, winnersother_cost_0_2_choice_7, winnersother_cost_0_2_choice_8 : boolean;
+    variable winnersother_cost_0_2_choice_9, winnersother_cost_0_2_all, winnersother_cost_0_3_choice : boolean;
+    variable winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value, winnersother_cost_0_3_choice_3 : boolean;
+    variable winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4, winnersother_cost_0_3_value_3 : boolean;
+    variable winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4, winnersother_cost_0_3_choice_6 : boolean;
+    variable winnersother_cost_0_3_value_5, winnersother_cost_0_3_choice_7, winnersother_cost_0_3_choice_8 : boolean;
+    variable winnersother_cost_0_3_choice_9, winnersother_cost_0_3_all, winnersother_cost_0_4_value : boolean;
+    variable winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value_2 : boolean;
+    variable winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_4 : boolean;
+    variable winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_5 : boolean;
+    variable winnersother_cost_0_4_choice_6, winnersother_cost_0_4_value_6, winnersother_cost_0_4_choice_7 : boolean;
+    variable winnersother_cost_0_4_choice_8, winnersother_cost_0_4_choice_9, winnersother_cost_0_4_all : boolean;
+    variable winnersother_cost_0_5_choice, winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value : boolean;
+    variable winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4 : boolean;
+    variable winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4 : boolean;
+    variable winnersother_cost_0_5_choice_6, winnersother_cost_0_5_value_5, winnersother_cost_0_5_choice_7 : boolean;
+    variable winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9, winnersother_cost_0_5_all : boolean;
+    variable winnersother_cost_0_6_value, winnersother_cost_0_6_choice, winnersother_cost_0_6_choice_2 : boolean;
+    variable winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3, winnersother_cost_0_6_value_3 : boolean;
+    variable winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4, winnersother_cost_0_6_choice_5 : boolean;
+    variable winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6, winnersother_cost_0_6_value_6 : boolean;
+    variable winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8, winnersother_cost_0_6_choice_9 : boolean;
+    variable winnersother_cost_0_6_all, winnersother_cost_0_7_choice, winnersother_cost_0_7_choice_2 : boolean;
+    variable winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3, winnersother_cost_0_7_value_2 : boolean;
+    variable winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3, winnersother_cost_0_7_choice_5 : boolean;
+    variable winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6, winnersother_cost_0_7_value_5 : boolean;
+    variable winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8, winnersother_cost_0_7_choice_9 : boolean;
+    variable winnersother_cost_0_7_all, winnersother_cost_0_8_value, winnersother_cost_0_8_choice : boolean;
+    variable winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2, winnersother_cost_0_8_choice_3 : boolean;
+    variable winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4, winnersother_cost_0_8_value_4 : boolean;
+    variable winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5, winnersother_cost_0_8_choice_6 : boolean;
+    variable winnersother_cost_0_8_value_6, winnersother_cost_0_8_choice_7, winnersother_cost_0_8_choice_8 : boolean;
+    variable winnersother_cost_0_8_choice_9, winnersother_cost_0_8_all, winnersother_cost_0_9_choice : boolean;
+    variable winnersother_cost_0_9_choice_2, winnersother_cost_0_9_value, winnersother_cost_0_9_choice_3 : boolean;
+    variable winnersother_cost_0_9_value_2, winnersother_cost_0_9_choice_4, winnersother_cost_0_9_value_3 : boolean;
+    variable winnersother_cost_0_9_choice_5, winnersother_cost_0_9_value_4, winnersother_cost_0_9_choice_6 : boolean;
+    variable winnersother_cost_0_9_value_5, winnersother_cost_0_9_choice_7, winnersother_cost_0_9_choice_8 : boolean;
+    variable winnersother_cost_0_9_choice_9, winnersother_cost_0_9_all, winnersother_cost_0_10_value : boolean;
+    variable winnersother_cost_0_10_choice, winnersother_cost_0_10_choice_2, winnersother_cost_0_10_value_2 : boolean;
+    variable winnersother_cost_0_10_choice_3, winnersother_cost_0_10_value_3, winnersother_cost_0_10_choice_4 : boolean;
+    variable winnersother_cost_0_10_value_4, winnersother_cost_0_10_choice_5, winnersother_cost_0_10_value_5 : boolean;
+    variable winnersother_cost_0_10_choice_6, winnersother_cost_0_10_value_6, winnersother_cost_0_10_choice_7 : boolean;
+    variable winnersother_cost_0_10_choice_8, winnersother_cost_0_10_choice_9, winnersother_cost_0_10_all : boolean;
+    variable winnersother_cost_0_11_all, winnersother_winner_0_0_value, winnersother_winner_0_0_choice : boolean;
+    variable winnersother_winner_0_0_choice_2, winnersother_winner_0_0_value_2 : boolean;
+    variable winnersother_winner_0_0_choice_3, winnersother_winner_0_0_value_3 : boolean;
+    variable winnersother_winner_0_0_choice_4, winnersother_winner_0_0_value_4 : boolean;
+    variable winnersother_winner_0_0_choice_5, winnersother_winner_0_0_value_5 : boolean;
+    variable winnersother_winner_0_0_choice_6, winnersother_winner_0_0_value_6 : boolean;
+    variable winnersother_winner_0_0_choice_7, winnersother_winner_0_0_choice_8 : boolean;
+    variable winnerswinner1_best_index_0_0_value, winnerswinner1_best_index_0_0_choice : boolean;
+    variable winnerswinner1_best_index_0_0_value_2, winnerswinner1_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_0_value_3, winnerswinner1_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_0_value_4, winnerswinner1_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_0_value_5, winnerswinner1_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_0_value_6, winnerswinner1_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_7, winnerswinner1_best_index_0_1_value : boolean;
+    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_value_2 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_2, winnerswinner1_best_index_0_1_value_3 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_value_4 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_4, winnerswinner1_best_index_0_1_value_5 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_value_6 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_6, winnerswinner1_best_index_0_1_value_7 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_2_value : boolean;
+    variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_value_2 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_2, winnerswinner1_best_index_0_2_value_3 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_value_4 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_4, winnerswinner1_best_index_0_2_value_5 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_value_6 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_6, winnerswinner1_best_index_0_2_value_7 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_3_value : boolean;
+    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_value_2 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_2, winnerswinner1_best_index_0_3_value_3 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_value_4 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_4, winnerswinner1_best_index_0_3_value_5 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_value_6 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_6, winnerswinner1_best_index_0_3_value_7 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_4_value : boolean;
+    variable winnerswinner1_best_index_0_4_choice, winnerswinner1_best_index_0_4_value_2 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_2, winnerswinner1_best_index_0_4_value_3 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_value_4 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_4, winnerswinner1_best_index_0_4_value_5 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_value_6 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_6, winnerswinner1_best_index_0_4_value_7 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_5_value : boolean;
+    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_value_2 : boolean;
+    variable winnerswinner1_best_index_0_5_value_3, winnerswinner1_best_index_0_5_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_5_value_4, winnerswinner1_best_index_0_5_value_5 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_3, winnerswinner1_best_index_0_5_value_6 : boolean;
+    variable winnerswinner1_best_index_0_5_value_7, winnerswinner1_best_index_0_5_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_5_value_8, winnerswinner1_best_index_0_5_value_9 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_5, winnerswinner1_best_index_0_5_value_10 : boolean;
+    variable winnerswinner1_best_index_0_5_value_11, winnerswinner1_best_index_0_5_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_5_value_12, winnerswinner1_best_index_0_5_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_0_value_5, winnerswinner2_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_8, winnerswinner2_best_index_0_1_choice : boolean;
+    variable winnerswinner2_best_index_0_1_choice_2, winnerswinner2_best_index_0_1_value : boolean;
+    variable winnerswinner2_best_index_0_1_choice_3, winnerswinner2_best_index_0_1_value_2 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_4, winnerswinner2_best_index_0_1_value_3 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_5, winnerswinner2_best_index_0_1_value_4 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_6, winnerswinner2_best_index_0_1_value_5 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_1_choice_8 : boolean;
+    variable winnerswinner2_best_index_0_2_choice, winnerswinner2_best_index_0_2_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_2_value, winnerswinner2_best_index_0_2_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_2_value_2, winnerswinner2_best_index_0_2_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_2_value_3, winnerswinner2_best_index_0_2_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_2_value_4, winnerswinner2_best_index_0_2_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_2_value_5, winnerswinner2_best_index_0_2_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_8, winnerswinner2_best_at_start_0_0_choice : boolean;
+    variable winnerswinner2_best_at_start_0_1_choice, winnerswinner2_best_at_start_0_2_choice : boolean;
+    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner3_best_index_0_0_value_5, winnerswinner3_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_8, winnerswinner3_best_below_0_0_is_equal : boolean;
+    variable winnerswinner3_best_above_0_0_is_equal, winnerswinner3_best_at_start_0_0_choice : boolean;
+    variable winnerswinner4_best_index_0_0_choice, winnerswinner4_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner4_best_index_0_0_value, winnerswinner4_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner4_best_index_0_0_value_2, winnerswinner4_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner4_best_index_0_0_value_3, winnerswinner4_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner4_best_index_0_0_value_4, winnerswinner4_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner4_best_index_0_0_value_5, winnerswinner4_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_8, winnerswinner4_best_below_0_0_is_equal : boolean;
+    variable winnerswinner4_best_above_0_0_is_equal, refinement_below_0_differs, refinement_below_0_differs_2 : boolean;
+    variable refinement_above_0_all, refinement_above_0_choice, refinement_above_0_choice_2 : boolean;
+    variable refinement_divisor_0_0_is_less, leftright_holds_winners_all, turn_order_address_any : boolean;
+    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
+    variable turn_ready_tag_row_start_choice_2, turn_ready_tag_row_start_is_equal_2 : boolean;
+    variable turn_ready_tag_row_start_all, turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2 : boolean;
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all, map_low_0_0_all : boolean;
+    variable other_0_choice, other_0_any, other_0_choice_2, other_1_choice, other_1_all, other_0_all : boolean;
+    variable other_3_any, other_3_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_193, forward_left_room_choice : natural range 0 to 31;
-    variable forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
-    variable forward_above_total_1_choice, forward_above_total_2_choice : natural range 0 to 31;
-    variable forward_above_total_3_choice, forward_above_total_4_choice : natural range 0 to 31;
-    variable forward_above_total_5_choice, forward_above_total_6_choice : natural range 0 to 31;
-    variable forward_above_total_7_choice, forward_above_total_8_choice : natural range 0 to 31;
-    variable forward_above_total_9_choice, forward_above_total_10_choice : natural range 0 to 31;
-    variable forward_above_total_11_choice, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_193 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_195 : natural range 0 to 8191;
@@ -1714,14 +1716,23 @@ begin
     variable winnerswinner4_best_below_0_0_choice, winnerswinner4_best_above_0_0_choice : natural range 0 to 255;
     variable winnerswinner4_best_second_0_0_choice, winnerswinner4_best_second_0_0_choice_2 : natural range 0 to 255;
     variable winnerswinner4_best_second_0_0_choice_3, winnerswinner4_best_second_0_0_choice_4 : natural range 0 to 255;
-    variable refinement_divisor_0_0_choice, refinement_fraction_0_choice : natural range 0 to 255;
-    variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 70;
-    variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 70;
-    variable forward_above_write_words_0_choice_5, forward_above_write_words_0_choice_6 : natural range 0 to 70;
-    variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 70;
-    variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 70;
-    variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 70;
+    variable refinement_divisor_0_0_choice, refinement_fraction_0_choice, other_22_choice : natural range 0 to 255;
+    variable other_22_choice_2, other_22_choice_3, other_23_choice, other_23_choice_2 : natural range 0 to 255;
+    variable other_23_choice_3, other_24_choice, other_24_choice_2, other_24_choice_3 : natural range 0 to 255;
+    variable forward_left_room_choice, forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 63;
+    variable forward_above_total_1_choice, forward_above_total_2_choice : natural range 0 to 63;
+    variable forward_above_total_3_choice, forward_above_total_4_choice : natural range 0 to 63;
+    variable forward_above_total_5_choice, forward_above_total_6_choice : natural range 0 to 63;
+    variable forward_above_total_7_choice, forward_above_total_8_choice : natural range 0 to 63;
+    variable forward_above_total_9_choice, forward_above_total_10_choice : natural range 0 to 63;
+    variable forward_above_total_11_choice, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 63;
     variable sums_turn_waiting_read_place_choice, sums_turn_waiting_read_place_choice_2 : natural range 0 to 63;
+    variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 78;
+    variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 78;
+    variable forward_above_write_words_0_choice_5, forward_above_write_words_1_choice : natural range 0 to 78;
+    variable forward_above_write_words_1_choice_2, forward_above_write_words_1_choice_3 : natural range 0 to 78;
+    variable forward_above_write_words_1_choice_4, forward_above_write_words_1_choice_5 : natural range 0 to 78;
+    variable forward_above_write_words_2_choice, forward_above_write_words_2_choice_2 : natural range 0 to 78;
     variable winnerswinner1_held_0_0_sum, winnerswinner1_held_0_1_sum : natural range 255 to 256;
     variable winnerswinner1_held_0_2_sum, winnerswinner1_held_0_3_sum : natural range 255 to 256;
     variable winnerswinner1_held_0_4_sum, winnerswinner1_held_0_5_sum : natural range 255 to 256;
@@ -1747,13 +1758,14 @@ begin
     variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 32767;
     variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 32767;
     variable map_high_0_0_choice : natural range 0 to 32767;
+    variable other_22_choice_4, other_23_choice_4, other_24_choice_4 : natural range 0 to 190;
   begin
     if rising_edge(clock) then
       -- settings
       settings_p1_any := (not in_valid) or (not in_start_of_frame);
       if not settings_p1_any then
-        settings_p1 <= in_p1 mod 8;
-        settings_p2 <= in_p2 mod 32;
+        settings_p1 <= in_p1 mod 16 when in_p1 < 10 else 10;
+        settings_p2 <= in_p2 mod 64 when in_p2 < 40 else 40;
         settings_uniqueness_distance <= in_uniqueness_distance mod 256;
         settings_left_right_threshold <= in_left_right_threshold;
         settings_first_disparity <= in_first_disparity;
@@ -5230,7 +5242,7 @@ begin
         forward_left_start_cost_0_choice_2 := forward_left_start_cost_0_choice;
       end if;
       if forward_left_start_cost_0_value then
-        forward_left_room_choice := (0 - forward_left_tree_next_next_smallest_0) mod 32;
+        forward_left_room_choice := (0 - forward_left_tree_next_next_smallest_0) mod 64;
       else
         forward_left_room_choice := forward_left_room;
       end if;
@@ -5305,29 +5317,29 @@ begin
       forward_left_arrived_10_choice := 64 when forward_left_first_2 else forward_left_pair_5_choice;
       forward_left_arrived_11_choice := 64 when forward_left_first_2 else forward_left_cost_10;
       forward_above_total_0_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_0(4 downto 0));
+        forward_above_ready_words_0 mod 64;
       forward_above_total_1_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_0(9 downto 5));
+        (forward_above_ready_words_0 / 64) mod 64;
       forward_above_total_2_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_0(14 downto 10));
+        (forward_above_ready_words_0 / 4096) mod 64;
       forward_above_total_3_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_0(19 downto 15));
+        (forward_above_ready_words_0 / 262144) mod 64;
       forward_above_total_4_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_0(24 downto 20));
+        (forward_above_ready_words_0 / 16777216) mod 64;
       forward_above_total_5_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_0(29 downto 25));
+        forward_above_ready_words_1 mod 64;
       forward_above_total_6_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_1(4 downto 0));
+        (forward_above_ready_words_1 / 64) mod 64;
       forward_above_total_7_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_1(9 downto 5));
+        (forward_above_ready_words_1 / 4096) mod 64;
       forward_above_total_8_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_1(14 downto 10));
+        (forward_above_ready_words_1 / 262144) mod 64;
       forward_above_total_9_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_1(19 downto 15));
+        (forward_above_ready_words_1 / 16777216) mod 64;
       forward_above_total_10_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_1(24 downto 20));
+        forward_above_ready_words_2 mod 64;
       forward_above_total_11_choice := forward_above_top_p2 when forward_above_ready_top else
-        to_integer(forward_above_ready_words_1(29 downto 25));
+        (forward_above_ready_words_2 / 64) mod 64;
       forward_above_stay_0_value := ((forward_above_p2 / 2) mod 2) = 1;
       forward_above_stay_0_choice := not (((forward_above_own_0 / 2) mod 2) = 1) when (forward_above_p2 mod 2) = 1 else
         (forward_above_own_0 mod 4) = 0;
@@ -5341,11 +5353,12 @@ begin
       forward_above_stay_0_value_5 := ((forward_above_own_0 / 8) mod 2) = 1;
       forward_above_stay_0_choice_4 := (not forward_above_stay_0_value_4) or forward_above_stay_0_value_5 when
         forward_above_stay_0_choice_3 else (not forward_above_stay_0_value_4) and forward_above_stay_0_value_5;
-      forward_above_stay_0_value_6 := ((forward_above_own_0 / 16) mod 2) = 1;
-      forward_above_stay_0_choice_5 := (forward_above_own_0 / 32) = 1 when (forward_above_p2 / 16) = 1 else
-        ((forward_above_own_0 / 32) = 1) or forward_above_stay_0_value_6;
-      forward_above_stay_0_choice_6 := (not ((forward_above_p2 / 16) = 1)) or ((forward_above_own_0 / 32) = 1) or
-        forward_above_stay_0_value_6 when forward_above_stay_0_choice_4 else forward_above_stay_0_choice_5;
+      forward_above_stay_0_value_6 := ((forward_above_p2 / 16) mod 2) = 1;
+      forward_above_stay_0_value_7 := ((forward_above_own_0 / 16) mod 2) = 1;
+      forward_above_stay_0_choice_5 := (not forward_above_stay_0_value_6) or forward_above_stay_0_value_7 when
+        forward_above_stay_0_choice_4 else (not forward_above_stay_0_value_6) and forward_above_stay_0_value_7;
+      forward_above_stay_0_choice_6 := (not ((forward_above_p2 / 32) = 1)) or ((forward_above_own_0 / 32) = 1) when
+        forward_above_stay_0_choice_5 else (not ((forward_above_p2 / 32) = 1)) and ((forward_above_own_0 / 32) = 1);
       forward_above_stay_1_any := (not forward_above_stay_0_value) or (not ((forward_above_p2 mod 2) = 1));
       forward_above_stay_1_choice := forward_above_stay_1_any when (forward_above_beside_0 mod 2) = 1 else not
         forward_above_stay_0_value;
@@ -5358,10 +5371,11 @@ begin
       forward_above_stay_1_choice_4 := (not (((forward_above_beside_0 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_1_choice_3 else (not (((forward_above_beside_0 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_1_value := ((forward_above_beside_0 / 16) mod 2) = 1;
-      forward_above_stay_1_choice_5 := ((forward_above_beside_0 / 32) = 1) or (forward_above_stay_1_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_1_choice_4 else ((forward_above_beside_0 / 32) = 1) or
-        forward_above_stay_1_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_1_choice_5 := (not (((forward_above_beside_0 / 16) mod 2) = 1)) or
+        forward_above_stay_0_value_6 when forward_above_stay_1_choice_4 else (not (((forward_above_beside_0 / 16) mod
+        2) = 1)) and forward_above_stay_0_value_6;
+      forward_above_stay_1_choice_6 := ((forward_above_beside_0 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_1_choice_5 else ((forward_above_beside_0 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       forward_above_stay_2_choice := forward_above_stay_1_any when (forward_above_own_2 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_2_choice_2 := forward_above_stay_2_choice when ((forward_above_own_2 / 2) mod 2) = 1 else
@@ -5372,10 +5386,11 @@ begin
       forward_above_stay_2_choice_4 := (not (((forward_above_own_2 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_2_choice_3 else (not (((forward_above_own_2 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_2_value := ((forward_above_own_2 / 16) mod 2) = 1;
-      forward_above_stay_2_choice_5 := ((forward_above_own_2 / 32) = 1) or (forward_above_stay_2_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_2_choice_4 else ((forward_above_own_2 / 32) = 1) or
-        forward_above_stay_2_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_2_choice_5 := (not (((forward_above_own_2 / 16) mod 2) = 1)) or forward_above_stay_0_value_6
+        when forward_above_stay_2_choice_4 else (not (((forward_above_own_2 / 16) mod 2) = 1)) and
+        forward_above_stay_0_value_6;
+      forward_above_stay_2_choice_6 := ((forward_above_own_2 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_2_choice_5 else ((forward_above_own_2 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       forward_above_stay_3_choice := forward_above_stay_1_any when (forward_above_own_3 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_3_choice_2 := forward_above_stay_3_choice when ((forward_above_own_3 / 2) mod 2) = 1 else
@@ -5386,10 +5401,11 @@ begin
       forward_above_stay_3_choice_4 := (not (((forward_above_own_3 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_3_choice_3 else (not (((forward_above_own_3 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_3_value := ((forward_above_own_3 / 16) mod 2) = 1;
-      forward_above_stay_3_choice_5 := ((forward_above_own_3 / 32) = 1) or (forward_above_stay_3_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_3_choice_4 else ((forward_above_own_3 / 32) = 1) or
-        forward_above_stay_3_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_3_choice_5 := (not (((forward_above_own_3 / 16) mod 2) = 1)) or forward_above_stay_0_value_6
+        when forward_above_stay_3_choice_4 else (not (((forward_above_own_3 / 16) mod 2) = 1)) and
+        forward_above_stay_0_value_6;
+      forward_above_stay_3_choice_6 := ((forward_above_own_3 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_3_choice_5 else ((forward_above_own_3 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       forward_above_stay_4_choice := forward_above_stay_1_any when (forward_above_own_4 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_4_choice_2 := forward_above_stay_4_choice when ((forward_above_own_4 / 2) mod 2) = 1 else
@@ -5400,10 +5416,11 @@ begin
       forward_above_stay_4_choice_4 := (not (((forward_above_own_4 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_4_choice_3 else (not (((forward_above_own_4 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_4_value := ((forward_above_own_4 / 16) mod 2) = 1;
-      forward_above_stay_4_choice_5 := ((forward_above_own_4 / 32) = 1) or (forward_above_stay_4_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_4_choice_4 else ((forward_above_own_4 / 32) = 1) or
-        forward_above_stay_4_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_4_choice_5 := (not (((forward_above_own_4 / 16) mod 2) = 1)) or forward_above_stay_0_value_6
+        when forward_above_stay_4_choice_4 else (not (((forward_above_own_4 / 16) mod 2) = 1)) and
+        forward_above_stay_0_value_6;
+      forward_above_stay_4_choice_6 := ((forward_above_own_4 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_4_choice_5 else ((forward_above_own_4 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       forward_above_stay_5_choice := forward_above_stay_1_any when (forward_above_own_5 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_5_choice_2 := forward_above_stay_5_choice when ((forward_above_own_5 / 2) mod 2) = 1 else
@@ -5414,10 +5431,11 @@ begin
       forward_above_stay_5_choice_4 := (not (((forward_above_own_5 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_5_choice_3 else (not (((forward_above_own_5 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_5_value := ((forward_above_own_5 / 16) mod 2) = 1;
-      forward_above_stay_5_choice_5 := ((forward_above_own_5 / 32) = 1) or (forward_above_stay_5_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_5_choice_4 else ((forward_above_own_5 / 32) = 1) or
-        forward_above_stay_5_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_5_choice_5 := (not (((forward_above_own_5 / 16) mod 2) = 1)) or forward_above_stay_0_value_6
+        when forward_above_stay_5_choice_4 else (not (((forward_above_own_5 / 16) mod 2) = 1)) and
+        forward_above_stay_0_value_6;
+      forward_above_stay_5_choice_6 := ((forward_above_own_5 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_5_choice_5 else ((forward_above_own_5 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       forward_above_stay_6_choice := forward_above_stay_1_any when (forward_above_own_6 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_6_choice_2 := forward_above_stay_6_choice when ((forward_above_own_6 / 2) mod 2) = 1 else
@@ -5428,10 +5446,11 @@ begin
       forward_above_stay_6_choice_4 := (not (((forward_above_own_6 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_6_choice_3 else (not (((forward_above_own_6 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_6_value := ((forward_above_own_6 / 16) mod 2) = 1;
-      forward_above_stay_6_choice_5 := ((forward_above_own_6 / 32) = 1) or (forward_above_stay_6_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_6_choice_4 else ((forward_above_own_6 / 32) = 1) or
-        forward_above_stay_6_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_6_choice_5 := (not (((forward_above_own_6 / 16) mod 2) = 1)) or forward_above_stay_0_value_6
+        when forward_above_stay_6_choice_4 else (not (((forward_above_own_6 / 16) mod 2) = 1)) and
+        forward_above_stay_0_value_6;
+      forward_above_stay_6_choice_6 := ((forward_above_own_6 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_6_choice_5 else ((forward_above_own_6 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       forward_above_stay_7_choice := forward_above_stay_1_any when (forward_above_own_7 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_7_choice_2 := forward_above_stay_7_choice when ((forward_above_own_7 / 2) mod 2) = 1 else
@@ -5442,10 +5461,11 @@ begin
       forward_above_stay_7_choice_4 := (not (((forward_above_own_7 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_7_choice_3 else (not (((forward_above_own_7 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_7_value := ((forward_above_own_7 / 16) mod 2) = 1;
-      forward_above_stay_7_choice_5 := ((forward_above_own_7 / 32) = 1) or (forward_above_stay_7_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_7_choice_4 else ((forward_above_own_7 / 32) = 1) or
-        forward_above_stay_7_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_7_choice_5 := (not (((forward_above_own_7 / 16) mod 2) = 1)) or forward_above_stay_0_value_6
+        when forward_above_stay_7_choice_4 else (not (((forward_above_own_7 / 16) mod 2) = 1)) and
+        forward_above_stay_0_value_6;
+      forward_above_stay_7_choice_6 := ((forward_above_own_7 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_7_choice_5 else ((forward_above_own_7 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       forward_above_stay_8_choice := forward_above_stay_1_any when (forward_above_own_8 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_8_choice_2 := forward_above_stay_8_choice when ((forward_above_own_8 / 2) mod 2) = 1 else
@@ -5456,10 +5476,11 @@ begin
       forward_above_stay_8_choice_4 := (not (((forward_above_own_8 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_8_choice_3 else (not (((forward_above_own_8 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_8_value := ((forward_above_own_8 / 16) mod 2) = 1;
-      forward_above_stay_8_choice_5 := ((forward_above_own_8 / 32) = 1) or (forward_above_stay_8_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_8_choice_4 else ((forward_above_own_8 / 32) = 1) or
-        forward_above_stay_8_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_8_choice_5 := (not (((forward_above_own_8 / 16) mod 2) = 1)) or forward_above_stay_0_value_6
+        when forward_above_stay_8_choice_4 else (not (((forward_above_own_8 / 16) mod 2) = 1)) and
+        forward_above_stay_0_value_6;
+      forward_above_stay_8_choice_6 := ((forward_above_own_8 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_8_choice_5 else ((forward_above_own_8 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       forward_above_stay_9_choice := forward_above_stay_1_any when (forward_above_own_9 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_9_choice_2 := forward_above_stay_9_choice when ((forward_above_own_9 / 2) mod 2) = 1 else
@@ -5470,10 +5491,11 @@ begin
       forward_above_stay_9_choice_4 := (not (((forward_above_own_9 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_9_choice_3 else (not (((forward_above_own_9 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_9_value := ((forward_above_own_9 / 16) mod 2) = 1;
-      forward_above_stay_9_choice_5 := ((forward_above_own_9 / 32) = 1) or (forward_above_stay_9_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_9_choice_4 else ((forward_above_own_9 / 32) = 1) or
-        forward_above_stay_9_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_9_choice_5 := (not (((forward_above_own_9 / 16) mod 2) = 1)) or forward_above_stay_0_value_6
+        when forward_above_stay_9_choice_4 else (not (((forward_above_own_9 / 16) mod 2) = 1)) and
+        forward_above_stay_0_value_6;
+      forward_above_stay_9_choice_6 := ((forward_above_own_9 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_9_choice_5 else ((forward_above_own_9 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       forward_above_stay_10_choice := forward_above_stay_1_any when (forward_above_beside_11 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_10_choice_2 := forward_above_stay_10_choice when ((forward_above_beside_11 / 2) mod 2) = 1
@@ -5484,10 +5506,12 @@ begin
       forward_above_stay_10_choice_4 := (not (((forward_above_beside_11 / 8) mod 2) = 1)) or
         forward_above_stay_0_value_4 when forward_above_stay_10_choice_3 else (not (((forward_above_beside_11 / 8) mod
         2) = 1)) and forward_above_stay_0_value_4;
-      forward_above_stay_10_value := ((forward_above_beside_11 / 16) mod 2) = 1;
-      forward_above_stay_10_choice_5 := ((forward_above_beside_11 / 32) = 1) or (forward_above_stay_10_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_10_choice_4 else ((forward_above_beside_11 / 32) = 1)
-        or forward_above_stay_10_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_10_choice_5 := (not (((forward_above_beside_11 / 16) mod 2) = 1)) or
+        forward_above_stay_0_value_6 when forward_above_stay_10_choice_4 else (not (((forward_above_beside_11 / 16) mod
+        2) = 1)) and forward_above_stay_0_value_6;
+      forward_above_stay_10_choice_6 := ((forward_above_beside_11 / 32) = 1) and (not ((forward_above_p2 / 32) = 1))
+        when forward_above_stay_10_choice_5 else ((forward_above_beside_11 / 32) = 1) or (not ((forward_above_p2 / 32)
+        = 1));
       forward_above_stay_11_choice := forward_above_stay_1_any when (forward_above_own_11 mod 2) = 1 else not
         forward_above_stay_0_value;
       forward_above_stay_11_choice_2 := forward_above_stay_11_choice when ((forward_above_own_11 / 2) mod 2) = 1 else
@@ -5498,10 +5522,11 @@ begin
       forward_above_stay_11_choice_4 := (not (((forward_above_own_11 / 8) mod 2) = 1)) or forward_above_stay_0_value_4
         when forward_above_stay_11_choice_3 else (not (((forward_above_own_11 / 8) mod 2) = 1)) and
         forward_above_stay_0_value_4;
-      forward_above_stay_11_value := ((forward_above_own_11 / 16) mod 2) = 1;
-      forward_above_stay_11_choice_5 := ((forward_above_own_11 / 32) = 1) or (forward_above_stay_11_value and (not
-        ((forward_above_p2 / 16) = 1))) when forward_above_stay_11_choice_4 else ((forward_above_own_11 / 32) = 1) or
-        forward_above_stay_11_value or (not ((forward_above_p2 / 16) = 1));
+      forward_above_stay_11_choice_5 := (not (((forward_above_own_11 / 16) mod 2) = 1)) or forward_above_stay_0_value_6
+        when forward_above_stay_11_choice_4 else (not (((forward_above_own_11 / 16) mod 2) = 1)) and
+        forward_above_stay_0_value_6;
+      forward_above_stay_11_choice_6 := ((forward_above_own_11 / 32) = 1) and (not ((forward_above_p2 / 32) = 1)) when
+        forward_above_stay_11_choice_5 else ((forward_above_own_11 / 32) = 1) or (not ((forward_above_p2 / 32) = 1));
       if entry_tag_valid then
         forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
         forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
@@ -5552,7 +5577,7 @@ begin
         forward_left_start_cost_5 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_4;
         forward_left_start_cost_6 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_5;
         forward_left_room <= 0 when sums_turn_waiting_first_3 else (forward_left_room_choice_2 +
-          forward_left_start_cost_6) mod 32;
+          forward_left_start_cost_6) mod 64;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 - forward_left_p1) mod 128;
         forward_left_first_0 <= sums_turn_waiting_first_3;
@@ -5608,8 +5633,9 @@ begin
         forward_left_arrived_9 <= (forward_left_arrived_9_choice + forward_left_step_change_9) mod 128;
         forward_left_arrived_10 <= (forward_left_arrived_10_choice + forward_left_step_change_10) mod 128;
         forward_left_arrived_11 <= (forward_left_arrived_11_choice + forward_left_step_change_11) mod 128;
-        forward_above_ready_words_0 <= forward_above_read_words_0;
-        forward_above_ready_words_1 <= forward_above_read_words_1;
+        forward_above_ready_words_0 <= to_integer(forward_above_read_words_0);
+        forward_above_ready_words_1 <= to_integer(forward_above_read_words_1);
+        forward_above_ready_words_2 <= to_integer(forward_above_read_words_2);
         forward_above_ready_cost_0 <= entry_cost_0;
         forward_above_ready_cost_1 <= entry_cost_1;
         forward_above_ready_cost_2 <= entry_cost_2;
@@ -5665,25 +5691,25 @@ begin
         forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
         forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
-        forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(29 downto 6)) - forward_above_smallest_copy_0)
+        forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(30 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
-        forward_above_cost_2 <= (to_integer(forward_above_delay_held_0(29 downto 12)) - forward_above_smallest_copy_0)
+        forward_above_cost_2 <= (to_integer(forward_above_delay_held_0(30 downto 12)) - forward_above_smallest_copy_0)
           mod 64;
-        forward_above_cost_3 <= (to_integer(forward_above_delay_held_0(29 downto 18)) - forward_above_smallest_copy_0)
+        forward_above_cost_3 <= (to_integer(forward_above_delay_held_0(30 downto 18)) - forward_above_smallest_copy_0)
           mod 64;
-        forward_above_cost_4 <= (to_integer(forward_above_delay_held_0(29 downto 24)) - forward_above_smallest_copy_0)
+        forward_above_cost_4 <= (to_integer(forward_above_delay_held_0(30 downto 24)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_cost_5 <= (to_integer(forward_above_delay_held_1) - forward_above_smallest_copy_0) mod 64;
-        forward_above_cost_6 <= (to_integer(forward_above_delay_held_1(29 downto 6)) - forward_above_smallest_copy_0)
+        forward_above_cost_6 <= (to_integer(forward_above_delay_held_1(30 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
-        forward_above_cost_7 <= (to_integer(forward_above_delay_held_1(29 downto 12)) - forward_above_smallest_copy_0)
+        forward_above_cost_7 <= (to_integer(forward_above_delay_held_1(30 downto 12)) - forward_above_smallest_copy_0)
           mod 64;
-        forward_above_cost_8 <= (to_integer(forward_above_delay_held_1(29 downto 18)) - forward_above_smallest_copy_0)
+        forward_above_cost_8 <= (to_integer(forward_above_delay_held_1(30 downto 18)) - forward_above_smallest_copy_0)
           mod 64;
-        forward_above_cost_9 <= (to_integer(forward_above_delay_held_1(29 downto 24)) - forward_above_smallest_copy_0)
+        forward_above_cost_9 <= (to_integer(forward_above_delay_held_1(30 downto 24)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_cost_10 <= (to_integer(forward_above_delay_held_2) - forward_above_smallest_copy_0) mod 64;
-        forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
+        forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(12 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
         forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
@@ -5730,17 +5756,17 @@ begin
         forward_above_step_10 <= forward_above_beside_10 + forward_above_p1;
         forward_above_step_11 <= forward_above_beside_11 + forward_above_p1;
         forward_above_stay_0 <= forward_above_p2 when forward_above_stay_0_choice_6 else forward_above_own_0;
-        forward_above_stay_1 <= forward_above_p2 when forward_above_stay_1_choice_5 else forward_above_beside_0;
-        forward_above_stay_2 <= forward_above_p2 when forward_above_stay_2_choice_5 else forward_above_own_2;
-        forward_above_stay_3 <= forward_above_p2 when forward_above_stay_3_choice_5 else forward_above_own_3;
-        forward_above_stay_4 <= forward_above_p2 when forward_above_stay_4_choice_5 else forward_above_own_4;
-        forward_above_stay_5 <= forward_above_p2 when forward_above_stay_5_choice_5 else forward_above_own_5;
-        forward_above_stay_6 <= forward_above_p2 when forward_above_stay_6_choice_5 else forward_above_own_6;
-        forward_above_stay_7 <= forward_above_p2 when forward_above_stay_7_choice_5 else forward_above_own_7;
-        forward_above_stay_8 <= forward_above_p2 when forward_above_stay_8_choice_5 else forward_above_own_8;
-        forward_above_stay_9 <= forward_above_p2 when forward_above_stay_9_choice_5 else forward_above_own_9;
-        forward_above_stay_10 <= forward_above_p2 when forward_above_stay_10_choice_5 else forward_above_beside_11;
-        forward_above_stay_11 <= forward_above_p2 when forward_above_stay_11_choice_5 else forward_above_own_11;
+        forward_above_stay_1 <= forward_above_p2 when forward_above_stay_1_choice_6 else forward_above_beside_0;
+        forward_above_stay_2 <= forward_above_p2 when forward_above_stay_2_choice_6 else forward_above_own_2;
+        forward_above_stay_3 <= forward_above_p2 when forward_above_stay_3_choice_6 else forward_above_own_3;
+        forward_above_stay_4 <= forward_above_p2 when forward_above_stay_4_choice_6 else forward_above_own_4;
+        forward_above_stay_5 <= forward_above_p2 when forward_above_stay_5_choice_6 else forward_above_own_5;
+        forward_above_stay_6 <= forward_above_p2 when forward_above_stay_6_choice_6 else forward_above_own_6;
+        forward_above_stay_7 <= forward_above_p2 when forward_above_stay_7_choice_6 else forward_above_own_7;
+        forward_above_stay_8 <= forward_above_p2 when forward_above_stay_8_choice_6 else forward_above_own_8;
+        forward_above_stay_9 <= forward_above_p2 when forward_above_stay_9_choice_6 else forward_above_own_9;
+        forward_above_stay_10 <= forward_above_p2 when forward_above_stay_10_choice_6 else forward_above_beside_11;
+        forward_above_stay_11 <= forward_above_p2 when forward_above_stay_11_choice_6 else forward_above_own_11;
         forward_above_comes_0 <= entry_tag_map_column;
         forward_above_comes_1 <= forward_above_comes_0;
         forward_above_comes_2 <= forward_above_comes_1;
@@ -5761,18 +5787,6 @@ begin
         forward_above_column_7 <= forward_above_column_6;
         forward_above_column_8 <= forward_above_column_7;
         forward_above_column_9 <= forward_above_column_8;
-        forward_sum_0 <= (forward_left_cost_0 + forward_above_cost_0) mod 128;
-        forward_sum_1 <= (forward_left_cost_1 + forward_above_cost_1) mod 128;
-        forward_sum_2 <= (forward_left_cost_2 + forward_above_cost_2) mod 128;
-        forward_sum_3 <= (forward_left_cost_3 + forward_above_cost_3) mod 128;
-        forward_sum_4 <= (forward_left_cost_4 + forward_above_cost_4) mod 128;
-        forward_sum_5 <= (forward_left_cost_5 + forward_above_cost_5) mod 128;
-        forward_sum_6 <= (forward_left_cost_6 + forward_above_cost_6) mod 128;
-        forward_sum_7 <= (forward_left_cost_7 + forward_above_cost_7) mod 128;
-        forward_sum_8 <= (forward_left_cost_8 + forward_above_cost_8) mod 128;
-        forward_sum_9 <= (forward_left_cost_9 + forward_above_cost_9) mod 128;
-        forward_sum_10 <= (forward_left_cost_10 + forward_above_cost_10) mod 128;
-        forward_sum_11 <= (forward_left_cost_11 + forward_above_cost_11) mod 128;
         forward_first_0 <= entry_turned_first_column;
         forward_first_1 <= forward_first_0;
         forward_first_2 <= forward_first_1;
@@ -5859,43 +5873,43 @@ begin
       end if;
       forward_above_writes_copy_0_choice := forward_above_comes_8 when entry_tag_valid else forward_above_comes_9;
       forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_writes_copy_0_choice;
-      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
-        else forward_above_stay_4;
-      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
-        0 else forward_above_stay_5;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
-        0 else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
+      forward_above_write_words_0_choice := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) < 0
+        else forward_above_stay_3;
+      forward_above_write_words_0_choice_2 := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) <
+        0 else forward_above_stay_4;
+      forward_above_write_words_0_choice_3 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
         0 else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
+      forward_above_write_words_0_choice_4 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
         0 else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
+      forward_above_write_words_0_choice_5 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
         0 else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
-        < 0 else forward_above_stay_10;
-      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
-        forward_above_stay_11) < 0 else forward_above_stay_11;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
+      forward_above_write_words_1_choice := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) < 0
+        else forward_above_stay_8;
+      forward_above_write_words_1_choice_2 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
         0 else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
-        0 else forward_above_stay_8;
+      forward_above_write_words_1_choice_3 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
+        0 else forward_above_stay_7;
+      forward_above_write_words_1_choice_4 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
+        0 else forward_above_stay_5;
       forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
         0 else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
-        0 else forward_above_stay_7;
+      forward_above_write_words_2_choice := forward_above_step_11 when (forward_above_step_11 - forward_above_stay_11)
+        < 0 else forward_above_stay_11;
+      forward_above_write_words_2_choice_2 := forward_above_step_10 when (forward_above_step_10 -
+        forward_above_stay_10) < 0 else forward_above_stay_10;
       if forward_above_writes_copy_0 then
-        forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
-          20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
-          (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
-          (to_unsigned(forward_above_write_words_0_choice_4, 22) & to_unsigned(0, 10)))) or
-          (to_unsigned(forward_above_write_words_0_choice_5, 32)))) or
-          (to_unsigned(forward_above_write_words_0_choice_6, 27) & to_unsigned(0, 5)));
-        forward_above_write_words_1 <= ((((((((((to_unsigned(forward_above_write_words_1_choice, 12) & to_unsigned(0,
-          20)) or (to_unsigned(forward_above_write_words_1_choice_2, 7) & to_unsigned(0, 25)))) or
-          (to_unsigned(forward_above_write_words_1_choice_3, 17) & to_unsigned(0, 15)))) or
-          (to_unsigned(forward_above_write_words_1_choice_4, 22) & to_unsigned(0, 10)))) or
-          (to_unsigned(forward_above_write_words_1_choice_5, 32)))) or
-          (to_unsigned(forward_above_write_words_1_choice_6, 27) & to_unsigned(0, 5)));
+        forward_above_write_words_0 <= to_integer(((((((((to_unsigned(forward_above_write_words_0_choice, 13) &
+          to_unsigned(0, 18)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 24)))) or
+          (to_unsigned(forward_above_write_words_0_choice_3, 19) & to_unsigned(0, 12)))) or
+          (to_unsigned(forward_above_write_words_0_choice_4, 31)))) or
+          (to_unsigned(forward_above_write_words_0_choice_5, 25) & to_unsigned(0, 6))));
+        forward_above_write_words_1 <= to_integer(((((((((to_unsigned(forward_above_write_words_1_choice, 13) &
+          to_unsigned(0, 18)) or (to_unsigned(forward_above_write_words_1_choice_2, 7) & to_unsigned(0, 24)))) or
+          (to_unsigned(forward_above_write_words_1_choice_3, 19) & to_unsigned(0, 12)))) or
+          (to_unsigned(forward_above_write_words_1_choice_4, 31)))) or
+          (to_unsigned(forward_above_write_words_1_choice_5, 25) & to_unsigned(0, 6))));
+        forward_above_write_words_2 <= to_integer(((to_unsigned(forward_above_write_words_2_choice, 7) & to_unsigned(0,
+          6)) or (to_unsigned(forward_above_write_words_2_choice_2, 13))));
         forward_above_write_column <= forward_above_column_9;
       end if;
       -- sums
@@ -5924,7 +5938,7 @@ begin
         sums_right_start_cost_0_choice_2 := sums_right_start_cost_0_choice;
       end if;
       if sums_right_start_cost_0_value then
-        sums_right_room_choice := (0 - sums_right_tree_next_next_smallest_0) mod 32;
+        sums_right_room_choice := (0 - sums_right_tree_next_next_smallest_0) mod 64;
       else
         sums_right_room_choice := sums_right_room;
       end if;
@@ -5998,9 +6012,9 @@ begin
       sums_right_arrived_10_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_5_choice;
       sums_right_arrived_11_choice := 64 when sums_tags_held_12_first_column else sums_right_cost_10;
       if entry_tag_valid then
-        sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
-        sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
-        sums_turn_ready_sums_2 <= to_integer(sums_turn_read_sums_2);
+        sums_turn_ready_sums_0 <= sums_turn_read_sums_0;
+        sums_turn_ready_sums_1 <= sums_turn_read_sums_1;
+        sums_turn_ready_sums_2 <= sums_turn_read_sums_2;
         sums_turn_ready_costs_0 <= sums_turn_read_costs_0;
         sums_turn_ready_costs_1 <= to_integer(sums_turn_read_costs_1);
         sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
@@ -6067,7 +6081,7 @@ begin
         sums_right_start_cost_5 <= 0 when sums_turn_ready_first else sums_right_start_cost_4;
         sums_right_start_cost_6 <= 0 when sums_turn_ready_first else sums_right_start_cost_5;
         sums_right_room <= 0 when sums_turn_ready_first else (sums_right_room_choice_2 + sums_right_start_cost_6) mod
-          32;
+          64;
         sums_right_smallest <= sums_turn_ready_smallest_0;
         sums_right_smallest_less <= (sums_turn_ready_smallest_0 - sums_right_p1) mod 128;
         sums_right_first_0 <= sums_turn_ready_first;
@@ -6183,18 +6197,18 @@ begin
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_turn_waiting_read_place <= sums_turn_waiting_read_place_choice when entry_next_tag_valid else
         sums_turn_waiting_read_place_choice_2;
-      sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(6 downto 0));
-      sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(13 downto 7));
-      sums_sum_0_2 <= sums_right_cost_2 + to_integer(sums_sum_delay_held_0(20 downto 14));
-      sums_sum_0_3 <= sums_right_cost_3 + to_integer(sums_sum_delay_held_0(27 downto 21));
-      sums_sum_0_4 <= sums_right_cost_4 + to_integer(sums_sum_delay_held_1(6 downto 0));
-      sums_sum_0_5 <= sums_right_cost_5 + to_integer(sums_sum_delay_held_1(13 downto 7));
-      sums_sum_0_6 <= sums_right_cost_6 + to_integer(sums_sum_delay_held_1(20 downto 14));
-      sums_sum_0_7 <= sums_right_cost_7 + to_integer(sums_sum_delay_held_1(27 downto 21));
-      sums_sum_0_8 <= sums_right_cost_8 + to_integer(sums_sum_delay_held_2(6 downto 0));
-      sums_sum_0_9 <= sums_right_cost_9 + to_integer(sums_sum_delay_held_2(13 downto 7));
-      sums_sum_0_10 <= sums_right_cost_10 + to_integer(sums_sum_delay_held_2(20 downto 14));
-      sums_sum_0_11 <= sums_right_cost_11 + to_integer(sums_sum_delay_held_2(27 downto 21));
+      sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0(7 downto 0))) mod 256;
+      sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(31 downto 8))) mod 256;
+      sums_sum_0_2 <= (sums_right_cost_2 + to_integer(sums_sum_delay_held_0(31 downto 16))) mod 256;
+      sums_sum_0_3 <= (sums_right_cost_3 + to_integer(sums_sum_delay_held_0(31 downto 24))) mod 256;
+      sums_sum_0_4 <= (sums_right_cost_4 + to_integer(sums_sum_delay_held_1(7 downto 0))) mod 256;
+      sums_sum_0_5 <= (sums_right_cost_5 + to_integer(sums_sum_delay_held_1(31 downto 8))) mod 256;
+      sums_sum_0_6 <= (sums_right_cost_6 + to_integer(sums_sum_delay_held_1(31 downto 16))) mod 256;
+      sums_sum_0_7 <= (sums_right_cost_7 + to_integer(sums_sum_delay_held_1(31 downto 24))) mod 256;
+      sums_sum_0_8 <= (sums_right_cost_8 + to_integer(sums_sum_delay_held_2(7 downto 0))) mod 256;
+      sums_sum_0_9 <= (sums_right_cost_9 + to_integer(sums_sum_delay_held_2(31 downto 8))) mod 256;
+      sums_sum_0_10 <= (sums_right_cost_10 + to_integer(sums_sum_delay_held_2(31 downto 16))) mod 256;
+      sums_sum_0_11 <= (sums_right_cost_11 + to_integer(sums_sum_delay_held_2(31 downto 24))) mod 256;
       sums_tag_valid <= sums_tags_moved;
       sums_tag_map_column <= sums_tags_held_13_map_column;
       sums_tag_output_column <= sums_tags_held_13_output_column;
@@ -6203,12 +6217,9 @@ begin
       sums_tag_end_of_line <= sums_tags_held_13_end_of_line;
       sums_tags_moved <= entry_tag_valid;
       if sums_turn_writes_copy_0 then
-        sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
-          * 128);
-        sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
-          * 128);
-        sums_turn_write_sums_2 <= (forward_sum_10 * 16384) + (forward_sum_11 * 2097152) + forward_sum_8 +
-          (forward_sum_9 * 128);
+        sums_turn_write_sums_0 <= other_24;
+        sums_turn_write_sums_1 <= other_23;
+        sums_turn_write_sums_2 <= other_22;
         sums_turn_write_costs_0 <= to_unsigned(forward_cost_3_7, 4) & to_unsigned(forward_cost_3_6, 4) &
           to_unsigned(forward_cost_3_5, 4) & to_unsigned(forward_cost_3_4, 4) & to_unsigned(forward_cost_3_3, 4) &
           to_unsigned(forward_cost_3_2, 4) & to_unsigned(forward_cost_3_1, 4) & to_unsigned(forward_cost_3_0, 4);
@@ -7809,6 +7820,66 @@ begin
         other_0 <= other_0_choice_2;
         other_1 <= other_1_all;
       end if;
+      if entry_tag_valid then
+        other_22_choice := forward_left_cost_9 + forward_above_cost_9;
+      else
+        other_22_choice := to_integer(other_22(15 downto 8));
+      end if;
+      if entry_tag_valid then
+        other_22_choice_2 := forward_left_cost_8 + forward_above_cost_8;
+      else
+        other_22_choice_2 := to_integer(other_22(7 downto 0));
+      end if;
+      if entry_tag_valid then
+        other_22_choice_3 := forward_left_cost_10 + forward_above_cost_10;
+      else
+        other_22_choice_3 := to_integer(other_22(23 downto 16));
+      end if;
+      if entry_tag_valid then
+        other_22_choice_4 := forward_left_cost_11 + forward_above_cost_11;
+      else
+        other_22_choice_4 := to_integer(other_22(31 downto 24));
+      end if;
+      if entry_tag_valid then
+        other_23_choice := forward_left_cost_5 + forward_above_cost_5;
+      else
+        other_23_choice := to_integer(other_23(15 downto 8));
+      end if;
+      if entry_tag_valid then
+        other_23_choice_2 := forward_left_cost_4 + forward_above_cost_4;
+      else
+        other_23_choice_2 := to_integer(other_23(7 downto 0));
+      end if;
+      if entry_tag_valid then
+        other_23_choice_3 := forward_left_cost_6 + forward_above_cost_6;
+      else
+        other_23_choice_3 := to_integer(other_23(23 downto 16));
+      end if;
+      if entry_tag_valid then
+        other_23_choice_4 := forward_left_cost_7 + forward_above_cost_7;
+      else
+        other_23_choice_4 := to_integer(other_23(31 downto 24));
+      end if;
+      if entry_tag_valid then
+        other_24_choice := forward_left_cost_1 + forward_above_cost_1;
+      else
+        other_24_choice := to_integer(other_24(15 downto 8));
+      end if;
+      if entry_tag_valid then
+        other_24_choice_2 := forward_left_cost_0 + forward_above_cost_0;
+      else
+        other_24_choice_2 := to_integer(other_24(7 downto 0));
+      end if;
+      if entry_tag_valid then
+        other_24_choice_3 := forward_left_cost_2 + forward_above_cost_2;
+      else
+        other_24_choice_3 := to_integer(other_24(23 downto 16));
+      end if;
+      if entry_tag_valid then
+        other_24_choice_4 := forward_left_cost_3 + forward_above_cost_3;
+      else
+        other_24_choice_4 := to_integer(other_24(31 downto 24));
+      end if;
       other_2 <= winnerswinner1_best_index_0_5_choice_7;
       other_4 <= winnerswinner1_best_index_0_3_choice_7;
       other_5 <= winnerswinner1_best_index_0_1_choice_7;
@@ -7827,6 +7898,12 @@ begin
       other_16 <= ((refinement_remainder_2_0_difference / 512) * 64) + ((other_17 / 128) * 128);
       other_17 <= (refinement_remainder_1_0_difference / 512) * 128;
       other_21 <= raster_place_group_is_equal_2;
+      other_22 <= to_unsigned(other_22_choice_4, 8) & to_unsigned(other_22_choice_3, 8) & to_unsigned(other_22_choice,
+        8) & to_unsigned(other_22_choice_2, 8);
+      other_23 <= to_unsigned(other_23_choice_4, 8) & to_unsigned(other_23_choice_3, 8) & to_unsigned(other_23_choice,
+        8) & to_unsigned(other_23_choice_2, 8);
+      other_24 <= to_unsigned(other_24_choice_4, 8) & to_unsigned(other_24_choice_3, 8) & to_unsigned(other_24_choice,
+        8) & to_unsigned(other_24_choice_2, 8);
       other_3_any := (not slice1mask_searched_0_value) or (((settings_first_disparity / 2) mod 4) = 0);
       other_3_choice := other_3_any and slice1mask_searched_0_is_equal and slice1mask_searched_1_value_3 when (not
         (slice1mask_searched_1_value_2 and (slice1mask_searched_1_value or slice0mask_searched_2_value or

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Stereo core, semi global, configuration tiny_sgm_size: 40x12, 12 disparities, window 3x3, P1 5, P2 22, 1 pixel pair a clock.
 -- Options: disparities 12, slice_disparities 5, run_time_size true.
--- Made from hls/top/semi_global_size_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_sgm_size
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 library ieee;

@@ -66,11 +66,11 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"6e5901fd",
+      core_id => x"3fae4522",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (7, 198, 11, 31, 0, 0, 40, 20),
+      settings_largest => (5, 125, 11, 22, 0, 0, 40, 20),
       settings_start => (5, 3, 1, 22, 0, 0, 40, 20),
-      settings_least => (0, 0, 0, 0, 0, 0, 20, 10))
+      settings_least => (3, 0, 0, 0, 0, 0, 20, 10))
     port map (
       aclk => aclk,
       aresetn => aresetn,

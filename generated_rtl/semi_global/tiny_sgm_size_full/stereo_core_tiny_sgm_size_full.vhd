@@ -3,7 +3,7 @@
 -- Options: disparities 12, min_disparity 2, reference left, ties largest, left_right_threshold 1,
 --   uniqueness_distance 3, subpixel true, median true, full_width true, slice_disparities 5,
 --   run_time_settings true, run_time_size true.
--- Made from hls/top/semi_global_size_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_sgm_size_full
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 library ieee;
@@ -30,9 +30,9 @@ entity stereo_core_tiny_sgm_size_full is
     right_pixel : in std_logic_vector(7 downto 0);
     start_of_frame : in std_logic;  -- with column 0 of the first rows
     valid : in std_logic;  -- 0: bubble
-    p1 : in std_logic_vector(15 downto 0);  -- 0 ... 7, taken over with start_of_frame
-    p2 : in std_logic_vector(15 downto 0);  -- 0 ... 31, taken over with start_of_frame
-    uniqueness_distance : in std_logic_vector(15 downto 0);  -- 0 ... 198, taken over with start_of_frame
+    p1 : in std_logic_vector(15 downto 0);  -- 3 ... 5, taken over with start_of_frame
+    p2 : in std_logic_vector(15 downto 0);  -- 0 ... 22, taken over with start_of_frame
+    uniqueness_distance : in std_logic_vector(15 downto 0);  -- 0 ... 125, taken over with start_of_frame
     left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
     first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
     last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
@@ -111,8 +111,8 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   -- settings
   signal settings_p1 : natural range 0 to 7;
   signal settings_p2 : natural range 0 to 31;
-  signal settings_uniqueness_distance, settings_left_right_threshold, settings_first_disparity : natural range 0 to 255;
-  signal settings_last_disparity : natural range 0 to 255;
+  signal settings_uniqueness_distance : natural range 0 to 127;
+  signal settings_left_right_threshold, settings_first_disparity, settings_last_disparity : natural range 0 to 255;
   -- size
   signal size_windows_last_column, size_map_last_column, size_map_columns_to : natural range 0 to 63;
   signal size_windows_last_group, size_windows_groups, size_windows_idle, size_transform_idle : natural range 0 to 31;
@@ -498,30 +498,44 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   signal forward_above_ready_words_0, forward_above_ready_words_1, forward_above_write_words_0 : unsigned(31 downto 0);
   signal forward_above_write_words_1 : unsigned(31 downto 0);
   signal forward_cost_delay_held_1 : unsigned(15 downto 0);
-  signal forward_left_pair_0, forward_left_pair_1, forward_left_pair_2, forward_left_pair_3 : natural range 0 to 127;
-  signal forward_left_pair_4, forward_left_pair_5, forward_left_tree_smallest_0 : natural range 0 to 127;
-  signal forward_left_tree_smallest_1, forward_left_tree_smallest_2 : natural range 0 to 127;
-  signal forward_left_tree_next_smallest_0, forward_left_tree_next_smallest_1 : natural range 0 to 127;
-  signal forward_left_tree_next_next_smallest_0, forward_left_smallest_less : natural range 0 to 127;
-  signal forward_left_g_copy_0, forward_left_g_less_copy_0, forward_left_stay_change_0 : natural range 0 to 127;
-  signal forward_left_stay_change_1, forward_left_stay_change_2, forward_left_stay_change_3 : natural range 0 to 127;
-  signal forward_left_stay_change_4, forward_left_stay_change_5, forward_left_stay_change_6 : natural range 0 to 127;
-  signal forward_left_stay_change_7, forward_left_stay_change_8, forward_left_stay_change_9 : natural range 0 to 127;
-  signal forward_left_stay_change_10, forward_left_stay_change_11, forward_left_step_change_0 : natural range 0 to 127;
-  signal forward_left_step_change_1, forward_left_step_change_2, forward_left_step_change_3 : natural range 0 to 127;
-  signal forward_left_step_change_4, forward_left_step_change_5, forward_left_step_change_6 : natural range 0 to 127;
-  signal forward_left_step_change_7, forward_left_step_change_8, forward_left_step_change_9 : natural range 0 to 127;
-  signal forward_left_step_change_10, forward_left_step_change_11, forward_left_cost_0 : natural range 0 to 127;
-  signal forward_left_cost_1, forward_left_cost_2, forward_left_cost_3, forward_left_cost_4 : natural range 0 to 127;
-  signal forward_left_cost_5, forward_left_cost_6, forward_left_cost_7, forward_left_cost_8 : natural range 0 to 127;
-  signal forward_left_cost_9, forward_left_cost_10, forward_left_cost_11 : natural range 0 to 127;
-  signal forward_left_arrived_0, forward_left_arrived_1, forward_left_arrived_2 : natural range 0 to 127;
-  signal forward_left_arrived_3, forward_left_arrived_4, forward_left_arrived_5 : natural range 0 to 127;
-  signal forward_left_arrived_6, forward_left_arrived_7, forward_left_arrived_8 : natural range 0 to 127;
-  signal forward_left_arrived_9, forward_left_arrived_10, forward_left_arrived_11 : natural range 0 to 127;
-  signal forward_sum_0, forward_sum_1, forward_sum_2, forward_sum_3, forward_sum_4 : natural range 0 to 127;
-  signal forward_sum_5, forward_sum_6, forward_sum_7, forward_sum_8, forward_sum_9 : natural range 0 to 127;
-  signal forward_sum_10, forward_sum_11 : natural range 0 to 127;
+  signal forward_left_pair_0, forward_left_pair_1, forward_left_pair_2, forward_left_pair_3 : natural range 0 to 63;
+  signal forward_left_pair_4, forward_left_pair_5, forward_left_tree_smallest_0 : natural range 0 to 63;
+  signal forward_left_tree_smallest_1, forward_left_tree_smallest_2 : natural range 0 to 63;
+  signal forward_left_tree_next_smallest_0, forward_left_tree_next_smallest_1 : natural range 0 to 63;
+  signal forward_left_tree_next_next_smallest_0, forward_left_smallest_less : natural range 0 to 63;
+  signal forward_left_g_copy_0, forward_left_g_less_copy_0, forward_left_stay_change_0 : natural range 0 to 63;
+  signal forward_left_stay_change_1, forward_left_stay_change_2, forward_left_stay_change_3 : natural range 0 to 63;
+  signal forward_left_stay_change_4, forward_left_stay_change_5, forward_left_stay_change_6 : natural range 0 to 63;
+  signal forward_left_stay_change_7, forward_left_stay_change_8, forward_left_stay_change_9 : natural range 0 to 63;
+  signal forward_left_stay_change_10, forward_left_stay_change_11, forward_left_step_change_0 : natural range 0 to 63;
+  signal forward_left_step_change_1, forward_left_step_change_2, forward_left_step_change_3 : natural range 0 to 63;
+  signal forward_left_step_change_4, forward_left_step_change_5, forward_left_step_change_6 : natural range 0 to 63;
+  signal forward_left_step_change_7, forward_left_step_change_8, forward_left_step_change_9 : natural range 0 to 63;
+  signal forward_left_step_change_10, forward_left_step_change_11, forward_left_cost_0 : natural range 0 to 63;
+  signal forward_left_cost_1, forward_left_cost_2, forward_left_cost_3, forward_left_cost_4 : natural range 0 to 63;
+  signal forward_left_cost_5, forward_left_cost_6, forward_left_cost_7, forward_left_cost_8 : natural range 0 to 63;
+  signal forward_left_cost_9, forward_left_cost_10, forward_left_cost_11 : natural range 0 to 63;
+  signal forward_left_arrived_0, forward_left_arrived_1, forward_left_arrived_2 : natural range 0 to 63;
+  signal forward_left_arrived_3, forward_left_arrived_4, forward_left_arrived_5 : natural range 0 to 63;
+  signal forward_left_arrived_6, forward_left_arrived_7, forward_left_arrived_8 : natural range 0 to 63;
+  signal forward_left_arrived_9, forward_left_arrived_10, forward_left_arrived_11 : natural range 0 to 63;
+  signal forward_above_cost_0, forward_above_cost_1, forward_above_cost_2, forward_above_cost_3 : natural range 0 to 63;
+  signal forward_above_cost_4, forward_above_cost_5, forward_above_cost_6, forward_above_cost_7 : natural range 0 to 63;
+  signal forward_above_cost_8, forward_above_cost_9, forward_above_cost_10 : natural range 0 to 63;
+  signal forward_above_cost_11, forward_above_beside_0, forward_above_beside_1 : natural range 0 to 63;
+  signal forward_above_beside_2, forward_above_beside_3, forward_above_beside_4 : natural range 0 to 63;
+  signal forward_above_beside_5, forward_above_beside_6, forward_above_beside_7 : natural range 0 to 63;
+  signal forward_above_beside_8, forward_above_beside_9, forward_above_beside_10 : natural range 0 to 63;
+  signal forward_above_beside_11, forward_above_own_0, forward_above_own_2, forward_above_own_3 : natural range 0 to 63;
+  signal forward_above_own_4, forward_above_own_5, forward_above_own_6, forward_above_own_7 : natural range 0 to 63;
+  signal forward_above_own_8, forward_above_own_9, forward_above_own_11, forward_above_stay_0 : natural range 0 to 63;
+  signal forward_above_stay_1, forward_above_stay_2, forward_above_stay_3, forward_above_stay_4 : natural range 0 to 63;
+  signal forward_above_stay_5, forward_above_stay_6, forward_above_stay_7, forward_above_stay_8 : natural range 0 to 63;
+  signal forward_above_stay_9, forward_above_stay_10, forward_above_stay_11 : natural range 0 to 63;
+  signal forward_above_column_0, forward_above_column_1, forward_above_column_2 : natural range 0 to 63;
+  signal forward_above_column_3, forward_above_column_4, forward_above_column_5 : natural range 0 to 63;
+  signal forward_above_column_6, forward_above_column_7, forward_above_column_8 : natural range 0 to 63;
+  signal forward_above_column_9, forward_above_write_column : natural range 0 to 63;
   signal forward_left_p2, forward_left_room, forward_above_top_p2, forward_above_p2 : natural range 0 to 31;
   signal forward_left_start_cost_0, forward_left_start_cost_1, forward_left_start_cost_2 : natural range 0 to 255;
   signal forward_left_start_cost_3, forward_left_start_cost_4, forward_left_start_cost_5 : natural range 0 to 255;
@@ -547,27 +561,13 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   signal forward_above_smallest_copy_0 : natural range 0 to 44;
   signal forward_above_delay_held_0, forward_above_delay_held_1 : unsigned(29 downto 0);
   signal forward_above_delay_held_2 : unsigned(11 downto 0);
-  signal forward_above_cost_0, forward_above_cost_1, forward_above_cost_2, forward_above_cost_3 : natural range 0 to 63;
-  signal forward_above_cost_4, forward_above_cost_5, forward_above_cost_6, forward_above_cost_7 : natural range 0 to 63;
-  signal forward_above_cost_8, forward_above_cost_9, forward_above_cost_10 : natural range 0 to 63;
-  signal forward_above_cost_11, forward_above_beside_0, forward_above_beside_1 : natural range 0 to 63;
-  signal forward_above_beside_2, forward_above_beside_3, forward_above_beside_4 : natural range 0 to 63;
-  signal forward_above_beside_5, forward_above_beside_6, forward_above_beside_7 : natural range 0 to 63;
-  signal forward_above_beside_8, forward_above_beside_9, forward_above_beside_10 : natural range 0 to 63;
-  signal forward_above_beside_11, forward_above_own_0, forward_above_own_2, forward_above_own_3 : natural range 0 to 63;
-  signal forward_above_own_4, forward_above_own_5, forward_above_own_6, forward_above_own_7 : natural range 0 to 63;
-  signal forward_above_own_8, forward_above_own_9, forward_above_own_11, forward_above_stay_0 : natural range 0 to 63;
-  signal forward_above_stay_1, forward_above_stay_2, forward_above_stay_3, forward_above_stay_4 : natural range 0 to 63;
-  signal forward_above_stay_5, forward_above_stay_6, forward_above_stay_7, forward_above_stay_8 : natural range 0 to 63;
-  signal forward_above_stay_9, forward_above_stay_10, forward_above_stay_11 : natural range 0 to 63;
-  signal forward_above_column_0, forward_above_column_1, forward_above_column_2 : natural range 0 to 63;
-  signal forward_above_column_3, forward_above_column_4, forward_above_column_5 : natural range 0 to 63;
-  signal forward_above_column_6, forward_above_column_7, forward_above_column_8 : natural range 0 to 63;
-  signal forward_above_column_9, forward_above_write_column : natural range 0 to 63;
   signal forward_above_step_0, forward_above_step_1, forward_above_step_2, forward_above_step_3 : natural range 0 to 70;
   signal forward_above_step_4, forward_above_step_5, forward_above_step_6, forward_above_step_7 : natural range 0 to 70;
   signal forward_above_step_8, forward_above_step_9, forward_above_step_10 : natural range 0 to 70;
   signal forward_above_step_11 : natural range 0 to 70;
+  signal forward_sum_0, forward_sum_1, forward_sum_2, forward_sum_3, forward_sum_4 : natural range 0 to 126;
+  signal forward_sum_5, forward_sum_6, forward_sum_7, forward_sum_8, forward_sum_9 : natural range 0 to 126;
+  signal forward_sum_10, forward_sum_11 : natural range 0 to 126;
   signal forward_cost_0_0, forward_cost_0_1, forward_cost_0_2, forward_cost_0_3 : natural range 0 to 15;
   signal forward_cost_0_4, forward_cost_0_5, forward_cost_0_6, forward_cost_0_7 : natural range 0 to 15;
   signal forward_cost_0_8, forward_cost_0_9, forward_cost_0_10, forward_cost_0_11 : natural range 0 to 15;
@@ -587,7 +587,6 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   signal sums_turn_read_costs_1 : unsigned(15 downto 0);
   signal sums_turn_read_smallest_0 : unsigned(3 downto 0);
   signal sums_turn_ready_sums_0, sums_turn_ready_sums_1, sums_turn_ready_sums_2 : natural range 0 to 268435455;
-  signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : natural range 0 to 268435455;
   signal sums_turn_ready_costs_1, sums_turn_write_costs_1 : natural range 0 to 65535;
   signal sums_turn_ready_smallest_0, sums_cost_0_0, sums_cost_0_1, sums_cost_0_2, sums_cost_0_3 : natural range 0 to 15;
   signal sums_cost_0_4, sums_cost_0_5, sums_cost_0_6, sums_cost_0_7, sums_cost_0_8 : natural range 0 to 15;
@@ -619,35 +618,36 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 63;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 63;
   signal sums_turn_place_8, sums_turn_write_place, sums_turn_waiting_read_place : natural range 0 to 63;
+  signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 63;
+  signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 63;
+  signal sums_right_tree_smallest_1, sums_right_tree_smallest_2 : natural range 0 to 63;
+  signal sums_right_tree_next_smallest_0, sums_right_tree_next_smallest_1 : natural range 0 to 63;
+  signal sums_right_tree_next_next_smallest_0, sums_right_smallest_less, sums_right_g_copy_0 : natural range 0 to 63;
+  signal sums_right_g_less_copy_0, sums_right_stay_change_0, sums_right_stay_change_1 : natural range 0 to 63;
+  signal sums_right_stay_change_2, sums_right_stay_change_3, sums_right_stay_change_4 : natural range 0 to 63;
+  signal sums_right_stay_change_5, sums_right_stay_change_6, sums_right_stay_change_7 : natural range 0 to 63;
+  signal sums_right_stay_change_8, sums_right_stay_change_9, sums_right_stay_change_10 : natural range 0 to 63;
+  signal sums_right_stay_change_11, sums_right_step_change_0, sums_right_step_change_1 : natural range 0 to 63;
+  signal sums_right_step_change_2, sums_right_step_change_3, sums_right_step_change_4 : natural range 0 to 63;
+  signal sums_right_step_change_5, sums_right_step_change_6, sums_right_step_change_7 : natural range 0 to 63;
+  signal sums_right_step_change_8, sums_right_step_change_9, sums_right_step_change_10 : natural range 0 to 63;
+  signal sums_right_step_change_11, sums_right_cost_0, sums_right_cost_1, sums_right_cost_2 : natural range 0 to 63;
+  signal sums_right_cost_3, sums_right_cost_4, sums_right_cost_5, sums_right_cost_6 : natural range 0 to 63;
+  signal sums_right_cost_7, sums_right_cost_8, sums_right_cost_9, sums_right_cost_10 : natural range 0 to 63;
+  signal sums_right_cost_11, sums_right_arrived_0, sums_right_arrived_1, sums_right_arrived_2 : natural range 0 to 63;
+  signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5, sums_right_arrived_6 : natural range 0 to 63;
+  signal sums_right_arrived_7, sums_right_arrived_8, sums_right_arrived_9 : natural range 0 to 63;
+  signal sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 63;
+  signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : natural range 0 to 266321790;
   signal sums_turn_write_smallest_0 : natural range 0 to 13;
-  signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 127;
-  signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 127;
-  signal sums_right_tree_smallest_1, sums_right_tree_smallest_2 : natural range 0 to 127;
-  signal sums_right_tree_next_smallest_0, sums_right_tree_next_smallest_1 : natural range 0 to 127;
-  signal sums_right_tree_next_next_smallest_0, sums_right_smallest_less, sums_right_g_copy_0 : natural range 0 to 127;
-  signal sums_right_g_less_copy_0, sums_right_stay_change_0, sums_right_stay_change_1 : natural range 0 to 127;
-  signal sums_right_stay_change_2, sums_right_stay_change_3, sums_right_stay_change_4 : natural range 0 to 127;
-  signal sums_right_stay_change_5, sums_right_stay_change_6, sums_right_stay_change_7 : natural range 0 to 127;
-  signal sums_right_stay_change_8, sums_right_stay_change_9, sums_right_stay_change_10 : natural range 0 to 127;
-  signal sums_right_stay_change_11, sums_right_step_change_0, sums_right_step_change_1 : natural range 0 to 127;
-  signal sums_right_step_change_2, sums_right_step_change_3, sums_right_step_change_4 : natural range 0 to 127;
-  signal sums_right_step_change_5, sums_right_step_change_6, sums_right_step_change_7 : natural range 0 to 127;
-  signal sums_right_step_change_8, sums_right_step_change_9, sums_right_step_change_10 : natural range 0 to 127;
-  signal sums_right_step_change_11, sums_right_cost_0, sums_right_cost_1, sums_right_cost_2 : natural range 0 to 127;
-  signal sums_right_cost_3, sums_right_cost_4, sums_right_cost_5, sums_right_cost_6 : natural range 0 to 127;
-  signal sums_right_cost_7, sums_right_cost_8, sums_right_cost_9, sums_right_cost_10 : natural range 0 to 127;
-  signal sums_right_cost_11, sums_right_arrived_0, sums_right_arrived_1, sums_right_arrived_2 : natural range 0 to 127;
-  signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5 : natural range 0 to 127;
-  signal sums_right_arrived_6, sums_right_arrived_7, sums_right_arrived_8 : natural range 0 to 127;
-  signal sums_right_arrived_9, sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 127;
   signal sums_right_p1 : natural range 0 to 7;
   signal sums_right_p2, sums_right_room : natural range 0 to 31;
   signal sums_right_start_cost_0, sums_right_start_cost_1, sums_right_start_cost_2 : natural range 0 to 255;
   signal sums_right_start_cost_3, sums_right_start_cost_4, sums_right_start_cost_5 : natural range 0 to 255;
   signal sums_right_start_cost_6 : natural range 0 to 255;
   signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
-  signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 254;
-  signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 254;
+  signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 127;
+  signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 127;
   signal sums_tag_row_start, sums_tag_first_group, sums_tag_newest_inside, sums_tag_first_cost : natural range 0 to 11;
   -- winnersmask
   signal winnersmask_inside_0, winnersmask_inside_1, winnersmask_inside_2, winnersmask_inside_3 : boolean;
@@ -658,35 +658,35 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   signal winnersmask_column : natural range 0 to 63;
   signal winnersmask_end_value : natural range 0 to 31;
   -- winnersother
-  signal winnersother_cost_0_1, winnersother_cost_0_2, winnersother_cost_0_3 : natural range 0 to 255;
-  signal winnersother_cost_0_4, winnersother_cost_0_5, winnersother_cost_0_6 : natural range 0 to 255;
-  signal winnersother_cost_0_7, winnersother_cost_0_8, winnersother_cost_0_9 : natural range 0 to 255;
-  signal winnersother_cost_0_10, winnersother_cost_0_11 : natural range 0 to 255;
+  signal winnersother_cost_0_1, winnersother_cost_0_2, winnersother_cost_0_3 : natural range 0 to 127;
+  signal winnersother_cost_0_4, winnersother_cost_0_5, winnersother_cost_0_6 : natural range 0 to 127;
+  signal winnersother_cost_0_7, winnersother_cost_0_8, winnersother_cost_0_9 : natural range 0 to 127;
+  signal winnersother_cost_0_10, winnersother_cost_0_11 : natural range 0 to 127;
   signal winnersother_winner_0_0, winnersother_winner_0_1, winnersother_winner_0_2 : natural range 0 to 11;
   signal winnersother_winner_0_3, winnersother_winner_0_4, winnersother_winner_0_5 : natural range 0 to 11;
   signal winnersother_winner_0_6, winnersother_winner_0_7, winnersother_winner_out_0 : natural range 0 to 11;
   -- winnerswinner1
-  signal winnerswinner1_held_0_0, winnerswinner1_held_0_1, winnerswinner1_held_0_2 : natural range 0 to 255;
-  signal winnerswinner1_held_0_3, winnerswinner1_held_0_4, winnerswinner1_held_0_5 : natural range 0 to 255;
-  signal winnerswinner1_held_0_6, winnerswinner1_held_0_7, winnerswinner1_held_0_8 : natural range 0 to 255;
-  signal winnerswinner1_held_0_9, winnerswinner1_held_0_10, winnerswinner1_held_0_11 : natural range 0 to 255;
-  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 255;
-  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 255;
-  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 255;
-  signal winnerswinner1_best_below_0_0, winnerswinner1_best_below_0_1 : natural range 0 to 255;
-  signal winnerswinner1_best_below_0_2, winnerswinner1_best_below_0_3 : natural range 0 to 255;
-  signal winnerswinner1_best_below_0_4, winnerswinner1_best_below_0_5 : natural range 0 to 255;
-  signal winnerswinner1_best_above_0_0, winnerswinner1_best_above_0_1 : natural range 0 to 255;
-  signal winnerswinner1_best_above_0_2, winnerswinner1_best_above_0_3 : natural range 0 to 255;
-  signal winnerswinner1_best_above_0_4, winnerswinner1_best_above_0_5 : natural range 0 to 255;
-  signal winnerswinner1_best_late_cost_0_0, winnerswinner1_best_late_cost_0_1 : natural range 0 to 255;
-  signal winnerswinner1_best_late_cost_0_2, winnerswinner1_best_late_cost_0_3 : natural range 0 to 255;
-  signal winnerswinner1_best_late_cost_0_4, winnerswinner1_best_late_cost_0_5 : natural range 0 to 255;
-  signal winnerswinner1_best_but_first_0_1, winnerswinner1_best_but_first_0_2 : natural range 0 to 255;
-  signal winnerswinner1_best_but_first_0_3, winnerswinner1_best_but_first_0_4 : natural range 0 to 255;
-  signal winnerswinner1_best_but_first_0_5, winnerswinner1_best_but_last_0_0 : natural range 0 to 255;
-  signal winnerswinner1_best_but_last_0_1, winnerswinner1_best_but_last_0_2 : natural range 0 to 255;
-  signal winnerswinner1_best_but_last_0_3, winnerswinner1_best_but_last_0_4 : natural range 0 to 255;
+  signal winnerswinner1_held_0_0, winnerswinner1_held_0_1, winnerswinner1_held_0_2 : natural range 0 to 127;
+  signal winnerswinner1_held_0_3, winnerswinner1_held_0_4, winnerswinner1_held_0_5 : natural range 0 to 127;
+  signal winnerswinner1_held_0_6, winnerswinner1_held_0_7, winnerswinner1_held_0_8 : natural range 0 to 127;
+  signal winnerswinner1_held_0_9, winnerswinner1_held_0_10, winnerswinner1_held_0_11 : natural range 0 to 127;
+  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_below_0_0, winnerswinner1_best_below_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_below_0_2, winnerswinner1_best_below_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_below_0_4, winnerswinner1_best_below_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_above_0_0, winnerswinner1_best_above_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_above_0_2, winnerswinner1_best_above_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_above_0_4, winnerswinner1_best_above_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_late_cost_0_0, winnerswinner1_best_late_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_late_cost_0_2, winnerswinner1_best_late_cost_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_late_cost_0_4, winnerswinner1_best_late_cost_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_but_first_0_1, winnerswinner1_best_but_first_0_2 : natural range 0 to 127;
+  signal winnerswinner1_best_but_first_0_3, winnerswinner1_best_but_first_0_4 : natural range 0 to 127;
+  signal winnerswinner1_best_but_first_0_5, winnerswinner1_best_but_last_0_0 : natural range 0 to 127;
+  signal winnerswinner1_best_but_last_0_1, winnerswinner1_best_but_last_0_2 : natural range 0 to 127;
+  signal winnerswinner1_best_but_last_0_3, winnerswinner1_best_but_last_0_4 : natural range 0 to 127;
   signal winnerswinner1_best_index_0_0, winnerswinner1_tag_valid, winnerswinner1_tag_map_column : boolean;
   signal winnerswinner1_tag_output_column, winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
   signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
@@ -695,18 +695,18 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   signal winnerswinner1_best_index_0_4 : natural range 0 to 9;
   signal winnerswinner1_best_index_0_5 : natural range 0 to 11;
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 255;
-  signal winnerswinner2_best_cost_0_2, winnerswinner2_best_below_0_0 : natural range 0 to 255;
-  signal winnerswinner2_best_below_0_1, winnerswinner2_best_below_0_2 : natural range 0 to 255;
-  signal winnerswinner2_best_above_0_0, winnerswinner2_best_above_0_1 : natural range 0 to 255;
-  signal winnerswinner2_best_above_0_2, winnerswinner2_best_first_0_1 : natural range 0 to 255;
-  signal winnerswinner2_best_first_0_2, winnerswinner2_best_last_0_0 : natural range 0 to 255;
-  signal winnerswinner2_best_last_0_1, winnerswinner2_best_late_cost_0_0 : natural range 0 to 255;
-  signal winnerswinner2_best_late_cost_0_1, winnerswinner2_best_late_cost_0_2 : natural range 0 to 255;
-  signal winnerswinner2_best_second_0_0, winnerswinner2_best_second_0_1 : natural range 0 to 255;
-  signal winnerswinner2_best_second_0_2, winnerswinner2_best_but_first_0_1 : natural range 0 to 255;
-  signal winnerswinner2_best_but_first_0_2, winnerswinner2_best_but_last_0_0 : natural range 0 to 255;
-  signal winnerswinner2_best_but_last_0_1 : natural range 0 to 255;
+  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_cost_0_2, winnerswinner2_best_below_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_below_0_1, winnerswinner2_best_below_0_2 : natural range 0 to 127;
+  signal winnerswinner2_best_above_0_0, winnerswinner2_best_above_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_above_0_2, winnerswinner2_best_first_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_first_0_2, winnerswinner2_best_last_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_last_0_1, winnerswinner2_best_late_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_late_cost_0_1, winnerswinner2_best_late_cost_0_2 : natural range 0 to 127;
+  signal winnerswinner2_best_second_0_0, winnerswinner2_best_second_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_second_0_2, winnerswinner2_best_but_first_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_but_first_0_2, winnerswinner2_best_but_last_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_but_last_0_1 : natural range 0 to 127;
   signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
   signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
   signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
@@ -716,30 +716,30 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   signal winnerswinner2_tag_valid, winnerswinner2_tag_map_column, winnerswinner2_tag_output_column : boolean;
   signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
   -- winnerswinner3
-  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 255;
-  signal winnerswinner3_best_below_0_1, winnerswinner3_best_above_0_0 : natural range 0 to 255;
-  signal winnerswinner3_best_above_0_1, winnerswinner3_best_first_0_1 : natural range 0 to 255;
-  signal winnerswinner3_best_last_0_0, winnerswinner3_best_late_cost_0_0 : natural range 0 to 255;
-  signal winnerswinner3_best_late_cost_0_1, winnerswinner3_best_second_0_0 : natural range 0 to 255;
-  signal winnerswinner3_best_second_0_1, winnerswinner3_best_but_first_0_1 : natural range 0 to 255;
-  signal winnerswinner3_best_but_last_0_0 : natural range 0 to 255;
+  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_below_0_1, winnerswinner3_best_above_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_above_0_1, winnerswinner3_best_first_0_1 : natural range 0 to 127;
+  signal winnerswinner3_best_last_0_0, winnerswinner3_best_late_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_late_cost_0_1, winnerswinner3_best_second_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_second_0_1, winnerswinner3_best_but_first_0_1 : natural range 0 to 127;
+  signal winnerswinner3_best_but_last_0_0 : natural range 0 to 127;
   signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
   signal winnerswinner3_best_index_0_1 : natural range 0 to 11;
   signal winnerswinner3_best_place_0_0, winnerswinner3_best_at_start_0_0, winnerswinner3_best_at_end_0_0 : boolean;
   signal winnerswinner3_tag_valid, winnerswinner3_tag_map_column, winnerswinner3_tag_output_column : boolean;
   signal winnerswinner3_tag_start_of_frame, winnerswinner3_tag_end_of_line : boolean;
   -- winnerswinner4
-  signal winnerswinner4_best_cost_0_0, winnerswinner4_best_below_0_0 : natural range 0 to 255;
-  signal winnerswinner4_best_above_0_0, winnerswinner4_best_late_cost_0_0 : natural range 0 to 255;
-  signal winnerswinner4_best_second_0_0 : natural range 0 to 255;
+  signal winnerswinner4_best_cost_0_0, winnerswinner4_best_below_0_0 : natural range 0 to 127;
+  signal winnerswinner4_best_above_0_0, winnerswinner4_best_late_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner4_best_second_0_0 : natural range 0 to 127;
   signal winnerswinner4_best_index_0_0 : natural range 0 to 11;
   signal winnerswinner4_best_place_0_0, winnerswinner4_best_at_start_0_0, winnerswinner4_best_at_end_0_0 : boolean;
   signal winnerswinner4_tag_valid, winnerswinner4_tag_map_column, winnerswinner4_tag_output_column : boolean;
   signal winnerswinner4_tag_start_of_frame, winnerswinner4_tag_end_of_line : boolean;
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 11;
-  signal winners_best_below_0_0, winners_best_above_0_0, winners_best_late_cost_0_0 : natural range 0 to 255;
-  signal winners_best_second_0_0 : natural range 0 to 255;
+  signal winners_best_below_0_0, winners_best_above_0_0, winners_best_late_cost_0_0 : natural range 0 to 127;
+  signal winners_best_second_0_0 : natural range 0 to 127;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
   signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
   -- refinement
@@ -773,16 +773,16 @@ architecture rtl of stereo_core_tiny_sgm_size_full is
   signal refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0, refinement_negative_1_0 : boolean;
   signal refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0, refinement_negative_5_0 : boolean;
   signal refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
-  signal refinement_gap_0, refinement_scaled_cost_0, refinement_distance, refinement_below_0 : natural range 0 to 255;
-  signal refinement_above_0, refinement_u_0, refinement_v_0, refinement_remainder_0_0 : natural range 0 to 255;
-  signal refinement_remainder_1_0, refinement_remainder_2_0, refinement_remainder_3_0 : natural range 0 to 255;
-  signal refinement_remainder_4_0, refinement_remainder_5_0, refinement_remainder_6_0 : natural range 0 to 255;
-  signal refinement_remainder_7_0, refinement_divisor_0_0, refinement_divisor_1_0 : natural range 0 to 255;
-  signal refinement_divisor_2_0, refinement_divisor_3_0, refinement_divisor_4_0 : natural range 0 to 255;
-  signal refinement_divisor_5_0, refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 255;
+  signal refinement_gap_0, refinement_scaled_cost_0, refinement_distance, refinement_below_0 : natural range 0 to 127;
+  signal refinement_above_0, refinement_u_0, refinement_v_0, refinement_remainder_0_0 : natural range 0 to 127;
+  signal refinement_remainder_1_0, refinement_remainder_2_0, refinement_remainder_3_0 : natural range 0 to 127;
+  signal refinement_remainder_4_0, refinement_remainder_5_0, refinement_remainder_6_0 : natural range 0 to 127;
+  signal refinement_remainder_7_0, refinement_divisor_0_0, refinement_divisor_1_0 : natural range 0 to 127;
+  signal refinement_divisor_2_0, refinement_divisor_3_0, refinement_divisor_4_0 : natural range 0 to 127;
+  signal refinement_divisor_5_0, refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 127;
+  signal refinement_scaled_gap_0 : natural range 0 to 128;
+  signal refinement_difference_0 : integer range -127 to 127;
   signal refinement_quotient_8_0 : natural range 0 to 255;
-  signal refinement_scaled_gap_0 : natural range 0 to 256;
-  signal refinement_difference_0 : integer range -255 to 255;
   signal refinement_fraction_0 : natural range 0 to 31;
   -- leftright
   signal leftright_other_1_0, leftright_other_2_0, leftright_other_3_0, leftright_other_4_0 : natural range 0 to 11;
@@ -1123,6 +1123,7 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
+    variable settings_p1_choice, refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable settings_p1_any, transform_counter_group_value, transform_counter_group_is_equal : boolean;
     variable transform_counter_group_is_equal_2, transform_counter_group_choice : boolean;
     variable transform_counter_group_is_equal_3, transform_counter_group_is_equal_4 : boolean;
@@ -1536,151 +1537,119 @@ begin
     variable forward_above_stay_11_choice_2, forward_above_stay_11_choice_3, forward_above_stay_11_choice_4 : boolean;
     variable forward_above_stay_11_value, forward_above_stay_11_choice_5, forward_left_p1_any : boolean;
     variable forward_above_p1_any, forward_above_writes_copy_0_choice, sums_right_start_cost_0_value : boolean;
-    variable sums_turn_writes_copy_0_choice, sums_right_p1_any, sums_tag_row_start_value : boolean;
-    variable sums_tag_row_start_choice, sums_tag_row_start_choice_2, sums_tag_row_start_value_2 : boolean;
-    variable sums_tag_row_start_choice_3, sums_tag_row_start_value_3, sums_tag_row_start_choice_4 : boolean;
-    variable sums_tag_row_start_value_4, sums_tag_row_start_choice_5, sums_tag_row_start_value_5 : boolean;
-    variable sums_tag_row_start_choice_6, sums_tag_row_start_value_6, sums_tag_row_start_choice_7 : boolean;
-    variable sums_tag_row_start_choice_8, sums_tag_row_start_choice_9, sums_tag_row_start_all : boolean;
-    variable sums_tag_first_group_value, sums_tag_first_group_choice, sums_tag_first_group_choice_2 : boolean;
-    variable sums_tag_first_group_value_2, sums_tag_first_group_choice_3, sums_tag_first_group_value_3 : boolean;
-    variable sums_tag_first_group_choice_4, sums_tag_first_group_value_4, sums_tag_first_group_choice_5 : boolean;
-    variable sums_tag_first_group_value_5, sums_tag_first_group_choice_6, sums_tag_first_group_value_6 : boolean;
-    variable sums_tag_first_group_choice_7, sums_tag_first_group_choice_8, sums_tag_first_group_choice_9 : boolean;
+    variable sums_turn_writes_copy_0_choice, sums_right_p1_any, sums_tag_row_start_choice : boolean;
+    variable sums_tag_row_start_choice_2, sums_tag_row_start_value, sums_tag_row_start_choice_3 : boolean;
+    variable sums_tag_row_start_value_2, sums_tag_row_start_choice_4, sums_tag_row_start_value_3 : boolean;
+    variable sums_tag_row_start_choice_5, sums_tag_row_start_value_4, sums_tag_row_start_choice_6 : boolean;
+    variable sums_tag_row_start_choice_7, sums_tag_row_start_choice_8, sums_tag_row_start_all : boolean;
+    variable sums_tag_first_group_choice, sums_tag_first_group_choice_2, sums_tag_first_group_value : boolean;
+    variable sums_tag_first_group_choice_3, sums_tag_first_group_value_2, sums_tag_first_group_choice_4 : boolean;
+    variable sums_tag_first_group_value_3, sums_tag_first_group_choice_5, sums_tag_first_group_value_4 : boolean;
+    variable sums_tag_first_group_choice_6, sums_tag_first_group_choice_7, sums_tag_first_group_choice_8 : boolean;
     variable sums_tag_first_group_all, sums_tag_newest_inside_all, sums_tag_first_cost_choice : boolean;
     variable sums_tag_first_cost_choice_2, sums_tag_first_cost_value, sums_tag_first_cost_choice_3 : boolean;
     variable sums_tag_first_cost_value_2, sums_tag_first_cost_choice_4, sums_tag_first_cost_value_3 : boolean;
     variable sums_tag_first_cost_choice_5, sums_tag_first_cost_value_4, sums_tag_first_cost_choice_6 : boolean;
-    variable sums_tag_first_cost_value_5, sums_tag_first_cost_choice_7, sums_tag_first_cost_choice_8 : boolean;
-    variable sums_tag_first_cost_choice_9, sums_tag_first_cost_all, winnersmask_inside_11_choice : boolean;
-    variable winnersmask_inside_11_choice_2, winnersmask_inside_11_value, winnersmask_inside_11_choice_3 : boolean;
-    variable winnersmask_inside_11_value_2, winnersmask_inside_11_choice_4, winnersmask_inside_11_choice_5 : boolean;
-    variable winnersmask_inside_11_choice_6, winnersmask_searched_0_all, winnersother_cost_0_1_choice : boolean;
-    variable winnersother_cost_0_1_choice_2, winnersother_cost_0_1_value, winnersother_cost_0_1_choice_3 : boolean;
-    variable winnersother_cost_0_1_value_2, winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_3 : boolean;
-    variable winnersother_cost_0_1_choice_5, winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_6 : boolean;
-    variable winnersother_cost_0_1_value_5, winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8 : boolean;
-    variable winnersother_cost_0_1_choice_9, winnersother_cost_0_1_all, winnersother_cost_0_2_value : boolean;
-    variable winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2 : boolean;
-    variable winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4 : boolean;
-    variable winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5 : boolean;
-    variable winnersother_cost_0_2_choice_6, winnersother_cost_0_2_value_6, winnersother_cost_0_2_choice_7 : boolean;
-    variable winnersother_cost_0_2_choice_8, winnersother_cost_0_2_choice_9, winnersother_cost_0_2_all : boolean;
-    variable winnersother_cost_0_3_choice, winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value : boolean;
-    variable winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4 : boolean;
-    variable winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4 : boolean;
-    variable winnersother_cost_0_3_choice_6, winnersother_cost_0_3_value_5, winnersother_cost_0_3_choice_7 : boolean;
-    variable winnersother_cost_0_3_choice_8, winnersother_cost_0_3_choice_9, winnersother_cost_0_3_all : boolean;
-    variable winnersother_cost_0_4_value, winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2 : boolean;
-    variable winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3 : boolean;
-    variable winnersother_cost_0_4_choice_4, winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5 : boolean;
-    variable winnersother_cost_0_4_value_5, winnersother_cost_0_4_choice_6, winnersother_cost_0_4_value_6 : boolean;
-    variable winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8, winnersother_cost_0_4_choice_9 : boolean;
+    variable sums_tag_first_cost_choice_7, sums_tag_first_cost_choice_8, sums_tag_first_cost_all : boolean;
+    variable winnersmask_inside_11_choice, winnersmask_inside_11_choice_2, winnersmask_inside_11_value : boolean;
+    variable winnersmask_inside_11_choice_3, winnersmask_inside_11_value_2, winnersmask_inside_11_choice_4 : boolean;
+    variable winnersmask_inside_11_choice_5, winnersmask_inside_11_choice_6, winnersmask_searched_0_all : boolean;
+    variable winnersother_cost_0_1_choice, winnersother_cost_0_1_choice_2, winnersother_cost_0_1_value : boolean;
+    variable winnersother_cost_0_1_choice_3, winnersother_cost_0_1_value_2, winnersother_cost_0_1_choice_4 : boolean;
+    variable winnersother_cost_0_1_value_3, winnersother_cost_0_1_choice_5, winnersother_cost_0_1_value_4 : boolean;
+    variable winnersother_cost_0_1_choice_6, winnersother_cost_0_1_choice_7, winnersother_cost_0_1_choice_8 : boolean;
+    variable winnersother_cost_0_1_all, winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2 : boolean;
+    variable winnersother_cost_0_2_value, winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_2 : boolean;
+    variable winnersother_cost_0_2_choice_4, winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_5 : boolean;
+    variable winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_6, winnersother_cost_0_2_choice_7 : boolean;
+    variable winnersother_cost_0_2_choice_8, winnersother_cost_0_2_all, winnersother_cost_0_3_choice : boolean;
+    variable winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value, winnersother_cost_0_3_choice_3 : boolean;
+    variable winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4, winnersother_cost_0_3_value_3 : boolean;
+    variable winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4, winnersother_cost_0_3_choice_6 : boolean;
+    variable winnersother_cost_0_3_choice_7, winnersother_cost_0_3_choice_8, winnersother_cost_0_3_all : boolean;
+    variable winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value : boolean;
+    variable winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_4 : boolean;
+    variable winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_4 : boolean;
+    variable winnersother_cost_0_4_choice_6, winnersother_cost_0_4_choice_7, winnersother_cost_0_4_choice_8 : boolean;
     variable winnersother_cost_0_4_all, winnersother_cost_0_5_choice, winnersother_cost_0_5_choice_2 : boolean;
     variable winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2 : boolean;
     variable winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5 : boolean;
-    variable winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6, winnersother_cost_0_5_value_5 : boolean;
-    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_5_choice_8, winnersother_cost_0_5_choice_9 : boolean;
-    variable winnersother_cost_0_5_all, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
-    variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3 : boolean;
-    variable winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4 : boolean;
-    variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6 : boolean;
-    variable winnersother_cost_0_6_value_6, winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8 : boolean;
-    variable winnersother_cost_0_6_choice_9, winnersother_cost_0_6_all, winnersother_cost_0_7_choice : boolean;
-    variable winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3 : boolean;
-    variable winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3 : boolean;
-    variable winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6 : boolean;
-    variable winnersother_cost_0_7_value_5, winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8 : boolean;
-    variable winnersother_cost_0_7_choice_9, winnersother_cost_0_7_all, winnersother_winner_0_0_value : boolean;
-    variable winnersother_winner_0_0_choice, winnersother_winner_0_0_choice_2 : boolean;
-    variable winnersother_winner_0_0_value_2, winnersother_winner_0_0_choice_3 : boolean;
-    variable winnersother_winner_0_0_value_3, winnersother_winner_0_0_choice_4 : boolean;
-    variable winnersother_winner_0_0_value_4, winnersother_winner_0_0_choice_5 : boolean;
-    variable winnersother_winner_0_0_value_5, winnersother_winner_0_0_choice_6 : boolean;
-    variable winnersother_winner_0_0_value_6, winnersother_winner_0_0_choice_7 : boolean;
-    variable winnersother_winner_0_0_choice_8, winnerswinner1_best_index_0_0_value : boolean;
-    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_value_2 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_value_3 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_value_4 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_value_5 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_value_6 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_1_value, winnerswinner1_best_index_0_1_choice : boolean;
-    variable winnerswinner1_best_index_0_1_value_2, winnerswinner1_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_1_value_3, winnerswinner1_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_1_value_4, winnerswinner1_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_1_value_5, winnerswinner1_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_1_value_6, winnerswinner1_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_1_value_7, winnerswinner1_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_2_value, winnerswinner1_best_index_0_2_choice : boolean;
-    variable winnerswinner1_best_index_0_2_value_2, winnerswinner1_best_index_0_2_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_2_value_3, winnerswinner1_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_2_value_4, winnerswinner1_best_index_0_2_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_2_value_5, winnerswinner1_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_2_value_6, winnerswinner1_best_index_0_2_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_2_value_7, winnerswinner1_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_3_value, winnerswinner1_best_index_0_3_choice : boolean;
-    variable winnerswinner1_best_index_0_3_value_2, winnerswinner1_best_index_0_3_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_3_value_3, winnerswinner1_best_index_0_3_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_3_value_4, winnerswinner1_best_index_0_3_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_3_value_5, winnerswinner1_best_index_0_3_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_3_value_6, winnerswinner1_best_index_0_3_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_3_value_7, winnerswinner1_best_index_0_3_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_4_value, winnerswinner1_best_index_0_4_choice : boolean;
-    variable winnerswinner1_best_index_0_4_value_2, winnerswinner1_best_index_0_4_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_4_value_3, winnerswinner1_best_index_0_4_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_4_value_4, winnerswinner1_best_index_0_4_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_4_value_5, winnerswinner1_best_index_0_4_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_4_value_6, winnerswinner1_best_index_0_4_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_4_value_7, winnerswinner1_best_index_0_4_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_5_value, winnerswinner1_best_index_0_5_choice : boolean;
-    variable winnerswinner1_best_index_0_5_value_2, winnerswinner1_best_index_0_5_value_3 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_value_4 : boolean;
-    variable winnerswinner1_best_index_0_5_value_5, winnerswinner1_best_index_0_5_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_5_value_6, winnerswinner1_best_index_0_5_value_7 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_value_8 : boolean;
-    variable winnerswinner1_best_index_0_5_value_9, winnerswinner1_best_index_0_5_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_5_value_10, winnerswinner1_best_index_0_5_value_11 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_6, winnerswinner1_best_index_0_5_value_12 : boolean;
+    variable winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6, winnersother_cost_0_5_choice_7 : boolean;
+    variable winnersother_cost_0_5_choice_8, winnersother_cost_0_5_all, winnersother_cost_0_6_choice : boolean;
+    variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value, winnersother_cost_0_6_choice_3 : boolean;
+    variable winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_3 : boolean;
+    variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_4, winnersother_cost_0_6_choice_6 : boolean;
+    variable winnersother_cost_0_6_choice_7, winnersother_cost_0_6_choice_8, winnersother_cost_0_6_all : boolean;
+    variable winnersother_cost_0_7_choice, winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value : boolean;
+    variable winnersother_cost_0_7_choice_3, winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4 : boolean;
+    variable winnersother_cost_0_7_value_3, winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4 : boolean;
+    variable winnersother_cost_0_7_choice_6, winnersother_cost_0_7_choice_7, winnersother_cost_0_7_choice_8 : boolean;
+    variable winnersother_cost_0_7_all, winnersother_winner_0_0_choice, winnersother_winner_0_0_choice_2 : boolean;
+    variable winnersother_winner_0_0_value, winnersother_winner_0_0_choice_3, winnersother_winner_0_0_value_2 : boolean;
+    variable winnersother_winner_0_0_choice_4, winnersother_winner_0_0_value_3 : boolean;
+    variable winnersother_winner_0_0_choice_5, winnersother_winner_0_0_value_4 : boolean;
+    variable winnersother_winner_0_0_choice_6, winnersother_winner_0_0_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_7, winnerswinner1_best_index_0_1_all : boolean;
+    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_2_all : boolean;
+    variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_3_all : boolean;
+    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_4_all : boolean;
+    variable winnerswinner1_best_index_0_4_choice, winnerswinner1_best_index_0_4_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_5_all : boolean;
+    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_3, winnerswinner1_best_index_0_5_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_5, winnerswinner1_best_index_0_5_choice_6 : boolean;
     variable winnerswinner1_best_index_0_5_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
     variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
     variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
     variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
     variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_value_5 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_choice_7 : boolean;
     variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
     variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
     variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
     variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
     variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_1_value_5, winnerswinner2_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_8, winnerswinner2_best_index_0_2_choice : boolean;
+    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_2_choice : boolean;
     variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
     variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
     variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
     variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_value_5 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner2_best_index_0_2_choice_8 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_choice_7 : boolean;
     variable winnerswinner2_best_at_start_0_0_choice, winnerswinner2_best_at_start_0_1_choice : boolean;
     variable winnerswinner2_best_at_start_0_2_choice, winnerswinner3_best_index_0_0_choice : boolean;
     variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
     variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
     variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
     variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_value_5 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner3_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_choice_7 : boolean;
     variable winnerswinner3_best_below_0_0_is_equal, winnerswinner3_best_above_0_0_is_equal : boolean;
     variable winnerswinner3_best_at_start_0_0_choice, winnerswinner4_best_index_0_0_choice : boolean;
     variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
     variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
     variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
     variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_value_5 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_7, winnerswinner4_best_index_0_0_choice_8 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_choice_7 : boolean;
     variable winnerswinner4_best_below_0_0_is_equal, winnerswinner4_best_above_0_0_is_equal : boolean;
-    variable refinement_below_0_differs, refinement_below_0_differs_2, refinement_above_0_all : boolean;
-    variable refinement_above_0_choice, refinement_above_0_choice_2, refinement_divisor_0_0_is_less : boolean;
+    variable refinement_passed_3_0_choice, refinement_passed_3_0_choice_2, refinement_passed_3_0_value : boolean;
+    variable refinement_passed_3_0_choice_3, refinement_passed_3_0_value_2, refinement_passed_3_0_choice_4 : boolean;
+    variable refinement_passed_3_0_value_3, refinement_passed_3_0_choice_5, refinement_passed_3_0_value_4 : boolean;
+    variable refinement_passed_3_0_choice_6, refinement_passed_3_0_is_equal, refinement_passed_3_0_choice_7 : boolean;
+    variable refinement_passed_3_0_choice_8, refinement_below_0_differs, refinement_below_0_differs_2 : boolean;
+    variable refinement_below_0_all, refinement_above_0_choice, refinement_divisor_0_0_is_less : boolean;
     variable leftright_holds_winners_all, turn_order_address_any, turn_order_address_any_2 : boolean;
     variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_choice : boolean;
     variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice_2 : boolean;
@@ -1731,98 +1700,90 @@ begin
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 63;
-    variable entry_order_address_choice_2, sums_turn_waiting_read_place_choice : natural range 0 to 63;
+    variable entry_order_address_choice_2, forward_left_pair_0_choice : natural range 0 to 63;
+    variable forward_left_pair_1_choice, forward_left_pair_2_choice, forward_left_pair_3_choice : natural range 0 to 63;
+    variable forward_left_pair_4_choice, forward_left_pair_5_choice, forward_left_cost_0_choice : natural range 0 to 63;
+    variable forward_left_cost_0_choice_2, forward_left_cost_1_choice : natural range 0 to 63;
+    variable forward_left_cost_1_choice_2, forward_left_cost_2_choice : natural range 0 to 63;
+    variable forward_left_cost_2_choice_2, forward_left_cost_3_choice : natural range 0 to 63;
+    variable forward_left_cost_3_choice_2, forward_left_cost_4_choice : natural range 0 to 63;
+    variable forward_left_cost_4_choice_2, forward_left_cost_5_choice : natural range 0 to 63;
+    variable forward_left_cost_5_choice_2, forward_left_cost_6_choice : natural range 0 to 63;
+    variable forward_left_cost_6_choice_2, forward_left_cost_7_choice : natural range 0 to 63;
+    variable forward_left_cost_7_choice_2, forward_left_cost_8_choice : natural range 0 to 63;
+    variable forward_left_cost_8_choice_2, forward_left_cost_9_choice : natural range 0 to 63;
+    variable forward_left_cost_9_choice_2, forward_left_cost_10_choice : natural range 0 to 63;
+    variable forward_left_cost_10_choice_2, forward_left_cost_11_choice : natural range 0 to 63;
+    variable forward_left_cost_11_choice_2, forward_left_arrived_0_choice : natural range 0 to 63;
+    variable forward_left_arrived_1_choice, forward_left_arrived_2_choice : natural range 0 to 63;
+    variable forward_left_arrived_3_choice, forward_left_arrived_3_choice_2 : natural range 0 to 63;
+    variable forward_left_arrived_4_choice, forward_left_arrived_4_choice_2 : natural range 0 to 63;
+    variable forward_left_arrived_5_choice, forward_left_arrived_6_choice : natural range 0 to 63;
+    variable forward_left_arrived_7_choice, forward_left_arrived_7_choice_2 : natural range 0 to 63;
+    variable forward_left_arrived_8_choice, forward_left_arrived_8_choice_2 : natural range 0 to 63;
+    variable forward_left_arrived_9_choice, forward_left_arrived_10_choice : natural range 0 to 63;
+    variable forward_left_arrived_11_choice, sums_right_pair_0_choice, sums_right_pair_1_choice : natural range 0 to 63;
+    variable sums_right_pair_2_choice, sums_right_pair_3_choice, sums_right_pair_4_choice : natural range 0 to 63;
+    variable sums_right_pair_5_choice, sums_right_cost_0_choice, sums_right_cost_0_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_1_choice, sums_right_cost_1_choice_2, sums_right_cost_2_choice : natural range 0 to 63;
+    variable sums_right_cost_2_choice_2, sums_right_cost_3_choice, sums_right_cost_3_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_4_choice, sums_right_cost_4_choice_2, sums_right_cost_5_choice : natural range 0 to 63;
+    variable sums_right_cost_5_choice_2, sums_right_cost_6_choice, sums_right_cost_6_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_7_choice, sums_right_cost_7_choice_2, sums_right_cost_8_choice : natural range 0 to 63;
+    variable sums_right_cost_8_choice_2, sums_right_cost_9_choice, sums_right_cost_9_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_10_choice, sums_right_cost_10_choice_2, sums_right_cost_11_choice : natural range 0 to 63;
+    variable sums_right_cost_11_choice_2, sums_right_arrived_0_choice : natural range 0 to 63;
+    variable sums_right_arrived_1_choice, sums_right_arrived_2_choice : natural range 0 to 63;
+    variable sums_right_arrived_3_choice, sums_right_arrived_3_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_4_choice, sums_right_arrived_4_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_5_choice, sums_right_arrived_6_choice : natural range 0 to 63;
+    variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 63;
+    variable sums_right_arrived_11_choice, sums_turn_waiting_read_place_choice : natural range 0 to 63;
     variable sums_turn_waiting_read_place_choice_2, turn_order_address_choice_2 : natural range 0 to 63;
-    variable forward_left_pair_0_choice, forward_left_pair_1_choice : natural range 0 to 127;
-    variable forward_left_pair_2_choice, forward_left_pair_3_choice : natural range 0 to 127;
-    variable forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 127;
-    variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_1_choice, forward_left_cost_1_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_2_choice, forward_left_cost_2_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_3_choice, forward_left_cost_3_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_4_choice, forward_left_cost_4_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_5_choice, forward_left_cost_5_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_6_choice, forward_left_cost_6_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_7_choice, forward_left_cost_7_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_8_choice, forward_left_cost_8_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_9_choice, forward_left_cost_9_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_10_choice, forward_left_cost_10_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_11_choice, forward_left_cost_11_choice_2 : natural range 0 to 127;
-    variable forward_left_arrived_0_choice, forward_left_arrived_1_choice : natural range 0 to 127;
-    variable forward_left_arrived_2_choice, forward_left_arrived_3_choice : natural range 0 to 127;
-    variable forward_left_arrived_3_choice_2, forward_left_arrived_4_choice : natural range 0 to 127;
-    variable forward_left_arrived_4_choice_2, forward_left_arrived_5_choice : natural range 0 to 127;
-    variable forward_left_arrived_6_choice, forward_left_arrived_7_choice : natural range 0 to 127;
-    variable forward_left_arrived_7_choice_2, forward_left_arrived_8_choice : natural range 0 to 127;
-    variable forward_left_arrived_8_choice_2, forward_left_arrived_9_choice : natural range 0 to 127;
-    variable forward_left_arrived_10_choice, forward_left_arrived_11_choice : natural range 0 to 127;
-    variable sums_right_pair_0_choice, sums_right_pair_1_choice, sums_right_pair_2_choice : natural range 0 to 127;
-    variable sums_right_pair_3_choice, sums_right_pair_4_choice, sums_right_pair_5_choice : natural range 0 to 127;
-    variable sums_right_cost_0_choice, sums_right_cost_0_choice_2, sums_right_cost_1_choice : natural range 0 to 127;
-    variable sums_right_cost_1_choice_2, sums_right_cost_2_choice, sums_right_cost_2_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_3_choice, sums_right_cost_3_choice_2, sums_right_cost_4_choice : natural range 0 to 127;
-    variable sums_right_cost_4_choice_2, sums_right_cost_5_choice, sums_right_cost_5_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_6_choice, sums_right_cost_6_choice_2, sums_right_cost_7_choice : natural range 0 to 127;
-    variable sums_right_cost_7_choice_2, sums_right_cost_8_choice, sums_right_cost_8_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_9_choice, sums_right_cost_9_choice_2, sums_right_cost_10_choice : natural range 0 to 127;
-    variable sums_right_cost_10_choice_2, sums_right_cost_11_choice : natural range 0 to 127;
-    variable sums_right_cost_11_choice_2, sums_right_arrived_0_choice : natural range 0 to 127;
-    variable sums_right_arrived_1_choice, sums_right_arrived_2_choice : natural range 0 to 127;
-    variable sums_right_arrived_3_choice, sums_right_arrived_3_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_4_choice, sums_right_arrived_4_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_5_choice, sums_right_arrived_6_choice : natural range 0 to 127;
-    variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 127;
-    variable sums_right_arrived_11_choice : natural range 0 to 127;
     variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 255;
     variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : natural range 0 to 255;
-    variable winnersother_cost_0_1_choice_10, winnersother_cost_0_2_choice_10 : natural range 0 to 255;
-    variable winnersother_cost_0_3_choice_10, winnersother_cost_0_4_choice_10 : natural range 0 to 255;
-    variable winnersother_cost_0_5_choice_10, winnersother_cost_0_6_choice_10 : natural range 0 to 255;
-    variable winnersother_cost_0_7_choice_10, winnersother_cost_0_8_choice : natural range 0 to 255;
-    variable winnersother_cost_0_9_choice, winnersother_cost_0_10_choice : natural range 0 to 255;
-    variable winnerswinner1_held_0_0_any, winnerswinner1_held_0_1_any : natural range 0 to 255;
-    variable winnerswinner1_held_0_2_any, winnerswinner1_held_0_3_any : natural range 0 to 255;
-    variable winnerswinner1_held_0_4_any, winnerswinner1_held_0_5_any : natural range 0 to 255;
-    variable winnerswinner1_held_0_6_any, winnerswinner1_held_0_7_any : natural range 0 to 255;
-    variable winnerswinner1_held_0_8_any, winnerswinner1_held_0_9_any : natural range 0 to 255;
-    variable winnerswinner1_held_0_10_any, winnerswinner1_held_0_11_any : natural range 0 to 255;
-    variable winnerswinner2_best_below_0_0_choice, winnerswinner2_best_below_0_1_choice : natural range 0 to 255;
-    variable winnerswinner2_best_below_0_2_choice, winnerswinner2_best_above_0_0_choice : natural range 0 to 255;
-    variable winnerswinner2_best_above_0_1_choice, winnerswinner2_best_above_0_2_choice : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_0_choice, winnerswinner2_best_second_0_0_choice_2 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_0_choice_3, winnerswinner2_best_second_0_0_choice_4 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_1_choice, winnerswinner2_best_second_0_1_choice_2 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_1_choice_3, winnerswinner2_best_second_0_1_choice_4 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_2_choice, winnerswinner2_best_second_0_2_choice_2 : natural range 0 to 255;
-    variable winnerswinner2_best_second_0_2_choice_3, winnerswinner2_best_second_0_2_choice_4 : natural range 0 to 255;
-    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 255;
-    variable winnerswinner3_best_second_0_0_choice, winnerswinner3_best_second_0_0_choice_2 : natural range 0 to 255;
-    variable winnerswinner3_best_second_0_0_choice_3, winnerswinner3_best_second_0_0_choice_4 : natural range 0 to 255;
-    variable winnerswinner4_best_below_0_0_choice, winnerswinner4_best_above_0_0_choice : natural range 0 to 255;
-    variable winnerswinner4_best_second_0_0_choice, winnerswinner4_best_second_0_0_choice_2 : natural range 0 to 255;
-    variable winnerswinner4_best_second_0_0_choice_3, winnerswinner4_best_second_0_0_choice_4 : natural range 0 to 255;
-    variable refinement_divisor_0_0_choice, refinement_fraction_0_choice : natural range 0 to 255;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 70;
     variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 70;
     variable forward_above_write_words_0_choice_5, forward_above_write_words_0_choice_6 : natural range 0 to 70;
     variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 70;
     variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 70;
     variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 70;
-    variable winnerswinner1_held_0_0_sum, winnerswinner1_held_0_1_sum : natural range 255 to 256;
-    variable winnerswinner1_held_0_2_sum, winnerswinner1_held_0_3_sum : natural range 255 to 256;
-    variable winnerswinner1_held_0_4_sum, winnerswinner1_held_0_5_sum : natural range 255 to 256;
-    variable winnerswinner1_held_0_6_sum, winnerswinner1_held_0_7_sum : natural range 255 to 256;
-    variable winnerswinner1_held_0_8_sum, winnerswinner1_held_0_9_sum : natural range 255 to 256;
-    variable winnerswinner1_held_0_10_sum, winnerswinner1_held_0_11_sum : natural range 255 to 256;
-    variable refinement_remainder_1_0_difference : natural range 257 to 767;
-    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 257 to 1022;
-    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 257 to 1022;
-    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 257 to 1022;
+    variable winnersother_cost_0_1_choice_9, winnersother_cost_0_2_choice_9 : natural range 0 to 127;
+    variable winnersother_cost_0_3_choice_9, winnersother_cost_0_4_choice_9 : natural range 0 to 127;
+    variable winnersother_cost_0_5_choice_9, winnersother_cost_0_6_choice_9 : natural range 0 to 127;
+    variable winnersother_cost_0_7_choice_9, winnersother_cost_0_8_choice : natural range 0 to 127;
+    variable winnersother_cost_0_9_choice, winnersother_cost_0_10_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_0_choice, winnerswinner1_held_0_1_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_2_choice, winnerswinner1_held_0_3_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_4_choice, winnerswinner1_held_0_5_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_6_choice, winnerswinner1_held_0_7_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_8_choice, winnerswinner1_held_0_9_choice : natural range 0 to 127;
+    variable winnerswinner1_held_0_10_choice, winnerswinner1_held_0_11_choice : natural range 0 to 127;
+    variable winnerswinner2_best_below_0_0_choice, winnerswinner2_best_below_0_1_choice : natural range 0 to 127;
+    variable winnerswinner2_best_below_0_2_choice, winnerswinner2_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner2_best_above_0_1_choice, winnerswinner2_best_above_0_2_choice : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_0_choice, winnerswinner2_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_0_choice_3, winnerswinner2_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_1_choice, winnerswinner2_best_second_0_1_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_1_choice_3, winnerswinner2_best_second_0_1_choice_4 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_2_choice, winnerswinner2_best_second_0_2_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_2_choice_3, winnerswinner2_best_second_0_2_choice_4 : natural range 0 to 127;
+    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner3_best_second_0_0_choice, winnerswinner3_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner3_best_second_0_0_choice_3, winnerswinner3_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable winnerswinner4_best_below_0_0_choice, winnerswinner4_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner4_best_second_0_0_choice, winnerswinner4_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner4_best_second_0_0_choice_3, winnerswinner4_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable refinement_divisor_0_0_choice : natural range 0 to 127;
+    variable refinement_remainder_1_0_difference : natural range 129 to 383;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 129 to 510;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 129 to 510;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 129 to 510;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
-    variable refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable leftright_checked_passed_0_difference : integer range -15 to 15;
     variable map_of_column_0_a_choice : natural range 0 to 4095;
     variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
@@ -1838,11 +1799,16 @@ begin
   begin
     if rising_edge(clock) then
       -- settings
+      if in_p1 < 5 then
+        settings_p1_choice := in_p1 mod 8;
+      else
+        settings_p1_choice := 5;
+      end if;
       settings_p1_any := (not in_valid) or (not in_start_of_frame);
       if not settings_p1_any then
-        settings_p1 <= in_p1 mod 8;
-        settings_p2 <= in_p2 mod 32;
-        settings_uniqueness_distance <= in_uniqueness_distance mod 256;
+        settings_p1 <= 3 when settings_p1_choice < 3 else settings_p1_choice;
+        settings_p2 <= in_p2 mod 32 when in_p2 < 22 else 22;
+        settings_uniqueness_distance <= in_uniqueness_distance mod 128;
         settings_left_right_threshold <= in_left_right_threshold;
         settings_first_disparity <= in_first_disparity;
         settings_last_disparity <= in_last_disparity;
@@ -5548,15 +5514,15 @@ begin
         forward_left_cost_8;
       forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
-      forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_room) / 64) =
+      forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 32) + forward_left_room) / 32) =
         1;
       if forward_left_start_cost_0_value then
-        forward_left_start_cost_0_choice := (((as_number(forward_left_start_cost_0_value) + 3) mod 4) * 64) +
-          ((forward_left_tree_next_next_smallest_0 + forward_left_room) mod 64);
+        forward_left_start_cost_0_choice := (((as_number(forward_left_start_cost_0_value) + 7) mod 8) * 32) +
+          ((forward_left_tree_next_next_smallest_0 + forward_left_room) mod 32);
       else
         forward_left_start_cost_0_choice := 0;
       end if;
-      if (forward_left_tree_next_next_smallest_0 / 64) = 1 then
+      if (forward_left_tree_next_next_smallest_0 / 32) = 1 then
         forward_left_start_cost_0_choice_2 := forward_left_room;
       else
         forward_left_start_cost_0_choice_2 := forward_left_start_cost_0_choice;
@@ -5566,76 +5532,76 @@ begin
       else
         forward_left_room_choice := forward_left_room;
       end if;
-      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 64) = 1 else
+      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 32) = 1 else
         forward_left_room_choice;
       forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
-      forward_left_cost_0_choice_2 := 64 when ((forward_left_cost_0_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_0_choice;
       forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
-      forward_left_cost_1_choice_2 := 64 when ((forward_left_cost_1_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_1_choice;
       forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
-      forward_left_cost_2_choice_2 := 64 when ((forward_left_cost_2_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_2_choice;
       forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
-      forward_left_cost_3_choice_2 := 64 when ((forward_left_cost_3_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_3_choice;
       forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
-      forward_left_cost_4_choice_2 := 64 when ((forward_left_cost_4_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_4_choice;
       forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
-      forward_left_cost_5_choice_2 := 64 when ((forward_left_cost_5_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_5_choice;
       forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
-      forward_left_cost_6_choice_2 := 64 when ((forward_left_cost_6_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_6_choice;
       forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
-      forward_left_cost_7_choice_2 := 64 when ((forward_left_cost_7_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_7_choice;
       forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
-      forward_left_cost_8_choice_2 := 64 when ((forward_left_cost_8_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_8_choice;
       forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
-      forward_left_cost_9_choice_2 := 64 when ((forward_left_cost_9_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_9_choice;
       forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
         else forward_left_cost_10;
-      forward_left_cost_10_choice_2 := 64 when ((forward_left_cost_10_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_10_choice;
       forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
         else forward_left_cost_11;
-      forward_left_cost_11_choice_2 := 64 when ((forward_left_cost_11_choice / 64) = 1) or forward_left_first_2 else
+      forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_11_choice;
-      forward_left_arrived_0_choice := 64 when forward_left_first_2 else forward_left_cost_1;
-      forward_left_arrived_1_choice := 64 when forward_left_first_2 else forward_left_pair_0_choice;
-      forward_left_arrived_2_choice := 64 when forward_left_first_2 else forward_left_pair_1_choice;
+      forward_left_arrived_0_choice := 32 when forward_left_first_2 else forward_left_cost_1;
+      forward_left_arrived_1_choice := 32 when forward_left_first_2 else forward_left_pair_0_choice;
+      forward_left_arrived_2_choice := 32 when forward_left_first_2 else forward_left_pair_1_choice;
       forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
-      forward_left_arrived_3_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_3_choice;
+      forward_left_arrived_3_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_3_choice;
       forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
-      forward_left_arrived_4_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_4_choice;
-      forward_left_arrived_5_choice := 64 when forward_left_first_2 else forward_left_pair_2_choice;
-      forward_left_arrived_6_choice := 64 when forward_left_first_2 else forward_left_pair_3_choice;
+      forward_left_arrived_4_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_4_choice;
+      forward_left_arrived_5_choice := 32 when forward_left_first_2 else forward_left_pair_2_choice;
+      forward_left_arrived_6_choice := 32 when forward_left_first_2 else forward_left_pair_3_choice;
       forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
-      forward_left_arrived_7_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_7_choice;
+      forward_left_arrived_7_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_7_choice;
       forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
-      forward_left_arrived_8_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_8_choice;
-      forward_left_arrived_9_choice := 64 when forward_left_first_2 else forward_left_pair_4_choice;
-      forward_left_arrived_10_choice := 64 when forward_left_first_2 else forward_left_pair_5_choice;
-      forward_left_arrived_11_choice := 64 when forward_left_first_2 else forward_left_cost_10;
+      forward_left_arrived_8_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_8_choice;
+      forward_left_arrived_9_choice := 32 when forward_left_first_2 else forward_left_pair_4_choice;
+      forward_left_arrived_10_choice := 32 when forward_left_first_2 else forward_left_pair_5_choice;
+      forward_left_arrived_11_choice := 32 when forward_left_first_2 else forward_left_cost_10;
       forward_above_total_0_choice := forward_above_top_p2 when forward_above_ready_top else
         to_integer(forward_above_ready_words_0(4 downto 0));
       forward_above_total_1_choice := forward_above_top_p2 when forward_above_ready_top else
@@ -5886,60 +5852,60 @@ begin
         forward_left_room <= 0 when sums_turn_waiting_first_3 else (forward_left_room_choice_2 +
           forward_left_start_cost_6) mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
-        forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 - forward_left_p1) mod 128;
+        forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 - forward_left_p1) mod 64;
         forward_left_first_0 <= sums_turn_waiting_first_3;
         forward_left_first_1 <= forward_left_first_0;
         forward_left_first_2 <= forward_left_first_1;
-        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 128;
-        forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 128;
-        forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_2 <= (forward_cost_0_2 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_3 <= (forward_cost_0_3 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_4 <= (forward_cost_0_4 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_5 <= (forward_cost_0_5 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_6 <= (forward_cost_0_6 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_7 <= (forward_cost_0_7 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_8 <= (forward_cost_0_8 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_9 <= (forward_cost_0_9 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_10 <= (forward_cost_0_10 - forward_left_g_copy_0) mod 128;
-        forward_left_stay_change_11 <= (forward_cost_0_11 - forward_left_g_copy_0) mod 128;
-        forward_left_step_change_0 <= (forward_cost_0_0 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_1 <= (forward_cost_0_1 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_2 <= (forward_cost_0_2 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_3 <= (forward_cost_0_3 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_4 <= (forward_cost_0_4 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_5 <= (forward_cost_0_5 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_6 <= (forward_cost_0_6 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_7 <= (forward_cost_0_7 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_8 <= (forward_cost_0_8 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_9 <= (forward_cost_0_9 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_10 <= (forward_cost_0_10 - forward_left_g_less_copy_0) mod 128;
-        forward_left_step_change_11 <= (forward_cost_0_11 - forward_left_g_less_copy_0) mod 128;
-        forward_left_cost_0 <= (forward_left_cost_0_choice_2 + forward_left_stay_change_0) mod 128;
-        forward_left_cost_1 <= (forward_left_cost_1_choice_2 + forward_left_stay_change_1) mod 128;
-        forward_left_cost_2 <= (forward_left_cost_2_choice_2 + forward_left_stay_change_2) mod 128;
-        forward_left_cost_3 <= (forward_left_cost_3_choice_2 + forward_left_stay_change_3) mod 128;
-        forward_left_cost_4 <= (forward_left_cost_4_choice_2 + forward_left_stay_change_4) mod 128;
-        forward_left_cost_5 <= (forward_left_cost_5_choice_2 + forward_left_stay_change_5) mod 128;
-        forward_left_cost_6 <= (forward_left_cost_6_choice_2 + forward_left_stay_change_6) mod 128;
-        forward_left_cost_7 <= (forward_left_cost_7_choice_2 + forward_left_stay_change_7) mod 128;
-        forward_left_cost_8 <= (forward_left_cost_8_choice_2 + forward_left_stay_change_8) mod 128;
-        forward_left_cost_9 <= (forward_left_cost_9_choice_2 + forward_left_stay_change_9) mod 128;
-        forward_left_cost_10 <= (forward_left_cost_10_choice_2 + forward_left_stay_change_10) mod 128;
-        forward_left_cost_11 <= (forward_left_cost_11_choice_2 + forward_left_stay_change_11) mod 128;
-        forward_left_arrived_0 <= (forward_left_arrived_0_choice + forward_left_step_change_0) mod 128;
-        forward_left_arrived_1 <= (forward_left_arrived_1_choice + forward_left_step_change_1) mod 128;
-        forward_left_arrived_2 <= (forward_left_arrived_2_choice + forward_left_step_change_2) mod 128;
-        forward_left_arrived_3 <= (forward_left_arrived_3_choice_2 + forward_left_step_change_3) mod 128;
-        forward_left_arrived_4 <= (forward_left_arrived_4_choice_2 + forward_left_step_change_4) mod 128;
-        forward_left_arrived_5 <= (forward_left_arrived_5_choice + forward_left_step_change_5) mod 128;
-        forward_left_arrived_6 <= (forward_left_arrived_6_choice + forward_left_step_change_6) mod 128;
-        forward_left_arrived_7 <= (forward_left_arrived_7_choice_2 + forward_left_step_change_7) mod 128;
-        forward_left_arrived_8 <= (forward_left_arrived_8_choice_2 + forward_left_step_change_8) mod 128;
-        forward_left_arrived_9 <= (forward_left_arrived_9_choice + forward_left_step_change_9) mod 128;
-        forward_left_arrived_10 <= (forward_left_arrived_10_choice + forward_left_step_change_10) mod 128;
-        forward_left_arrived_11 <= (forward_left_arrived_11_choice + forward_left_step_change_11) mod 128;
+        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 64;
+        forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 64;
+        forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_2 <= (forward_cost_0_2 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_3 <= (forward_cost_0_3 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_4 <= (forward_cost_0_4 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_5 <= (forward_cost_0_5 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_6 <= (forward_cost_0_6 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_7 <= (forward_cost_0_7 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_8 <= (forward_cost_0_8 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_9 <= (forward_cost_0_9 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_10 <= (forward_cost_0_10 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_11 <= (forward_cost_0_11 - forward_left_g_copy_0) mod 64;
+        forward_left_step_change_0 <= (forward_cost_0_0 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_1 <= (forward_cost_0_1 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_2 <= (forward_cost_0_2 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_3 <= (forward_cost_0_3 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_4 <= (forward_cost_0_4 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_5 <= (forward_cost_0_5 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_6 <= (forward_cost_0_6 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_7 <= (forward_cost_0_7 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_8 <= (forward_cost_0_8 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_9 <= (forward_cost_0_9 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_10 <= (forward_cost_0_10 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_11 <= (forward_cost_0_11 - forward_left_g_less_copy_0) mod 64;
+        forward_left_cost_0 <= (forward_left_cost_0_choice_2 + forward_left_stay_change_0) mod 64;
+        forward_left_cost_1 <= (forward_left_cost_1_choice_2 + forward_left_stay_change_1) mod 64;
+        forward_left_cost_2 <= (forward_left_cost_2_choice_2 + forward_left_stay_change_2) mod 64;
+        forward_left_cost_3 <= (forward_left_cost_3_choice_2 + forward_left_stay_change_3) mod 64;
+        forward_left_cost_4 <= (forward_left_cost_4_choice_2 + forward_left_stay_change_4) mod 64;
+        forward_left_cost_5 <= (forward_left_cost_5_choice_2 + forward_left_stay_change_5) mod 64;
+        forward_left_cost_6 <= (forward_left_cost_6_choice_2 + forward_left_stay_change_6) mod 64;
+        forward_left_cost_7 <= (forward_left_cost_7_choice_2 + forward_left_stay_change_7) mod 64;
+        forward_left_cost_8 <= (forward_left_cost_8_choice_2 + forward_left_stay_change_8) mod 64;
+        forward_left_cost_9 <= (forward_left_cost_9_choice_2 + forward_left_stay_change_9) mod 64;
+        forward_left_cost_10 <= (forward_left_cost_10_choice_2 + forward_left_stay_change_10) mod 64;
+        forward_left_cost_11 <= (forward_left_cost_11_choice_2 + forward_left_stay_change_11) mod 64;
+        forward_left_arrived_0 <= (forward_left_arrived_0_choice + forward_left_step_change_0) mod 64;
+        forward_left_arrived_1 <= (forward_left_arrived_1_choice + forward_left_step_change_1) mod 64;
+        forward_left_arrived_2 <= (forward_left_arrived_2_choice + forward_left_step_change_2) mod 64;
+        forward_left_arrived_3 <= (forward_left_arrived_3_choice_2 + forward_left_step_change_3) mod 64;
+        forward_left_arrived_4 <= (forward_left_arrived_4_choice_2 + forward_left_step_change_4) mod 64;
+        forward_left_arrived_5 <= (forward_left_arrived_5_choice + forward_left_step_change_5) mod 64;
+        forward_left_arrived_6 <= (forward_left_arrived_6_choice + forward_left_step_change_6) mod 64;
+        forward_left_arrived_7 <= (forward_left_arrived_7_choice_2 + forward_left_step_change_7) mod 64;
+        forward_left_arrived_8 <= (forward_left_arrived_8_choice_2 + forward_left_step_change_8) mod 64;
+        forward_left_arrived_9 <= (forward_left_arrived_9_choice + forward_left_step_change_9) mod 64;
+        forward_left_arrived_10 <= (forward_left_arrived_10_choice + forward_left_step_change_10) mod 64;
+        forward_left_arrived_11 <= (forward_left_arrived_11_choice + forward_left_step_change_11) mod 64;
         forward_above_ready_words_0 <= forward_above_read_words_0;
         forward_above_ready_words_1 <= forward_above_read_words_1;
         forward_above_ready_cost_0 <= entry_cost_0;
@@ -6093,18 +6059,18 @@ begin
         forward_above_column_7 <= forward_above_column_6;
         forward_above_column_8 <= forward_above_column_7;
         forward_above_column_9 <= forward_above_column_8;
-        forward_sum_0 <= (forward_left_cost_0 + forward_above_cost_0) mod 128;
-        forward_sum_1 <= (forward_left_cost_1 + forward_above_cost_1) mod 128;
-        forward_sum_2 <= (forward_left_cost_2 + forward_above_cost_2) mod 128;
-        forward_sum_3 <= (forward_left_cost_3 + forward_above_cost_3) mod 128;
-        forward_sum_4 <= (forward_left_cost_4 + forward_above_cost_4) mod 128;
-        forward_sum_5 <= (forward_left_cost_5 + forward_above_cost_5) mod 128;
-        forward_sum_6 <= (forward_left_cost_6 + forward_above_cost_6) mod 128;
-        forward_sum_7 <= (forward_left_cost_7 + forward_above_cost_7) mod 128;
-        forward_sum_8 <= (forward_left_cost_8 + forward_above_cost_8) mod 128;
-        forward_sum_9 <= (forward_left_cost_9 + forward_above_cost_9) mod 128;
-        forward_sum_10 <= (forward_left_cost_10 + forward_above_cost_10) mod 128;
-        forward_sum_11 <= (forward_left_cost_11 + forward_above_cost_11) mod 128;
+        forward_sum_0 <= forward_left_cost_0 + forward_above_cost_0;
+        forward_sum_1 <= forward_left_cost_1 + forward_above_cost_1;
+        forward_sum_2 <= forward_left_cost_2 + forward_above_cost_2;
+        forward_sum_3 <= forward_left_cost_3 + forward_above_cost_3;
+        forward_sum_4 <= forward_left_cost_4 + forward_above_cost_4;
+        forward_sum_5 <= forward_left_cost_5 + forward_above_cost_5;
+        forward_sum_6 <= forward_left_cost_6 + forward_above_cost_6;
+        forward_sum_7 <= forward_left_cost_7 + forward_above_cost_7;
+        forward_sum_8 <= forward_left_cost_8 + forward_above_cost_8;
+        forward_sum_9 <= forward_left_cost_9 + forward_above_cost_9;
+        forward_sum_10 <= forward_left_cost_10 + forward_above_cost_10;
+        forward_sum_11 <= forward_left_cost_11 + forward_above_cost_11;
         forward_first_0 <= entry_turned_first_column;
         forward_first_1 <= forward_first_0;
         forward_first_2 <= forward_first_1;
@@ -6243,14 +6209,14 @@ begin
         sums_right_cost_8;
       sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
         sums_right_cost_9;
-      sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_room) / 64) = 1;
+      sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 32) + sums_right_room) / 32) = 1;
       if sums_right_start_cost_0_value then
-        sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 3) mod 4) * 64) +
-          ((sums_right_tree_next_next_smallest_0 + sums_right_room) mod 64);
+        sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 7) mod 8) * 32) +
+          ((sums_right_tree_next_next_smallest_0 + sums_right_room) mod 32);
       else
         sums_right_start_cost_0_choice := 0;
       end if;
-      if (sums_right_tree_next_next_smallest_0 / 64) = 1 then
+      if (sums_right_tree_next_next_smallest_0 / 32) = 1 then
         sums_right_start_cost_0_choice_2 := sums_right_room;
       else
         sums_right_start_cost_0_choice_2 := sums_right_start_cost_0_choice;
@@ -6260,75 +6226,75 @@ begin
       else
         sums_right_room_choice := sums_right_room;
       end if;
-      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 64) = 1 else sums_right_room_choice;
+      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 32) = 1 else sums_right_room_choice;
       sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
         sums_right_cost_0;
-      sums_right_cost_0_choice_2 := 64 when ((sums_right_cost_0_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_0_choice;
       sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
         sums_right_cost_1;
-      sums_right_cost_1_choice_2 := 64 when ((sums_right_cost_1_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_1_choice;
       sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
-      sums_right_cost_2_choice_2 := 64 when ((sums_right_cost_2_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_2_choice;
       sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
-      sums_right_cost_3_choice_2 := 64 when ((sums_right_cost_3_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_3_choice;
       sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
         sums_right_cost_4;
-      sums_right_cost_4_choice_2 := 64 when ((sums_right_cost_4_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_4_choice;
       sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
         sums_right_cost_5;
-      sums_right_cost_5_choice_2 := 64 when ((sums_right_cost_5_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_5_choice;
       sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
-      sums_right_cost_6_choice_2 := 64 when ((sums_right_cost_6_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_6_choice;
       sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
-      sums_right_cost_7_choice_2 := 64 when ((sums_right_cost_7_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_7_choice;
       sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
         sums_right_cost_8;
-      sums_right_cost_8_choice_2 := 64 when ((sums_right_cost_8_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_8_choice;
       sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
         sums_right_cost_9;
-      sums_right_cost_9_choice_2 := 64 when ((sums_right_cost_9_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_9_choice;
       sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
         sums_right_cost_10;
-      sums_right_cost_10_choice_2 := 64 when ((sums_right_cost_10_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_10_choice;
       sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
         sums_right_cost_11;
-      sums_right_cost_11_choice_2 := 64 when ((sums_right_cost_11_choice / 64) = 1) or sums_tags_held_12_first_column
+      sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or sums_tags_held_12_first_column
         else sums_right_cost_11_choice;
-      sums_right_arrived_0_choice := 64 when sums_tags_held_12_first_column else sums_right_cost_1;
-      sums_right_arrived_1_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_0_choice;
-      sums_right_arrived_2_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_1_choice;
+      sums_right_arrived_0_choice := 32 when sums_tags_held_12_first_column else sums_right_cost_1;
+      sums_right_arrived_1_choice := 32 when sums_tags_held_12_first_column else sums_right_pair_0_choice;
+      sums_right_arrived_2_choice := 32 when sums_tags_held_12_first_column else sums_right_pair_1_choice;
       sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
-      sums_right_arrived_3_choice_2 := 64 when sums_tags_held_12_first_column else sums_right_arrived_3_choice;
+      sums_right_arrived_3_choice_2 := 32 when sums_tags_held_12_first_column else sums_right_arrived_3_choice;
       sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
-      sums_right_arrived_4_choice_2 := 64 when sums_tags_held_12_first_column else sums_right_arrived_4_choice;
-      sums_right_arrived_5_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_2_choice;
-      sums_right_arrived_6_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_3_choice;
+      sums_right_arrived_4_choice_2 := 32 when sums_tags_held_12_first_column else sums_right_arrived_4_choice;
+      sums_right_arrived_5_choice := 32 when sums_tags_held_12_first_column else sums_right_pair_2_choice;
+      sums_right_arrived_6_choice := 32 when sums_tags_held_12_first_column else sums_right_pair_3_choice;
       sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
-      sums_right_arrived_7_choice_2 := 64 when sums_tags_held_12_first_column else sums_right_arrived_7_choice;
+      sums_right_arrived_7_choice_2 := 32 when sums_tags_held_12_first_column else sums_right_arrived_7_choice;
       sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
-      sums_right_arrived_8_choice_2 := 64 when sums_tags_held_12_first_column else sums_right_arrived_8_choice;
-      sums_right_arrived_9_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_4_choice;
-      sums_right_arrived_10_choice := 64 when sums_tags_held_12_first_column else sums_right_pair_5_choice;
-      sums_right_arrived_11_choice := 64 when sums_tags_held_12_first_column else sums_right_cost_10;
+      sums_right_arrived_8_choice_2 := 32 when sums_tags_held_12_first_column else sums_right_arrived_8_choice;
+      sums_right_arrived_9_choice := 32 when sums_tags_held_12_first_column else sums_right_pair_4_choice;
+      sums_right_arrived_10_choice := 32 when sums_tags_held_12_first_column else sums_right_pair_5_choice;
+      sums_right_arrived_11_choice := 32 when sums_tags_held_12_first_column else sums_right_cost_10;
       if entry_tag_valid then
         sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
         sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
@@ -6401,60 +6367,60 @@ begin
         sums_right_room <= 0 when sums_turn_ready_first else (sums_right_room_choice_2 + sums_right_start_cost_6) mod
           32;
         sums_right_smallest <= sums_turn_ready_smallest_0;
-        sums_right_smallest_less <= (sums_turn_ready_smallest_0 - sums_right_p1) mod 128;
+        sums_right_smallest_less <= (sums_turn_ready_smallest_0 - sums_right_p1) mod 64;
         sums_right_first_0 <= sums_turn_ready_first;
         sums_right_first_1 <= sums_right_first_0;
         sums_right_first_2 <= sums_right_first_1;
-        sums_right_g_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest) mod 128;
-        sums_right_g_less_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest_less) mod 128;
-        sums_right_stay_change_0 <= (sums_cost_1_0 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_1 <= (sums_cost_1_1 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_2 <= (sums_cost_1_2 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_3 <= (sums_cost_1_3 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_4 <= (sums_cost_1_4 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_5 <= (sums_cost_1_5 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_6 <= (sums_cost_1_6 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_7 <= (sums_cost_1_7 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_8 <= (sums_cost_1_8 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_9 <= (sums_cost_1_9 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_10 <= (sums_cost_1_10 - sums_right_g_copy_0) mod 128;
-        sums_right_stay_change_11 <= (sums_cost_1_11 - sums_right_g_copy_0) mod 128;
-        sums_right_step_change_0 <= (sums_cost_1_0 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_1 <= (sums_cost_1_1 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_2 <= (sums_cost_1_2 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_3 <= (sums_cost_1_3 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_4 <= (sums_cost_1_4 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_5 <= (sums_cost_1_5 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_6 <= (sums_cost_1_6 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_7 <= (sums_cost_1_7 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_8 <= (sums_cost_1_8 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_9 <= (sums_cost_1_9 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_10 <= (sums_cost_1_10 - sums_right_g_less_copy_0) mod 128;
-        sums_right_step_change_11 <= (sums_cost_1_11 - sums_right_g_less_copy_0) mod 128;
-        sums_right_cost_0 <= (sums_right_cost_0_choice_2 + sums_right_stay_change_0) mod 128;
-        sums_right_cost_1 <= (sums_right_cost_1_choice_2 + sums_right_stay_change_1) mod 128;
-        sums_right_cost_2 <= (sums_right_cost_2_choice_2 + sums_right_stay_change_2) mod 128;
-        sums_right_cost_3 <= (sums_right_cost_3_choice_2 + sums_right_stay_change_3) mod 128;
-        sums_right_cost_4 <= (sums_right_cost_4_choice_2 + sums_right_stay_change_4) mod 128;
-        sums_right_cost_5 <= (sums_right_cost_5_choice_2 + sums_right_stay_change_5) mod 128;
-        sums_right_cost_6 <= (sums_right_cost_6_choice_2 + sums_right_stay_change_6) mod 128;
-        sums_right_cost_7 <= (sums_right_cost_7_choice_2 + sums_right_stay_change_7) mod 128;
-        sums_right_cost_8 <= (sums_right_cost_8_choice_2 + sums_right_stay_change_8) mod 128;
-        sums_right_cost_9 <= (sums_right_cost_9_choice_2 + sums_right_stay_change_9) mod 128;
-        sums_right_cost_10 <= (sums_right_cost_10_choice_2 + sums_right_stay_change_10) mod 128;
-        sums_right_cost_11 <= (sums_right_cost_11_choice_2 + sums_right_stay_change_11) mod 128;
-        sums_right_arrived_0 <= (sums_right_arrived_0_choice + sums_right_step_change_0) mod 128;
-        sums_right_arrived_1 <= (sums_right_arrived_1_choice + sums_right_step_change_1) mod 128;
-        sums_right_arrived_2 <= (sums_right_arrived_2_choice + sums_right_step_change_2) mod 128;
-        sums_right_arrived_3 <= (sums_right_arrived_3_choice_2 + sums_right_step_change_3) mod 128;
-        sums_right_arrived_4 <= (sums_right_arrived_4_choice_2 + sums_right_step_change_4) mod 128;
-        sums_right_arrived_5 <= (sums_right_arrived_5_choice + sums_right_step_change_5) mod 128;
-        sums_right_arrived_6 <= (sums_right_arrived_6_choice + sums_right_step_change_6) mod 128;
-        sums_right_arrived_7 <= (sums_right_arrived_7_choice_2 + sums_right_step_change_7) mod 128;
-        sums_right_arrived_8 <= (sums_right_arrived_8_choice_2 + sums_right_step_change_8) mod 128;
-        sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 128;
-        sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 128;
-        sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 128;
+        sums_right_g_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest) mod 64;
+        sums_right_g_less_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest_less) mod 64;
+        sums_right_stay_change_0 <= (sums_cost_1_0 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_1 <= (sums_cost_1_1 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_2 <= (sums_cost_1_2 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_3 <= (sums_cost_1_3 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_4 <= (sums_cost_1_4 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_5 <= (sums_cost_1_5 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_6 <= (sums_cost_1_6 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_7 <= (sums_cost_1_7 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_8 <= (sums_cost_1_8 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_9 <= (sums_cost_1_9 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_10 <= (sums_cost_1_10 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_11 <= (sums_cost_1_11 - sums_right_g_copy_0) mod 64;
+        sums_right_step_change_0 <= (sums_cost_1_0 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_1 <= (sums_cost_1_1 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_2 <= (sums_cost_1_2 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_3 <= (sums_cost_1_3 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_4 <= (sums_cost_1_4 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_5 <= (sums_cost_1_5 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_6 <= (sums_cost_1_6 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_7 <= (sums_cost_1_7 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_8 <= (sums_cost_1_8 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_9 <= (sums_cost_1_9 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_10 <= (sums_cost_1_10 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_11 <= (sums_cost_1_11 - sums_right_g_less_copy_0) mod 64;
+        sums_right_cost_0 <= (sums_right_cost_0_choice_2 + sums_right_stay_change_0) mod 64;
+        sums_right_cost_1 <= (sums_right_cost_1_choice_2 + sums_right_stay_change_1) mod 64;
+        sums_right_cost_2 <= (sums_right_cost_2_choice_2 + sums_right_stay_change_2) mod 64;
+        sums_right_cost_3 <= (sums_right_cost_3_choice_2 + sums_right_stay_change_3) mod 64;
+        sums_right_cost_4 <= (sums_right_cost_4_choice_2 + sums_right_stay_change_4) mod 64;
+        sums_right_cost_5 <= (sums_right_cost_5_choice_2 + sums_right_stay_change_5) mod 64;
+        sums_right_cost_6 <= (sums_right_cost_6_choice_2 + sums_right_stay_change_6) mod 64;
+        sums_right_cost_7 <= (sums_right_cost_7_choice_2 + sums_right_stay_change_7) mod 64;
+        sums_right_cost_8 <= (sums_right_cost_8_choice_2 + sums_right_stay_change_8) mod 64;
+        sums_right_cost_9 <= (sums_right_cost_9_choice_2 + sums_right_stay_change_9) mod 64;
+        sums_right_cost_10 <= (sums_right_cost_10_choice_2 + sums_right_stay_change_10) mod 64;
+        sums_right_cost_11 <= (sums_right_cost_11_choice_2 + sums_right_stay_change_11) mod 64;
+        sums_right_arrived_0 <= (sums_right_arrived_0_choice + sums_right_step_change_0) mod 64;
+        sums_right_arrived_1 <= (sums_right_arrived_1_choice + sums_right_step_change_1) mod 64;
+        sums_right_arrived_2 <= (sums_right_arrived_2_choice + sums_right_step_change_2) mod 64;
+        sums_right_arrived_3 <= (sums_right_arrived_3_choice_2 + sums_right_step_change_3) mod 64;
+        sums_right_arrived_4 <= (sums_right_arrived_4_choice_2 + sums_right_step_change_4) mod 64;
+        sums_right_arrived_5 <= (sums_right_arrived_5_choice + sums_right_step_change_5) mod 64;
+        sums_right_arrived_6 <= (sums_right_arrived_6_choice + sums_right_step_change_6) mod 64;
+        sums_right_arrived_7 <= (sums_right_arrived_7_choice_2 + sums_right_step_change_7) mod 64;
+        sums_right_arrived_8 <= (sums_right_arrived_8_choice_2 + sums_right_step_change_8) mod 64;
+        sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 64;
+        sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 64;
+        sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 64;
         sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
           (sums_sum_delay_ring_read_address + 1) mod 4;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
@@ -6515,18 +6481,18 @@ begin
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_turn_waiting_read_place <= sums_turn_waiting_read_place_choice when entry_next_tag_valid else
         sums_turn_waiting_read_place_choice_2;
-      sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(6 downto 0));
-      sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(13 downto 7));
-      sums_sum_0_2 <= sums_right_cost_2 + to_integer(sums_sum_delay_held_0(20 downto 14));
-      sums_sum_0_3 <= sums_right_cost_3 + to_integer(sums_sum_delay_held_0(27 downto 21));
-      sums_sum_0_4 <= sums_right_cost_4 + to_integer(sums_sum_delay_held_1(6 downto 0));
-      sums_sum_0_5 <= sums_right_cost_5 + to_integer(sums_sum_delay_held_1(13 downto 7));
-      sums_sum_0_6 <= sums_right_cost_6 + to_integer(sums_sum_delay_held_1(20 downto 14));
-      sums_sum_0_7 <= sums_right_cost_7 + to_integer(sums_sum_delay_held_1(27 downto 21));
-      sums_sum_0_8 <= sums_right_cost_8 + to_integer(sums_sum_delay_held_2(6 downto 0));
-      sums_sum_0_9 <= sums_right_cost_9 + to_integer(sums_sum_delay_held_2(13 downto 7));
-      sums_sum_0_10 <= sums_right_cost_10 + to_integer(sums_sum_delay_held_2(20 downto 14));
-      sums_sum_0_11 <= sums_right_cost_11 + to_integer(sums_sum_delay_held_2(27 downto 21));
+      sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0)) mod 128;
+      sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(27 downto 7))) mod 128;
+      sums_sum_0_2 <= (sums_right_cost_2 + to_integer(sums_sum_delay_held_0(27 downto 14))) mod 128;
+      sums_sum_0_3 <= (sums_right_cost_3 + to_integer(sums_sum_delay_held_0(27 downto 21))) mod 128;
+      sums_sum_0_4 <= (sums_right_cost_4 + to_integer(sums_sum_delay_held_1)) mod 128;
+      sums_sum_0_5 <= (sums_right_cost_5 + to_integer(sums_sum_delay_held_1(27 downto 7))) mod 128;
+      sums_sum_0_6 <= (sums_right_cost_6 + to_integer(sums_sum_delay_held_1(27 downto 14))) mod 128;
+      sums_sum_0_7 <= (sums_right_cost_7 + to_integer(sums_sum_delay_held_1(27 downto 21))) mod 128;
+      sums_sum_0_8 <= (sums_right_cost_8 + to_integer(sums_sum_delay_held_2)) mod 128;
+      sums_sum_0_9 <= (sums_right_cost_9 + to_integer(sums_sum_delay_held_2(27 downto 7))) mod 128;
+      sums_sum_0_10 <= (sums_right_cost_10 + to_integer(sums_sum_delay_held_2(27 downto 14))) mod 128;
+      sums_sum_0_11 <= (sums_right_cost_11 + to_integer(sums_sum_delay_held_2(27 downto 21))) mod 128;
       sums_tag_valid <= sums_tags_moved;
       sums_tag_map_column <= sums_tags_held_13_map_column;
       sums_tag_output_column <= sums_tags_held_13_output_column;
@@ -6554,66 +6520,55 @@ begin
         sums_right_p1 <= settings_p1;
         sums_right_p2 <= settings_p2;
       end if;
-      sums_tag_row_start_value := ((sums_sum_0_8 / 2) mod 2) = 1;
-      sums_tag_row_start_choice := (not sums_tag_row_start_value) or (not ((sums_sum_0_8 mod 2) = 1)) when
-        (winnersother_cost_0_9 mod 2) = 1 else not sums_tag_row_start_value;
+      sums_tag_row_start_choice := (not (((sums_sum_0_8 / 2) mod 2) = 1)) or (not ((sums_sum_0_8 mod 2) = 1)) when
+        (winnersother_cost_0_9 mod 2) = 1 else not (((sums_sum_0_8 / 2) mod 2) = 1);
       sums_tag_row_start_choice_2 := sums_tag_row_start_choice when ((winnersother_cost_0_9 / 2) mod 2) = 1 else
         ((winnersother_cost_0_9 mod 2) = 1) and ((sums_sum_0_8 mod 4) = 0);
-      sums_tag_row_start_value_2 := ((sums_sum_0_8 / 4) mod 2) = 1;
-      sums_tag_row_start_choice_3 := (not (((winnersother_cost_0_9 / 4) mod 2) = 1)) and sums_tag_row_start_value_2
-        when sums_tag_row_start_choice_2 else (not (((winnersother_cost_0_9 / 4) mod 2) = 1)) or
-        sums_tag_row_start_value_2;
-      sums_tag_row_start_value_3 := ((sums_sum_0_8 / 8) mod 2) = 1;
-      sums_tag_row_start_choice_4 := (not (((winnersother_cost_0_9 / 8) mod 2) = 1)) or sums_tag_row_start_value_3 when
-        sums_tag_row_start_choice_3 else (not (((winnersother_cost_0_9 / 8) mod 2) = 1)) and sums_tag_row_start_value_3;
-      sums_tag_row_start_value_4 := ((sums_sum_0_8 / 16) mod 2) = 1;
-      sums_tag_row_start_choice_5 := (not (((winnersother_cost_0_9 / 16) mod 2) = 1)) or sums_tag_row_start_value_4
+      sums_tag_row_start_value := ((sums_sum_0_8 / 4) mod 2) = 1;
+      sums_tag_row_start_choice_3 := (not (((winnersother_cost_0_9 / 4) mod 2) = 1)) and sums_tag_row_start_value when
+        sums_tag_row_start_choice_2 else (not (((winnersother_cost_0_9 / 4) mod 2) = 1)) or sums_tag_row_start_value;
+      sums_tag_row_start_value_2 := ((sums_sum_0_8 / 8) mod 2) = 1;
+      sums_tag_row_start_choice_4 := (not (((winnersother_cost_0_9 / 8) mod 2) = 1)) or sums_tag_row_start_value_2 when
+        sums_tag_row_start_choice_3 else (not (((winnersother_cost_0_9 / 8) mod 2) = 1)) and sums_tag_row_start_value_2;
+      sums_tag_row_start_value_3 := ((sums_sum_0_8 / 16) mod 2) = 1;
+      sums_tag_row_start_choice_5 := (not (((winnersother_cost_0_9 / 16) mod 2) = 1)) or sums_tag_row_start_value_3
         when sums_tag_row_start_choice_4 else (not (((winnersother_cost_0_9 / 16) mod 2) = 1)) and
-        sums_tag_row_start_value_4;
-      sums_tag_row_start_value_5 := ((sums_sum_0_8 / 32) mod 2) = 1;
-      sums_tag_row_start_choice_6 := (not (((winnersother_cost_0_9 / 32) mod 2) = 1)) or sums_tag_row_start_value_5
+        sums_tag_row_start_value_3;
+      sums_tag_row_start_value_4 := ((sums_sum_0_8 / 32) mod 2) = 1;
+      sums_tag_row_start_choice_6 := (not (((winnersother_cost_0_9 / 32) mod 2) = 1)) or sums_tag_row_start_value_4
         when sums_tag_row_start_choice_5 else (not (((winnersother_cost_0_9 / 32) mod 2) = 1)) and
-        sums_tag_row_start_value_5;
-      sums_tag_row_start_value_6 := ((sums_sum_0_8 / 64) mod 2) = 1;
-      sums_tag_row_start_choice_7 := (not (((winnersother_cost_0_9 / 64) mod 2) = 1)) or sums_tag_row_start_value_6
-        when sums_tag_row_start_choice_6 else (not (((winnersother_cost_0_9 / 64) mod 2) = 1)) and
-        sums_tag_row_start_value_6;
-      sums_tag_row_start_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_8 / 128) = 1) when
-        (winnersother_cost_0_9 / 128) = 1 else not sums_tag_first_column;
-      sums_tag_row_start_choice_9 := sums_tag_row_start_choice_8 when sums_tag_row_start_choice_7 else (not
-        ((winnersother_cost_0_9 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 128) = 1);
-      sums_tag_row_start_all := (not sums_tag_row_start_choice_9) and sums_tag_output_column and
+        sums_tag_row_start_value_4;
+      sums_tag_row_start_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_8 / 64) = 1) when
+        (winnersother_cost_0_9 / 64) = 1 else not sums_tag_first_column;
+      sums_tag_row_start_choice_8 := sums_tag_row_start_choice_7 when sums_tag_row_start_choice_6 else (not
+        ((winnersother_cost_0_9 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_8 / 64) = 1);
+      sums_tag_row_start_all := (not sums_tag_row_start_choice_8) and sums_tag_output_column and
         winnersmask_searched_10 and winnersmask_inside_8;
-      sums_tag_first_group_value := ((sums_sum_0_10 / 2) mod 2) = 1;
-      sums_tag_first_group_choice := (not sums_tag_first_group_value) or (not ((sums_sum_0_10 mod 2) = 1)) when
-        (winnersother_cost_0_11 mod 2) = 1 else not sums_tag_first_group_value;
+      sums_tag_first_group_choice := (not (((sums_sum_0_10 / 2) mod 2) = 1)) or (not ((sums_sum_0_10 mod 2) = 1)) when
+        (winnersother_cost_0_11 mod 2) = 1 else not (((sums_sum_0_10 / 2) mod 2) = 1);
       sums_tag_first_group_choice_2 := sums_tag_first_group_choice when ((winnersother_cost_0_11 / 2) mod 2) = 1 else
         ((winnersother_cost_0_11 mod 2) = 1) and ((sums_sum_0_10 mod 4) = 0);
-      sums_tag_first_group_value_2 := ((sums_sum_0_10 / 4) mod 2) = 1;
-      sums_tag_first_group_choice_3 := (not (((winnersother_cost_0_11 / 4) mod 2) = 1)) and
-        sums_tag_first_group_value_2 when sums_tag_first_group_choice_2 else (not (((winnersother_cost_0_11 / 4) mod 2)
-        = 1)) or sums_tag_first_group_value_2;
-      sums_tag_first_group_value_3 := ((sums_sum_0_10 / 8) mod 2) = 1;
-      sums_tag_first_group_choice_4 := (not (((winnersother_cost_0_11 / 8) mod 2) = 1)) or sums_tag_first_group_value_3
+      sums_tag_first_group_value := ((sums_sum_0_10 / 4) mod 2) = 1;
+      sums_tag_first_group_choice_3 := (not (((winnersother_cost_0_11 / 4) mod 2) = 1)) and sums_tag_first_group_value
+        when sums_tag_first_group_choice_2 else (not (((winnersother_cost_0_11 / 4) mod 2) = 1)) or
+        sums_tag_first_group_value;
+      sums_tag_first_group_value_2 := ((sums_sum_0_10 / 8) mod 2) = 1;
+      sums_tag_first_group_choice_4 := (not (((winnersother_cost_0_11 / 8) mod 2) = 1)) or sums_tag_first_group_value_2
         when sums_tag_first_group_choice_3 else (not (((winnersother_cost_0_11 / 8) mod 2) = 1)) and
-        sums_tag_first_group_value_3;
-      sums_tag_first_group_value_4 := ((sums_sum_0_10 / 16) mod 2) = 1;
+        sums_tag_first_group_value_2;
+      sums_tag_first_group_value_3 := ((sums_sum_0_10 / 16) mod 2) = 1;
       sums_tag_first_group_choice_5 := (not (((winnersother_cost_0_11 / 16) mod 2) = 1)) or
-        sums_tag_first_group_value_4 when sums_tag_first_group_choice_4 else (not (((winnersother_cost_0_11 / 16) mod
-        2) = 1)) and sums_tag_first_group_value_4;
-      sums_tag_first_group_value_5 := ((sums_sum_0_10 / 32) mod 2) = 1;
+        sums_tag_first_group_value_3 when sums_tag_first_group_choice_4 else (not (((winnersother_cost_0_11 / 16) mod
+        2) = 1)) and sums_tag_first_group_value_3;
+      sums_tag_first_group_value_4 := ((sums_sum_0_10 / 32) mod 2) = 1;
       sums_tag_first_group_choice_6 := (not (((winnersother_cost_0_11 / 32) mod 2) = 1)) or
-        sums_tag_first_group_value_5 when sums_tag_first_group_choice_5 else (not (((winnersother_cost_0_11 / 32) mod
-        2) = 1)) and sums_tag_first_group_value_5;
-      sums_tag_first_group_value_6 := ((sums_sum_0_10 / 64) mod 2) = 1;
-      sums_tag_first_group_choice_7 := (not (((winnersother_cost_0_11 / 64) mod 2) = 1)) or
-        sums_tag_first_group_value_6 when sums_tag_first_group_choice_6 else (not (((winnersother_cost_0_11 / 64) mod
-        2) = 1)) and sums_tag_first_group_value_6;
-      sums_tag_first_group_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_10 / 128) = 1) when
-        (winnersother_cost_0_11 / 128) = 1 else not sums_tag_first_column;
-      sums_tag_first_group_choice_9 := sums_tag_first_group_choice_8 when sums_tag_first_group_choice_7 else (not
-        ((winnersother_cost_0_11 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_10 / 128) = 1);
-      sums_tag_first_group_all := (not sums_tag_first_group_choice_9) and sums_tag_output_column and
+        sums_tag_first_group_value_4 when sums_tag_first_group_choice_5 else (not (((winnersother_cost_0_11 / 32) mod
+        2) = 1)) and sums_tag_first_group_value_4;
+      sums_tag_first_group_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_10 / 64) = 1) when
+        (winnersother_cost_0_11 / 64) = 1 else not sums_tag_first_column;
+      sums_tag_first_group_choice_8 := sums_tag_first_group_choice_7 when sums_tag_first_group_choice_6 else (not
+        ((winnersother_cost_0_11 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_10 / 64) = 1);
+      sums_tag_first_group_all := (not sums_tag_first_group_choice_8) and sums_tag_output_column and
         winnersmask_searched_8 and winnersmask_inside_10;
       sums_tag_newest_inside_all := sums_tag_output_column and winnersmask_searched_0 and winnersmask_inside_11;
       sums_tag_first_cost_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1)) when
@@ -6636,15 +6591,11 @@ begin
       sums_tag_first_cost_choice_6 := (not (((winnersother_cost_0_10 / 32) mod 2) = 1)) or sums_tag_first_cost_value_4
         when sums_tag_first_cost_choice_5 else (not (((winnersother_cost_0_10 / 32) mod 2) = 1)) and
         sums_tag_first_cost_value_4;
-      sums_tag_first_cost_value_5 := ((sums_sum_0_9 / 64) mod 2) = 1;
-      sums_tag_first_cost_choice_7 := (not (((winnersother_cost_0_10 / 64) mod 2) = 1)) or sums_tag_first_cost_value_5
-        when sums_tag_first_cost_choice_6 else (not (((winnersother_cost_0_10 / 64) mod 2) = 1)) and
-        sums_tag_first_cost_value_5;
-      sums_tag_first_cost_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_9 / 128) = 1) when
-        (winnersother_cost_0_10 / 128) = 1 else not sums_tag_first_column;
-      sums_tag_first_cost_choice_9 := sums_tag_first_cost_choice_8 when sums_tag_first_cost_choice_7 else (not
-        ((winnersother_cost_0_10 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 128) = 1);
-      sums_tag_first_cost_all := (not sums_tag_first_cost_choice_9) and sums_tag_output_column and
+      sums_tag_first_cost_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_9 / 64) = 1) when
+        (winnersother_cost_0_10 / 64) = 1 else not sums_tag_first_column;
+      sums_tag_first_cost_choice_8 := sums_tag_first_cost_choice_7 when sums_tag_first_cost_choice_6 else (not
+        ((winnersother_cost_0_10 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_9 / 64) = 1);
+      sums_tag_first_cost_all := (not sums_tag_first_cost_choice_8) and sums_tag_output_column and
         winnersmask_searched_9 and winnersmask_inside_9;
       if sums_tag_valid then
         sums_tag_row_start <= 8 when sums_tag_row_start_all else sums_tag_first_cost;
@@ -6717,49 +6668,40 @@ begin
       winnersother_cost_0_1_choice_6 := (not (((winnersother_cost_0_2 / 32) mod 2) = 1)) or
         winnersother_cost_0_1_value_4 when winnersother_cost_0_1_choice_5 else (not (((winnersother_cost_0_2 / 32) mod
         2) = 1)) and winnersother_cost_0_1_value_4;
-      winnersother_cost_0_1_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
-      winnersother_cost_0_1_choice_7 := (not (((winnersother_cost_0_2 / 64) mod 2) = 1)) or
-        winnersother_cost_0_1_value_5 when winnersother_cost_0_1_choice_6 else (not (((winnersother_cost_0_2 / 64) mod
-        2) = 1)) and winnersother_cost_0_1_value_5;
-      winnersother_cost_0_1_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_1 / 128) = 1) when
-        (winnersother_cost_0_2 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_1_choice_9 := winnersother_cost_0_1_choice_8 when winnersother_cost_0_1_choice_7 else (not
-        ((winnersother_cost_0_2 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 128) = 1);
-      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_9) and sums_tag_output_column and other_29 and
+      winnersother_cost_0_1_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_1 / 64) = 1) when
+        (winnersother_cost_0_2 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_1_choice_8 := winnersother_cost_0_1_choice_7 when winnersother_cost_0_1_choice_6 else (not
+        ((winnersother_cost_0_2 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_1 / 64) = 1);
+      winnersother_cost_0_1_all := (not winnersother_cost_0_1_choice_8) and sums_tag_output_column and other_29 and
         winnersmask_inside_1;
-      winnersother_cost_0_1_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_2;
-      winnersother_cost_0_2_value := ((sums_sum_0_2 / 2) mod 2) = 1;
-      winnersother_cost_0_2_choice := (not winnersother_cost_0_2_value) or (not ((sums_sum_0_2 mod 2) = 1)) when
-        (winnersother_cost_0_3 mod 2) = 1 else not winnersother_cost_0_2_value;
+      winnersother_cost_0_1_choice_9 := 127 when sums_tag_first_column else winnersother_cost_0_2;
+      winnersother_cost_0_2_choice := (not (((sums_sum_0_2 / 2) mod 2) = 1)) or (not ((sums_sum_0_2 mod 2) = 1)) when
+        (winnersother_cost_0_3 mod 2) = 1 else not (((sums_sum_0_2 / 2) mod 2) = 1);
       winnersother_cost_0_2_choice_2 := winnersother_cost_0_2_choice when ((winnersother_cost_0_3 / 2) mod 2) = 1 else
         ((winnersother_cost_0_3 mod 2) = 1) and ((sums_sum_0_2 mod 4) = 0);
-      winnersother_cost_0_2_value_2 := ((sums_sum_0_2 / 4) mod 2) = 1;
-      winnersother_cost_0_2_choice_3 := (not (((winnersother_cost_0_3 / 4) mod 2) = 1)) and
-        winnersother_cost_0_2_value_2 when winnersother_cost_0_2_choice_2 else (not (((winnersother_cost_0_3 / 4) mod
-        2) = 1)) or winnersother_cost_0_2_value_2;
-      winnersother_cost_0_2_value_3 := ((sums_sum_0_2 / 8) mod 2) = 1;
+      winnersother_cost_0_2_value := ((sums_sum_0_2 / 4) mod 2) = 1;
+      winnersother_cost_0_2_choice_3 := (not (((winnersother_cost_0_3 / 4) mod 2) = 1)) and winnersother_cost_0_2_value
+        when winnersother_cost_0_2_choice_2 else (not (((winnersother_cost_0_3 / 4) mod 2) = 1)) or
+        winnersother_cost_0_2_value;
+      winnersother_cost_0_2_value_2 := ((sums_sum_0_2 / 8) mod 2) = 1;
       winnersother_cost_0_2_choice_4 := (not (((winnersother_cost_0_3 / 8) mod 2) = 1)) or
-        winnersother_cost_0_2_value_3 when winnersother_cost_0_2_choice_3 else (not (((winnersother_cost_0_3 / 8) mod
-        2) = 1)) and winnersother_cost_0_2_value_3;
-      winnersother_cost_0_2_value_4 := ((sums_sum_0_2 / 16) mod 2) = 1;
+        winnersother_cost_0_2_value_2 when winnersother_cost_0_2_choice_3 else (not (((winnersother_cost_0_3 / 8) mod
+        2) = 1)) and winnersother_cost_0_2_value_2;
+      winnersother_cost_0_2_value_3 := ((sums_sum_0_2 / 16) mod 2) = 1;
       winnersother_cost_0_2_choice_5 := (not (((winnersother_cost_0_3 / 16) mod 2) = 1)) or
-        winnersother_cost_0_2_value_4 when winnersother_cost_0_2_choice_4 else (not (((winnersother_cost_0_3 / 16) mod
-        2) = 1)) and winnersother_cost_0_2_value_4;
-      winnersother_cost_0_2_value_5 := ((sums_sum_0_2 / 32) mod 2) = 1;
+        winnersother_cost_0_2_value_3 when winnersother_cost_0_2_choice_4 else (not (((winnersother_cost_0_3 / 16) mod
+        2) = 1)) and winnersother_cost_0_2_value_3;
+      winnersother_cost_0_2_value_4 := ((sums_sum_0_2 / 32) mod 2) = 1;
       winnersother_cost_0_2_choice_6 := (not (((winnersother_cost_0_3 / 32) mod 2) = 1)) or
-        winnersother_cost_0_2_value_5 when winnersother_cost_0_2_choice_5 else (not (((winnersother_cost_0_3 / 32) mod
-        2) = 1)) and winnersother_cost_0_2_value_5;
-      winnersother_cost_0_2_value_6 := ((sums_sum_0_2 / 64) mod 2) = 1;
-      winnersother_cost_0_2_choice_7 := (not (((winnersother_cost_0_3 / 64) mod 2) = 1)) or
-        winnersother_cost_0_2_value_6 when winnersother_cost_0_2_choice_6 else (not (((winnersother_cost_0_3 / 64) mod
-        2) = 1)) and winnersother_cost_0_2_value_6;
-      winnersother_cost_0_2_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_2 / 128) = 1) when
-        (winnersother_cost_0_3 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_2_choice_9 := winnersother_cost_0_2_choice_8 when winnersother_cost_0_2_choice_7 else (not
-        ((winnersother_cost_0_3 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 128) = 1);
-      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_9) and sums_tag_output_column and other_28 and
+        winnersother_cost_0_2_value_4 when winnersother_cost_0_2_choice_5 else (not (((winnersother_cost_0_3 / 32) mod
+        2) = 1)) and winnersother_cost_0_2_value_4;
+      winnersother_cost_0_2_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_2 / 64) = 1) when
+        (winnersother_cost_0_3 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_2_choice_8 := winnersother_cost_0_2_choice_7 when winnersother_cost_0_2_choice_6 else (not
+        ((winnersother_cost_0_3 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_2 / 64) = 1);
+      winnersother_cost_0_2_all := (not winnersother_cost_0_2_choice_8) and sums_tag_output_column and other_28 and
         winnersmask_inside_2;
-      winnersother_cost_0_2_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_3;
+      winnersother_cost_0_2_choice_9 := 127 when sums_tag_first_column else winnersother_cost_0_3;
       winnersother_cost_0_3_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1)) when
         (winnersother_cost_0_4 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
       winnersother_cost_0_3_choice_2 := winnersother_cost_0_3_choice when ((winnersother_cost_0_4 / 2) mod 2) = 1 else
@@ -6780,49 +6722,40 @@ begin
       winnersother_cost_0_3_choice_6 := (not (((winnersother_cost_0_4 / 32) mod 2) = 1)) or
         winnersother_cost_0_3_value_4 when winnersother_cost_0_3_choice_5 else (not (((winnersother_cost_0_4 / 32) mod
         2) = 1)) and winnersother_cost_0_3_value_4;
-      winnersother_cost_0_3_value_5 := ((sums_sum_0_3 / 64) mod 2) = 1;
-      winnersother_cost_0_3_choice_7 := (not (((winnersother_cost_0_4 / 64) mod 2) = 1)) or
-        winnersother_cost_0_3_value_5 when winnersother_cost_0_3_choice_6 else (not (((winnersother_cost_0_4 / 64) mod
-        2) = 1)) and winnersother_cost_0_3_value_5;
-      winnersother_cost_0_3_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_3 / 128) = 1) when
-        (winnersother_cost_0_4 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_3_choice_9 := winnersother_cost_0_3_choice_8 when winnersother_cost_0_3_choice_7 else (not
-        ((winnersother_cost_0_4 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 128) = 1);
-      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_9) and sums_tag_output_column and other_27 and
+      winnersother_cost_0_3_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_3 / 64) = 1) when
+        (winnersother_cost_0_4 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_3_choice_8 := winnersother_cost_0_3_choice_7 when winnersother_cost_0_3_choice_6 else (not
+        ((winnersother_cost_0_4 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_3 / 64) = 1);
+      winnersother_cost_0_3_all := (not winnersother_cost_0_3_choice_8) and sums_tag_output_column and other_27 and
         winnersmask_inside_3;
-      winnersother_cost_0_3_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_4;
-      winnersother_cost_0_4_value := ((sums_sum_0_4 / 2) mod 2) = 1;
-      winnersother_cost_0_4_choice := (not winnersother_cost_0_4_value) or (not ((sums_sum_0_4 mod 2) = 1)) when
-        (winnersother_cost_0_5 mod 2) = 1 else not winnersother_cost_0_4_value;
+      winnersother_cost_0_3_choice_9 := 127 when sums_tag_first_column else winnersother_cost_0_4;
+      winnersother_cost_0_4_choice := (not (((sums_sum_0_4 / 2) mod 2) = 1)) or (not ((sums_sum_0_4 mod 2) = 1)) when
+        (winnersother_cost_0_5 mod 2) = 1 else not (((sums_sum_0_4 / 2) mod 2) = 1);
       winnersother_cost_0_4_choice_2 := winnersother_cost_0_4_choice when ((winnersother_cost_0_5 / 2) mod 2) = 1 else
         ((winnersother_cost_0_5 mod 2) = 1) and ((sums_sum_0_4 mod 4) = 0);
-      winnersother_cost_0_4_value_2 := ((sums_sum_0_4 / 4) mod 2) = 1;
-      winnersother_cost_0_4_choice_3 := (not (((winnersother_cost_0_5 / 4) mod 2) = 1)) and
-        winnersother_cost_0_4_value_2 when winnersother_cost_0_4_choice_2 else (not (((winnersother_cost_0_5 / 4) mod
-        2) = 1)) or winnersother_cost_0_4_value_2;
-      winnersother_cost_0_4_value_3 := ((sums_sum_0_4 / 8) mod 2) = 1;
+      winnersother_cost_0_4_value := ((sums_sum_0_4 / 4) mod 2) = 1;
+      winnersother_cost_0_4_choice_3 := (not (((winnersother_cost_0_5 / 4) mod 2) = 1)) and winnersother_cost_0_4_value
+        when winnersother_cost_0_4_choice_2 else (not (((winnersother_cost_0_5 / 4) mod 2) = 1)) or
+        winnersother_cost_0_4_value;
+      winnersother_cost_0_4_value_2 := ((sums_sum_0_4 / 8) mod 2) = 1;
       winnersother_cost_0_4_choice_4 := (not (((winnersother_cost_0_5 / 8) mod 2) = 1)) or
-        winnersother_cost_0_4_value_3 when winnersother_cost_0_4_choice_3 else (not (((winnersother_cost_0_5 / 8) mod
-        2) = 1)) and winnersother_cost_0_4_value_3;
-      winnersother_cost_0_4_value_4 := ((sums_sum_0_4 / 16) mod 2) = 1;
+        winnersother_cost_0_4_value_2 when winnersother_cost_0_4_choice_3 else (not (((winnersother_cost_0_5 / 8) mod
+        2) = 1)) and winnersother_cost_0_4_value_2;
+      winnersother_cost_0_4_value_3 := ((sums_sum_0_4 / 16) mod 2) = 1;
       winnersother_cost_0_4_choice_5 := (not (((winnersother_cost_0_5 / 16) mod 2) = 1)) or
-        winnersother_cost_0_4_value_4 when winnersother_cost_0_4_choice_4 else (not (((winnersother_cost_0_5 / 16) mod
-        2) = 1)) and winnersother_cost_0_4_value_4;
-      winnersother_cost_0_4_value_5 := ((sums_sum_0_4 / 32) mod 2) = 1;
+        winnersother_cost_0_4_value_3 when winnersother_cost_0_4_choice_4 else (not (((winnersother_cost_0_5 / 16) mod
+        2) = 1)) and winnersother_cost_0_4_value_3;
+      winnersother_cost_0_4_value_4 := ((sums_sum_0_4 / 32) mod 2) = 1;
       winnersother_cost_0_4_choice_6 := (not (((winnersother_cost_0_5 / 32) mod 2) = 1)) or
-        winnersother_cost_0_4_value_5 when winnersother_cost_0_4_choice_5 else (not (((winnersother_cost_0_5 / 32) mod
-        2) = 1)) and winnersother_cost_0_4_value_5;
-      winnersother_cost_0_4_value_6 := ((sums_sum_0_4 / 64) mod 2) = 1;
-      winnersother_cost_0_4_choice_7 := (not (((winnersother_cost_0_5 / 64) mod 2) = 1)) or
-        winnersother_cost_0_4_value_6 when winnersother_cost_0_4_choice_6 else (not (((winnersother_cost_0_5 / 64) mod
-        2) = 1)) and winnersother_cost_0_4_value_6;
-      winnersother_cost_0_4_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_4 / 128) = 1) when
-        (winnersother_cost_0_5 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_4_choice_9 := winnersother_cost_0_4_choice_8 when winnersother_cost_0_4_choice_7 else (not
-        ((winnersother_cost_0_5 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 128) = 1);
-      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_9) and sums_tag_output_column and other_26 and
+        winnersother_cost_0_4_value_4 when winnersother_cost_0_4_choice_5 else (not (((winnersother_cost_0_5 / 32) mod
+        2) = 1)) and winnersother_cost_0_4_value_4;
+      winnersother_cost_0_4_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_4 / 64) = 1) when
+        (winnersother_cost_0_5 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_4_choice_8 := winnersother_cost_0_4_choice_7 when winnersother_cost_0_4_choice_6 else (not
+        ((winnersother_cost_0_5 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_4 / 64) = 1);
+      winnersother_cost_0_4_all := (not winnersother_cost_0_4_choice_8) and sums_tag_output_column and other_26 and
         winnersmask_inside_4;
-      winnersother_cost_0_4_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_5;
+      winnersother_cost_0_4_choice_9 := 127 when sums_tag_first_column else winnersother_cost_0_5;
       winnersother_cost_0_5_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1)) when
         (winnersother_cost_0_6 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
       winnersother_cost_0_5_choice_2 := winnersother_cost_0_5_choice when ((winnersother_cost_0_6 / 2) mod 2) = 1 else
@@ -6843,49 +6776,40 @@ begin
       winnersother_cost_0_5_choice_6 := (not (((winnersother_cost_0_6 / 32) mod 2) = 1)) or
         winnersother_cost_0_5_value_4 when winnersother_cost_0_5_choice_5 else (not (((winnersother_cost_0_6 / 32) mod
         2) = 1)) and winnersother_cost_0_5_value_4;
-      winnersother_cost_0_5_value_5 := ((sums_sum_0_5 / 64) mod 2) = 1;
-      winnersother_cost_0_5_choice_7 := (not (((winnersother_cost_0_6 / 64) mod 2) = 1)) or
-        winnersother_cost_0_5_value_5 when winnersother_cost_0_5_choice_6 else (not (((winnersother_cost_0_6 / 64) mod
-        2) = 1)) and winnersother_cost_0_5_value_5;
-      winnersother_cost_0_5_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_5 / 128) = 1) when
-        (winnersother_cost_0_6 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_5_choice_9 := winnersother_cost_0_5_choice_8 when winnersother_cost_0_5_choice_7 else (not
-        ((winnersother_cost_0_6 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 128) = 1);
-      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_9) and sums_tag_output_column and other_25 and
+      winnersother_cost_0_5_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_5 / 64) = 1) when
+        (winnersother_cost_0_6 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_5_choice_8 := winnersother_cost_0_5_choice_7 when winnersother_cost_0_5_choice_6 else (not
+        ((winnersother_cost_0_6 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_5 / 64) = 1);
+      winnersother_cost_0_5_all := (not winnersother_cost_0_5_choice_8) and sums_tag_output_column and other_25 and
         winnersmask_inside_5;
-      winnersother_cost_0_5_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_6;
-      winnersother_cost_0_6_value := ((sums_sum_0_6 / 2) mod 2) = 1;
-      winnersother_cost_0_6_choice := (not winnersother_cost_0_6_value) or (not ((sums_sum_0_6 mod 2) = 1)) when
-        (winnersother_cost_0_7 mod 2) = 1 else not winnersother_cost_0_6_value;
+      winnersother_cost_0_5_choice_9 := 127 when sums_tag_first_column else winnersother_cost_0_6;
+      winnersother_cost_0_6_choice := (not (((sums_sum_0_6 / 2) mod 2) = 1)) or (not ((sums_sum_0_6 mod 2) = 1)) when
+        (winnersother_cost_0_7 mod 2) = 1 else not (((sums_sum_0_6 / 2) mod 2) = 1);
       winnersother_cost_0_6_choice_2 := winnersother_cost_0_6_choice when ((winnersother_cost_0_7 / 2) mod 2) = 1 else
         ((winnersother_cost_0_7 mod 2) = 1) and ((sums_sum_0_6 mod 4) = 0);
-      winnersother_cost_0_6_value_2 := ((sums_sum_0_6 / 4) mod 2) = 1;
-      winnersother_cost_0_6_choice_3 := (not (((winnersother_cost_0_7 / 4) mod 2) = 1)) and
-        winnersother_cost_0_6_value_2 when winnersother_cost_0_6_choice_2 else (not (((winnersother_cost_0_7 / 4) mod
-        2) = 1)) or winnersother_cost_0_6_value_2;
-      winnersother_cost_0_6_value_3 := ((sums_sum_0_6 / 8) mod 2) = 1;
+      winnersother_cost_0_6_value := ((sums_sum_0_6 / 4) mod 2) = 1;
+      winnersother_cost_0_6_choice_3 := (not (((winnersother_cost_0_7 / 4) mod 2) = 1)) and winnersother_cost_0_6_value
+        when winnersother_cost_0_6_choice_2 else (not (((winnersother_cost_0_7 / 4) mod 2) = 1)) or
+        winnersother_cost_0_6_value;
+      winnersother_cost_0_6_value_2 := ((sums_sum_0_6 / 8) mod 2) = 1;
       winnersother_cost_0_6_choice_4 := (not (((winnersother_cost_0_7 / 8) mod 2) = 1)) or
-        winnersother_cost_0_6_value_3 when winnersother_cost_0_6_choice_3 else (not (((winnersother_cost_0_7 / 8) mod
-        2) = 1)) and winnersother_cost_0_6_value_3;
-      winnersother_cost_0_6_value_4 := ((sums_sum_0_6 / 16) mod 2) = 1;
+        winnersother_cost_0_6_value_2 when winnersother_cost_0_6_choice_3 else (not (((winnersother_cost_0_7 / 8) mod
+        2) = 1)) and winnersother_cost_0_6_value_2;
+      winnersother_cost_0_6_value_3 := ((sums_sum_0_6 / 16) mod 2) = 1;
       winnersother_cost_0_6_choice_5 := (not (((winnersother_cost_0_7 / 16) mod 2) = 1)) or
-        winnersother_cost_0_6_value_4 when winnersother_cost_0_6_choice_4 else (not (((winnersother_cost_0_7 / 16) mod
-        2) = 1)) and winnersother_cost_0_6_value_4;
-      winnersother_cost_0_6_value_5 := ((sums_sum_0_6 / 32) mod 2) = 1;
+        winnersother_cost_0_6_value_3 when winnersother_cost_0_6_choice_4 else (not (((winnersother_cost_0_7 / 16) mod
+        2) = 1)) and winnersother_cost_0_6_value_3;
+      winnersother_cost_0_6_value_4 := ((sums_sum_0_6 / 32) mod 2) = 1;
       winnersother_cost_0_6_choice_6 := (not (((winnersother_cost_0_7 / 32) mod 2) = 1)) or
-        winnersother_cost_0_6_value_5 when winnersother_cost_0_6_choice_5 else (not (((winnersother_cost_0_7 / 32) mod
-        2) = 1)) and winnersother_cost_0_6_value_5;
-      winnersother_cost_0_6_value_6 := ((sums_sum_0_6 / 64) mod 2) = 1;
-      winnersother_cost_0_6_choice_7 := (not (((winnersother_cost_0_7 / 64) mod 2) = 1)) or
-        winnersother_cost_0_6_value_6 when winnersother_cost_0_6_choice_6 else (not (((winnersother_cost_0_7 / 64) mod
-        2) = 1)) and winnersother_cost_0_6_value_6;
-      winnersother_cost_0_6_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_6 / 128) = 1) when
-        (winnersother_cost_0_7 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_6_choice_9 := winnersother_cost_0_6_choice_8 when winnersother_cost_0_6_choice_7 else (not
-        ((winnersother_cost_0_7 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 128) = 1);
-      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_9) and sums_tag_output_column and other_24 and
+        winnersother_cost_0_6_value_4 when winnersother_cost_0_6_choice_5 else (not (((winnersother_cost_0_7 / 32) mod
+        2) = 1)) and winnersother_cost_0_6_value_4;
+      winnersother_cost_0_6_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_6 / 64) = 1) when
+        (winnersother_cost_0_7 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_6_choice_8 := winnersother_cost_0_6_choice_7 when winnersother_cost_0_6_choice_6 else (not
+        ((winnersother_cost_0_7 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_6 / 64) = 1);
+      winnersother_cost_0_6_all := (not winnersother_cost_0_6_choice_8) and sums_tag_output_column and other_24 and
         winnersmask_inside_6;
-      winnersother_cost_0_6_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_7;
+      winnersother_cost_0_6_choice_9 := 127 when sums_tag_first_column else winnersother_cost_0_7;
       winnersother_cost_0_7_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1)) when
         (winnersother_cost_0_8 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
       winnersother_cost_0_7_choice_2 := winnersother_cost_0_7_choice when ((winnersother_cost_0_8 / 2) mod 2) = 1 else
@@ -6906,61 +6830,52 @@ begin
       winnersother_cost_0_7_choice_6 := (not (((winnersother_cost_0_8 / 32) mod 2) = 1)) or
         winnersother_cost_0_7_value_4 when winnersother_cost_0_7_choice_5 else (not (((winnersother_cost_0_8 / 32) mod
         2) = 1)) and winnersother_cost_0_7_value_4;
-      winnersother_cost_0_7_value_5 := ((sums_sum_0_7 / 64) mod 2) = 1;
-      winnersother_cost_0_7_choice_7 := (not (((winnersother_cost_0_8 / 64) mod 2) = 1)) or
-        winnersother_cost_0_7_value_5 when winnersother_cost_0_7_choice_6 else (not (((winnersother_cost_0_8 / 64) mod
-        2) = 1)) and winnersother_cost_0_7_value_5;
-      winnersother_cost_0_7_choice_8 := (not sums_tag_first_column) and ((sums_sum_0_7 / 128) = 1) when
-        (winnersother_cost_0_8 / 128) = 1 else not sums_tag_first_column;
-      winnersother_cost_0_7_choice_9 := winnersother_cost_0_7_choice_8 when winnersother_cost_0_7_choice_7 else (not
-        ((winnersother_cost_0_8 / 128) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 128) = 1);
-      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_9) and sums_tag_output_column and other_23 and
+      winnersother_cost_0_7_choice_7 := (not sums_tag_first_column) and ((sums_sum_0_7 / 64) = 1) when
+        (winnersother_cost_0_8 / 64) = 1 else not sums_tag_first_column;
+      winnersother_cost_0_7_choice_8 := winnersother_cost_0_7_choice_7 when winnersother_cost_0_7_choice_6 else (not
+        ((winnersother_cost_0_8 / 64) = 1)) and (not sums_tag_first_column) and ((sums_sum_0_7 / 64) = 1);
+      winnersother_cost_0_7_all := (not winnersother_cost_0_7_choice_8) and sums_tag_output_column and other_23 and
         winnersmask_inside_7;
-      winnersother_cost_0_7_choice_10 := 255 when sums_tag_first_column else winnersother_cost_0_8;
-      winnersother_cost_0_8_choice := 255 when sums_tag_first_column else winnersother_cost_0_9;
-      winnersother_cost_0_9_choice := 255 when sums_tag_first_column else winnersother_cost_0_10;
-      winnersother_cost_0_10_choice := 255 when sums_tag_first_column else winnersother_cost_0_11;
-      winnersother_winner_0_0_value := ((sums_sum_0_0 / 2) mod 2) = 1;
-      winnersother_winner_0_0_choice := (not winnersother_winner_0_0_value) or (not ((sums_sum_0_0 mod 2) = 1)) when
-        (winnersother_cost_0_1 mod 2) = 1 else not winnersother_winner_0_0_value;
+      winnersother_cost_0_7_choice_9 := 127 when sums_tag_first_column else winnersother_cost_0_8;
+      winnersother_cost_0_8_choice := 127 when sums_tag_first_column else winnersother_cost_0_9;
+      winnersother_cost_0_9_choice := 127 when sums_tag_first_column else winnersother_cost_0_10;
+      winnersother_cost_0_10_choice := 127 when sums_tag_first_column else winnersother_cost_0_11;
+      winnersother_winner_0_0_choice := (not (((sums_sum_0_0 / 2) mod 2) = 1)) or (not ((sums_sum_0_0 mod 2) = 1)) when
+        (winnersother_cost_0_1 mod 2) = 1 else not (((sums_sum_0_0 / 2) mod 2) = 1);
       winnersother_winner_0_0_choice_2 := winnersother_winner_0_0_choice when ((winnersother_cost_0_1 / 2) mod 2) = 1
         else ((winnersother_cost_0_1 mod 2) = 1) and ((sums_sum_0_0 mod 4) = 0);
-      winnersother_winner_0_0_value_2 := ((sums_sum_0_0 / 4) mod 2) = 1;
+      winnersother_winner_0_0_value := ((sums_sum_0_0 / 4) mod 2) = 1;
       winnersother_winner_0_0_choice_3 := (not (((winnersother_cost_0_1 / 4) mod 2) = 1)) and
-        winnersother_winner_0_0_value_2 when winnersother_winner_0_0_choice_2 else (not (((winnersother_cost_0_1 / 4)
-        mod 2) = 1)) or winnersother_winner_0_0_value_2;
-      winnersother_winner_0_0_value_3 := ((sums_sum_0_0 / 8) mod 2) = 1;
+        winnersother_winner_0_0_value when winnersother_winner_0_0_choice_2 else (not (((winnersother_cost_0_1 / 4) mod
+        2) = 1)) or winnersother_winner_0_0_value;
+      winnersother_winner_0_0_value_2 := ((sums_sum_0_0 / 8) mod 2) = 1;
       winnersother_winner_0_0_choice_4 := (not (((winnersother_cost_0_1 / 8) mod 2) = 1)) or
-        winnersother_winner_0_0_value_3 when winnersother_winner_0_0_choice_3 else (not (((winnersother_cost_0_1 / 8)
-        mod 2) = 1)) and winnersother_winner_0_0_value_3;
-      winnersother_winner_0_0_value_4 := ((sums_sum_0_0 / 16) mod 2) = 1;
+        winnersother_winner_0_0_value_2 when winnersother_winner_0_0_choice_3 else (not (((winnersother_cost_0_1 / 8)
+        mod 2) = 1)) and winnersother_winner_0_0_value_2;
+      winnersother_winner_0_0_value_3 := ((sums_sum_0_0 / 16) mod 2) = 1;
       winnersother_winner_0_0_choice_5 := (not (((winnersother_cost_0_1 / 16) mod 2) = 1)) or
-        winnersother_winner_0_0_value_4 when winnersother_winner_0_0_choice_4 else (not (((winnersother_cost_0_1 / 16)
-        mod 2) = 1)) and winnersother_winner_0_0_value_4;
-      winnersother_winner_0_0_value_5 := ((sums_sum_0_0 / 32) mod 2) = 1;
+        winnersother_winner_0_0_value_3 when winnersother_winner_0_0_choice_4 else (not (((winnersother_cost_0_1 / 16)
+        mod 2) = 1)) and winnersother_winner_0_0_value_3;
+      winnersother_winner_0_0_value_4 := ((sums_sum_0_0 / 32) mod 2) = 1;
       winnersother_winner_0_0_choice_6 := (not (((winnersother_cost_0_1 / 32) mod 2) = 1)) or
-        winnersother_winner_0_0_value_5 when winnersother_winner_0_0_choice_5 else (not (((winnersother_cost_0_1 / 32)
-        mod 2) = 1)) and winnersother_winner_0_0_value_5;
-      winnersother_winner_0_0_value_6 := ((sums_sum_0_0 / 64) mod 2) = 1;
-      winnersother_winner_0_0_choice_7 := (not (((winnersother_cost_0_1 / 64) mod 2) = 1)) or
-        winnersother_winner_0_0_value_6 when winnersother_winner_0_0_choice_6 else (not (((winnersother_cost_0_1 / 64)
-        mod 2) = 1)) and winnersother_winner_0_0_value_6;
-      winnersother_winner_0_0_choice_8 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_1 / 128) = 1)) or
-        ((sums_sum_0_0 / 128) = 1)) when winnersother_winner_0_0_choice_7 else (not sums_tag_first_column) and (not
-        ((winnersother_cost_0_1 / 128) = 1)) and ((sums_sum_0_0 / 128) = 1);
+        winnersother_winner_0_0_value_4 when winnersother_winner_0_0_choice_5 else (not (((winnersother_cost_0_1 / 32)
+        mod 2) = 1)) and winnersother_winner_0_0_value_4;
+      winnersother_winner_0_0_choice_7 := (not sums_tag_first_column) and ((not ((winnersother_cost_0_1 / 64) = 1)) or
+        ((sums_sum_0_0 / 64) = 1)) when winnersother_winner_0_0_choice_6 else (not sums_tag_first_column) and (not
+        ((winnersother_cost_0_1 / 64) = 1)) and ((sums_sum_0_0 / 64) = 1);
       if sums_tag_valid then
-        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_1_choice_10;
-        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_2_choice_10;
-        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_3_choice_10;
-        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_4_choice_10;
-        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_5_choice_10;
-        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_6_choice_10;
-        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_7_choice_10;
+        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_all else winnersother_cost_0_1_choice_9;
+        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_all else winnersother_cost_0_2_choice_9;
+        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_all else winnersother_cost_0_3_choice_9;
+        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_all else winnersother_cost_0_4_choice_9;
+        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_all else winnersother_cost_0_5_choice_9;
+        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_all else winnersother_cost_0_6_choice_9;
+        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_all else winnersother_cost_0_7_choice_9;
         winnersother_cost_0_8 <= sums_sum_0_8 when sums_tag_row_start_all else winnersother_cost_0_8_choice;
         winnersother_cost_0_9 <= sums_sum_0_9 when sums_tag_first_cost_all else winnersother_cost_0_9_choice;
         winnersother_cost_0_10 <= sums_sum_0_10 when sums_tag_first_group_all else winnersother_cost_0_10_choice;
-        winnersother_cost_0_11 <= sums_sum_0_11 when sums_tag_newest_inside_all else 255;
-        winnersother_winner_0_0 <= 0 when (not winnersother_winner_0_0_choice_8) and sums_tag_output_column and
+        winnersother_cost_0_11 <= sums_sum_0_11 when sums_tag_newest_inside_all else 127;
+        winnersother_winner_0_0 <= 0 when (not winnersother_winner_0_0_choice_7) and sums_tag_output_column and
           winnersmask_searched_11 and winnersmask_inside_0 else winnersother_winner_0_1;
         winnersother_winner_0_1 <= 1 when winnersother_cost_0_1_all else winnersother_winner_0_2;
         winnersother_winner_0_2 <= 2 when winnersother_cost_0_2_all else winnersother_winner_0_3;
@@ -6972,341 +6887,256 @@ begin
       end if;
       winnersother_winner_out_0 <= winnersother_winner_0_0;
       -- winnerswinner1
-      winnerswinner1_held_0_0_sum := as_number((winnersmask_searched_11 and winnersmask_inside_0)) + 255;
-      winnerswinner1_held_0_0_any := to_integer(((to_unsigned(sums_sum_0_0, 8)) or
-        (to_unsigned((winnerswinner1_held_0_0_sum mod 256), 8))));
-      winnerswinner1_held_0_1_sum := as_number((other_29 and winnersmask_inside_1)) + 255;
-      winnerswinner1_held_0_1_any := to_integer(((to_unsigned(sums_sum_0_1, 8)) or
-        (to_unsigned((winnerswinner1_held_0_1_sum mod 256), 8))));
-      winnerswinner1_held_0_2_sum := as_number((other_28 and winnersmask_inside_2)) + 255;
-      winnerswinner1_held_0_2_any := to_integer(((to_unsigned(sums_sum_0_2, 8)) or
-        (to_unsigned((winnerswinner1_held_0_2_sum mod 256), 8))));
-      winnerswinner1_held_0_3_sum := as_number((other_27 and winnersmask_inside_3)) + 255;
-      winnerswinner1_held_0_3_any := to_integer(((to_unsigned(sums_sum_0_3, 8)) or
-        (to_unsigned((winnerswinner1_held_0_3_sum mod 256), 8))));
-      winnerswinner1_held_0_4_sum := as_number((other_26 and winnersmask_inside_4)) + 255;
-      winnerswinner1_held_0_4_any := to_integer(((to_unsigned(sums_sum_0_4, 8)) or
-        (to_unsigned((winnerswinner1_held_0_4_sum mod 256), 8))));
-      winnerswinner1_held_0_5_sum := as_number((other_25 and winnersmask_inside_5)) + 255;
-      winnerswinner1_held_0_5_any := to_integer(((to_unsigned(sums_sum_0_5, 8)) or
-        (to_unsigned((winnerswinner1_held_0_5_sum mod 256), 8))));
-      winnerswinner1_held_0_6_sum := as_number((other_24 and winnersmask_inside_6)) + 255;
-      winnerswinner1_held_0_6_any := to_integer(((to_unsigned(sums_sum_0_6, 8)) or
-        (to_unsigned((winnerswinner1_held_0_6_sum mod 256), 8))));
-      winnerswinner1_held_0_7_sum := as_number((other_23 and winnersmask_inside_7)) + 255;
-      winnerswinner1_held_0_7_any := to_integer(((to_unsigned(sums_sum_0_7, 8)) or
-        (to_unsigned((winnerswinner1_held_0_7_sum mod 256), 8))));
-      winnerswinner1_held_0_8_sum := as_number((winnersmask_searched_10 and winnersmask_inside_8)) + 255;
-      winnerswinner1_held_0_8_any := to_integer(((to_unsigned(sums_sum_0_8, 8)) or
-        (to_unsigned((winnerswinner1_held_0_8_sum mod 256), 8))));
-      winnerswinner1_held_0_9_sum := as_number((winnersmask_searched_9 and winnersmask_inside_9)) + 255;
-      winnerswinner1_held_0_9_any := to_integer(((to_unsigned(sums_sum_0_9, 8)) or
-        (to_unsigned((winnerswinner1_held_0_9_sum mod 256), 8))));
-      winnerswinner1_held_0_10_sum := as_number((winnersmask_searched_8 and winnersmask_inside_10)) + 255;
-      winnerswinner1_held_0_10_any := to_integer(((to_unsigned(sums_sum_0_10, 8)) or
-        (to_unsigned((winnerswinner1_held_0_10_sum mod 256), 8))));
-      winnerswinner1_held_0_11_sum := as_number((winnersmask_searched_0 and winnersmask_inside_11)) + 255;
-      winnerswinner1_held_0_11_any := to_integer(((to_unsigned(sums_sum_0_11, 8)) or
-        (to_unsigned((winnerswinner1_held_0_11_sum mod 256), 8))));
-      winnerswinner1_best_index_0_0_value := (((winnerswinner1_held_0_0_sum mod 256) / 2) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice := (not ((not ((winnerswinner1_held_0_0_sum mod 2) = 1)) and (not
-        ((sums_sum_0_0 mod 2) = 1)) and (((winnerswinner1_held_0_1_sum mod 2) = 1) or ((sums_sum_0_1 mod 2) = 1)))) or
-        winnerswinner1_best_index_0_0_value or winnersother_winner_0_0_value when (not ((((winnerswinner1_held_0_1_sum
-        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_1 / 2) mod 2) = 1)) else (not ((not
-        ((winnerswinner1_held_0_0_sum mod 2) = 1)) and (not ((sums_sum_0_0 mod 2) = 1)) and
-        (((winnerswinner1_held_0_1_sum mod 2) = 1) or ((sums_sum_0_1 mod 2) = 1)))) and
-        (winnerswinner1_best_index_0_0_value or winnersother_winner_0_0_value);
-      winnerswinner1_best_index_0_0_value_2 := (((winnerswinner1_held_0_1_sum mod 256) / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_2 := (not ((((winnerswinner1_held_0_0_sum mod 256) / 4) mod 2) = 1)) and
-        (not winnersother_winner_0_0_value_2) and (winnerswinner1_best_index_0_0_value_2 or
-        winnersother_cost_0_1_value) when winnerswinner1_best_index_0_0_choice else ((not
-        ((((winnerswinner1_held_0_0_sum mod 256) / 4) mod 2) = 1)) and (not winnersother_winner_0_0_value_2)) or
-        winnerswinner1_best_index_0_0_value_2 or winnersother_cost_0_1_value;
-      winnerswinner1_best_index_0_0_value_3 := (((winnerswinner1_held_0_1_sum mod 256) / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_3 := ((not ((((winnerswinner1_held_0_0_sum mod 256) / 8) mod 2) = 1)) and
-        (not winnersother_winner_0_0_value_3)) or winnerswinner1_best_index_0_0_value_3 or
-        winnersother_cost_0_1_value_2 when winnerswinner1_best_index_0_0_choice_2 else (not
-        ((((winnerswinner1_held_0_0_sum mod 256) / 8) mod 2) = 1)) and (not winnersother_winner_0_0_value_3) and
-        (winnerswinner1_best_index_0_0_value_3 or winnersother_cost_0_1_value_2);
-      winnerswinner1_best_index_0_0_value_4 := (((winnerswinner1_held_0_1_sum mod 256) / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_4 := ((not ((((winnerswinner1_held_0_0_sum mod 256) / 16) mod 2) = 1)) and
-        (not winnersother_winner_0_0_value_4)) or winnerswinner1_best_index_0_0_value_4 or
-        winnersother_cost_0_1_value_3 when winnerswinner1_best_index_0_0_choice_3 else (not
-        ((((winnerswinner1_held_0_0_sum mod 256) / 16) mod 2) = 1)) and (not winnersother_winner_0_0_value_4) and
-        (winnerswinner1_best_index_0_0_value_4 or winnersother_cost_0_1_value_3);
-      winnerswinner1_best_index_0_0_value_5 := (((winnerswinner1_held_0_1_sum mod 256) / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_5 := ((not ((((winnerswinner1_held_0_0_sum mod 256) / 32) mod 2) = 1)) and
-        (not winnersother_winner_0_0_value_5)) or winnerswinner1_best_index_0_0_value_5 or
-        winnersother_cost_0_1_value_4 when winnerswinner1_best_index_0_0_choice_4 else (not
-        ((((winnerswinner1_held_0_0_sum mod 256) / 32) mod 2) = 1)) and (not winnersother_winner_0_0_value_5) and
-        (winnerswinner1_best_index_0_0_value_5 or winnersother_cost_0_1_value_4);
-      winnerswinner1_best_index_0_0_value_6 := (((winnerswinner1_held_0_1_sum mod 256) / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_6 := ((not ((((winnerswinner1_held_0_0_sum mod 256) / 64) mod 2) = 1)) and
-        (not winnersother_winner_0_0_value_6)) or winnerswinner1_best_index_0_0_value_6 or
-        winnersother_cost_0_1_value_5 when winnerswinner1_best_index_0_0_choice_5 else (not
-        ((((winnerswinner1_held_0_0_sum mod 256) / 64) mod 2) = 1)) and (not winnersother_winner_0_0_value_6) and
-        (winnerswinner1_best_index_0_0_value_6 or winnersother_cost_0_1_value_5);
-      winnerswinner1_best_index_0_0_choice_7 := (not ((not (((winnerswinner1_held_0_0_sum mod 256) / 128) = 1)) and
-        (not ((sums_sum_0_0 / 128) = 1)))) and (not (((winnerswinner1_held_0_1_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_1 / 128) = 1)) when winnerswinner1_best_index_0_0_choice_6 else (not ((not
-        (((winnerswinner1_held_0_0_sum mod 256) / 128) = 1)) and (not ((sums_sum_0_0 / 128) = 1)))) or ((not
-        (((winnerswinner1_held_0_1_sum mod 256) / 128) = 1)) and (not ((sums_sum_0_1 / 128) = 1)));
-      winnerswinner1_best_index_0_1_value := (((winnerswinner1_held_0_2_sum mod 256) / 2) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice := (not ((not ((winnerswinner1_held_0_2_sum mod 2) = 1)) and (not
-        ((sums_sum_0_2 mod 2) = 1)) and (((winnerswinner1_held_0_3_sum mod 2) = 1) or ((sums_sum_0_3 mod 2) = 1)))) or
-        winnerswinner1_best_index_0_1_value or winnersother_cost_0_2_value when (not ((((winnerswinner1_held_0_3_sum
-        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_3 / 2) mod 2) = 1)) else (not ((not
-        ((winnerswinner1_held_0_2_sum mod 2) = 1)) and (not ((sums_sum_0_2 mod 2) = 1)) and
-        (((winnerswinner1_held_0_3_sum mod 2) = 1) or ((sums_sum_0_3 mod 2) = 1)))) and
-        (winnerswinner1_best_index_0_1_value or winnersother_cost_0_2_value);
-      winnerswinner1_best_index_0_1_value_2 := (((winnerswinner1_held_0_3_sum mod 256) / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_2 := (not ((((winnerswinner1_held_0_2_sum mod 256) / 4) mod 2) = 1)) and
-        (not winnersother_cost_0_2_value_2) and (winnerswinner1_best_index_0_1_value_2 or winnersother_cost_0_3_value)
-        when winnerswinner1_best_index_0_1_choice else ((not ((((winnerswinner1_held_0_2_sum mod 256) / 4) mod 2) = 1))
-        and (not winnersother_cost_0_2_value_2)) or winnerswinner1_best_index_0_1_value_2 or
-        winnersother_cost_0_3_value;
-      winnerswinner1_best_index_0_1_value_3 := (((winnerswinner1_held_0_3_sum mod 256) / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_3 := ((not ((((winnerswinner1_held_0_2_sum mod 256) / 8) mod 2) = 1)) and
-        (not winnersother_cost_0_2_value_3)) or winnerswinner1_best_index_0_1_value_3 or winnersother_cost_0_3_value_2
-        when winnerswinner1_best_index_0_1_choice_2 else (not ((((winnerswinner1_held_0_2_sum mod 256) / 8) mod 2) =
-        1)) and (not winnersother_cost_0_2_value_3) and (winnerswinner1_best_index_0_1_value_3 or
-        winnersother_cost_0_3_value_2);
-      winnerswinner1_best_index_0_1_value_4 := (((winnerswinner1_held_0_3_sum mod 256) / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_4 := ((not ((((winnerswinner1_held_0_2_sum mod 256) / 16) mod 2) = 1)) and
-        (not winnersother_cost_0_2_value_4)) or winnerswinner1_best_index_0_1_value_4 or winnersother_cost_0_3_value_3
-        when winnerswinner1_best_index_0_1_choice_3 else (not ((((winnerswinner1_held_0_2_sum mod 256) / 16) mod 2) =
-        1)) and (not winnersother_cost_0_2_value_4) and (winnerswinner1_best_index_0_1_value_4 or
-        winnersother_cost_0_3_value_3);
-      winnerswinner1_best_index_0_1_value_5 := (((winnerswinner1_held_0_3_sum mod 256) / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_5 := ((not ((((winnerswinner1_held_0_2_sum mod 256) / 32) mod 2) = 1)) and
-        (not winnersother_cost_0_2_value_5)) or winnerswinner1_best_index_0_1_value_5 or winnersother_cost_0_3_value_4
-        when winnerswinner1_best_index_0_1_choice_4 else (not ((((winnerswinner1_held_0_2_sum mod 256) / 32) mod 2) =
-        1)) and (not winnersother_cost_0_2_value_5) and (winnerswinner1_best_index_0_1_value_5 or
-        winnersother_cost_0_3_value_4);
-      winnerswinner1_best_index_0_1_value_6 := (((winnerswinner1_held_0_3_sum mod 256) / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_6 := ((not ((((winnerswinner1_held_0_2_sum mod 256) / 64) mod 2) = 1)) and
-        (not winnersother_cost_0_2_value_6)) or winnerswinner1_best_index_0_1_value_6 or winnersother_cost_0_3_value_5
-        when winnerswinner1_best_index_0_1_choice_5 else (not ((((winnerswinner1_held_0_2_sum mod 256) / 64) mod 2) =
-        1)) and (not winnersother_cost_0_2_value_6) and (winnerswinner1_best_index_0_1_value_6 or
-        winnersother_cost_0_3_value_5);
-      winnerswinner1_best_index_0_1_value_7 := ((winnerswinner1_held_0_3_sum mod 256) / 128) = 1;
-      winnerswinner1_best_index_0_1_choice_7 := ((not (((winnerswinner1_held_0_2_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_2 / 128) = 1))) or winnerswinner1_best_index_0_1_value_7 or ((sums_sum_0_3 / 128) = 1) when
-        winnerswinner1_best_index_0_1_choice_6 else (not (((winnerswinner1_held_0_2_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_2 / 128) = 1)) and (winnerswinner1_best_index_0_1_value_7 or ((sums_sum_0_3 / 128) = 1));
-      winnerswinner1_best_index_0_2_value := (((winnerswinner1_held_0_4_sum mod 256) / 2) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice := (not ((not ((winnerswinner1_held_0_4_sum mod 2) = 1)) and (not
-        ((sums_sum_0_4 mod 2) = 1)) and (((winnerswinner1_held_0_5_sum mod 2) = 1) or ((sums_sum_0_5 mod 2) = 1)))) or
-        winnerswinner1_best_index_0_2_value or winnersother_cost_0_4_value when (not ((((winnerswinner1_held_0_5_sum
-        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_5 / 2) mod 2) = 1)) else (not ((not
-        ((winnerswinner1_held_0_4_sum mod 2) = 1)) and (not ((sums_sum_0_4 mod 2) = 1)) and
-        (((winnerswinner1_held_0_5_sum mod 2) = 1) or ((sums_sum_0_5 mod 2) = 1)))) and
-        (winnerswinner1_best_index_0_2_value or winnersother_cost_0_4_value);
-      winnerswinner1_best_index_0_2_value_2 := (((winnerswinner1_held_0_5_sum mod 256) / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_2 := (not ((((winnerswinner1_held_0_4_sum mod 256) / 4) mod 2) = 1)) and
-        (not winnersother_cost_0_4_value_2) and (winnerswinner1_best_index_0_2_value_2 or winnersother_cost_0_5_value)
-        when winnerswinner1_best_index_0_2_choice else ((not ((((winnerswinner1_held_0_4_sum mod 256) / 4) mod 2) = 1))
-        and (not winnersother_cost_0_4_value_2)) or winnerswinner1_best_index_0_2_value_2 or
-        winnersother_cost_0_5_value;
-      winnerswinner1_best_index_0_2_value_3 := (((winnerswinner1_held_0_5_sum mod 256) / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_3 := ((not ((((winnerswinner1_held_0_4_sum mod 256) / 8) mod 2) = 1)) and
-        (not winnersother_cost_0_4_value_3)) or winnerswinner1_best_index_0_2_value_3 or winnersother_cost_0_5_value_2
-        when winnerswinner1_best_index_0_2_choice_2 else (not ((((winnerswinner1_held_0_4_sum mod 256) / 8) mod 2) =
-        1)) and (not winnersother_cost_0_4_value_3) and (winnerswinner1_best_index_0_2_value_3 or
-        winnersother_cost_0_5_value_2);
-      winnerswinner1_best_index_0_2_value_4 := (((winnerswinner1_held_0_5_sum mod 256) / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_4 := ((not ((((winnerswinner1_held_0_4_sum mod 256) / 16) mod 2) = 1)) and
-        (not winnersother_cost_0_4_value_4)) or winnerswinner1_best_index_0_2_value_4 or winnersother_cost_0_5_value_3
-        when winnerswinner1_best_index_0_2_choice_3 else (not ((((winnerswinner1_held_0_4_sum mod 256) / 16) mod 2) =
-        1)) and (not winnersother_cost_0_4_value_4) and (winnerswinner1_best_index_0_2_value_4 or
-        winnersother_cost_0_5_value_3);
-      winnerswinner1_best_index_0_2_value_5 := (((winnerswinner1_held_0_5_sum mod 256) / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_5 := ((not ((((winnerswinner1_held_0_4_sum mod 256) / 32) mod 2) = 1)) and
-        (not winnersother_cost_0_4_value_5)) or winnerswinner1_best_index_0_2_value_5 or winnersother_cost_0_5_value_4
-        when winnerswinner1_best_index_0_2_choice_4 else (not ((((winnerswinner1_held_0_4_sum mod 256) / 32) mod 2) =
-        1)) and (not winnersother_cost_0_4_value_5) and (winnerswinner1_best_index_0_2_value_5 or
-        winnersother_cost_0_5_value_4);
-      winnerswinner1_best_index_0_2_value_6 := (((winnerswinner1_held_0_5_sum mod 256) / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_6 := ((not ((((winnerswinner1_held_0_4_sum mod 256) / 64) mod 2) = 1)) and
-        (not winnersother_cost_0_4_value_6)) or winnerswinner1_best_index_0_2_value_6 or winnersother_cost_0_5_value_5
-        when winnerswinner1_best_index_0_2_choice_5 else (not ((((winnerswinner1_held_0_4_sum mod 256) / 64) mod 2) =
-        1)) and (not winnersother_cost_0_4_value_6) and (winnerswinner1_best_index_0_2_value_6 or
-        winnersother_cost_0_5_value_5);
-      winnerswinner1_best_index_0_2_value_7 := ((winnerswinner1_held_0_5_sum mod 256) / 128) = 1;
-      winnerswinner1_best_index_0_2_choice_7 := ((not (((winnerswinner1_held_0_4_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_4 / 128) = 1))) or winnerswinner1_best_index_0_2_value_7 or ((sums_sum_0_5 / 128) = 1) when
-        winnerswinner1_best_index_0_2_choice_6 else (not (((winnerswinner1_held_0_4_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_4 / 128) = 1)) and (winnerswinner1_best_index_0_2_value_7 or ((sums_sum_0_5 / 128) = 1));
-      winnerswinner1_best_index_0_3_value := (((winnerswinner1_held_0_6_sum mod 256) / 2) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice := (not ((not ((winnerswinner1_held_0_6_sum mod 2) = 1)) and (not
-        ((sums_sum_0_6 mod 2) = 1)) and (((winnerswinner1_held_0_7_sum mod 2) = 1) or ((sums_sum_0_7 mod 2) = 1)))) or
-        winnerswinner1_best_index_0_3_value or winnersother_cost_0_6_value when (not ((((winnerswinner1_held_0_7_sum
-        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_7 / 2) mod 2) = 1)) else (not ((not
-        ((winnerswinner1_held_0_6_sum mod 2) = 1)) and (not ((sums_sum_0_6 mod 2) = 1)) and
-        (((winnerswinner1_held_0_7_sum mod 2) = 1) or ((sums_sum_0_7 mod 2) = 1)))) and
-        (winnerswinner1_best_index_0_3_value or winnersother_cost_0_6_value);
-      winnerswinner1_best_index_0_3_value_2 := (((winnerswinner1_held_0_7_sum mod 256) / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_2 := (not ((((winnerswinner1_held_0_6_sum mod 256) / 4) mod 2) = 1)) and
-        (not winnersother_cost_0_6_value_2) and (winnerswinner1_best_index_0_3_value_2 or winnersother_cost_0_7_value)
-        when winnerswinner1_best_index_0_3_choice else ((not ((((winnerswinner1_held_0_6_sum mod 256) / 4) mod 2) = 1))
-        and (not winnersother_cost_0_6_value_2)) or winnerswinner1_best_index_0_3_value_2 or
-        winnersother_cost_0_7_value;
-      winnerswinner1_best_index_0_3_value_3 := (((winnerswinner1_held_0_7_sum mod 256) / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_3 := ((not ((((winnerswinner1_held_0_6_sum mod 256) / 8) mod 2) = 1)) and
-        (not winnersother_cost_0_6_value_3)) or winnerswinner1_best_index_0_3_value_3 or winnersother_cost_0_7_value_2
-        when winnerswinner1_best_index_0_3_choice_2 else (not ((((winnerswinner1_held_0_6_sum mod 256) / 8) mod 2) =
-        1)) and (not winnersother_cost_0_6_value_3) and (winnerswinner1_best_index_0_3_value_3 or
-        winnersother_cost_0_7_value_2);
-      winnerswinner1_best_index_0_3_value_4 := (((winnerswinner1_held_0_7_sum mod 256) / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_4 := ((not ((((winnerswinner1_held_0_6_sum mod 256) / 16) mod 2) = 1)) and
-        (not winnersother_cost_0_6_value_4)) or winnerswinner1_best_index_0_3_value_4 or winnersother_cost_0_7_value_3
-        when winnerswinner1_best_index_0_3_choice_3 else (not ((((winnerswinner1_held_0_6_sum mod 256) / 16) mod 2) =
-        1)) and (not winnersother_cost_0_6_value_4) and (winnerswinner1_best_index_0_3_value_4 or
-        winnersother_cost_0_7_value_3);
-      winnerswinner1_best_index_0_3_value_5 := (((winnerswinner1_held_0_7_sum mod 256) / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_5 := ((not ((((winnerswinner1_held_0_6_sum mod 256) / 32) mod 2) = 1)) and
-        (not winnersother_cost_0_6_value_5)) or winnerswinner1_best_index_0_3_value_5 or winnersother_cost_0_7_value_4
-        when winnerswinner1_best_index_0_3_choice_4 else (not ((((winnerswinner1_held_0_6_sum mod 256) / 32) mod 2) =
-        1)) and (not winnersother_cost_0_6_value_5) and (winnerswinner1_best_index_0_3_value_5 or
-        winnersother_cost_0_7_value_4);
-      winnerswinner1_best_index_0_3_value_6 := (((winnerswinner1_held_0_7_sum mod 256) / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_6 := ((not ((((winnerswinner1_held_0_6_sum mod 256) / 64) mod 2) = 1)) and
-        (not winnersother_cost_0_6_value_6)) or winnerswinner1_best_index_0_3_value_6 or winnersother_cost_0_7_value_5
-        when winnerswinner1_best_index_0_3_choice_5 else (not ((((winnerswinner1_held_0_6_sum mod 256) / 64) mod 2) =
-        1)) and (not winnersother_cost_0_6_value_6) and (winnerswinner1_best_index_0_3_value_6 or
-        winnersother_cost_0_7_value_5);
-      winnerswinner1_best_index_0_3_value_7 := ((winnerswinner1_held_0_7_sum mod 256) / 128) = 1;
-      winnerswinner1_best_index_0_3_choice_7 := ((not (((winnerswinner1_held_0_6_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_6 / 128) = 1))) or winnerswinner1_best_index_0_3_value_7 or ((sums_sum_0_7 / 128) = 1) when
-        winnerswinner1_best_index_0_3_choice_6 else (not (((winnerswinner1_held_0_6_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_6 / 128) = 1)) and (winnerswinner1_best_index_0_3_value_7 or ((sums_sum_0_7 / 128) = 1));
-      winnerswinner1_best_index_0_4_value := (((winnerswinner1_held_0_8_sum mod 256) / 2) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice := (not ((not ((winnerswinner1_held_0_8_sum mod 2) = 1)) and (not
-        ((sums_sum_0_8 mod 2) = 1)) and (((winnerswinner1_held_0_9_sum mod 2) = 1) or ((sums_sum_0_9 mod 2) = 1)))) or
-        winnerswinner1_best_index_0_4_value or sums_tag_row_start_value when (not ((((winnerswinner1_held_0_9_sum mod
-        256) / 2) mod 2) = 1)) and (not (((sums_sum_0_9 / 2) mod 2) = 1)) else (not ((not ((winnerswinner1_held_0_8_sum
-        mod 2) = 1)) and (not ((sums_sum_0_8 mod 2) = 1)) and (((winnerswinner1_held_0_9_sum mod 2) = 1) or
-        ((sums_sum_0_9 mod 2) = 1)))) and (winnerswinner1_best_index_0_4_value or sums_tag_row_start_value);
-      winnerswinner1_best_index_0_4_value_2 := (((winnerswinner1_held_0_9_sum mod 256) / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_2 := (not ((((winnerswinner1_held_0_8_sum mod 256) / 4) mod 2) = 1)) and
-        (not sums_tag_row_start_value_2) and (winnerswinner1_best_index_0_4_value_2 or sums_tag_first_cost_value) when
-        winnerswinner1_best_index_0_4_choice else ((not ((((winnerswinner1_held_0_8_sum mod 256) / 4) mod 2) = 1)) and
-        (not sums_tag_row_start_value_2)) or winnerswinner1_best_index_0_4_value_2 or sums_tag_first_cost_value;
-      winnerswinner1_best_index_0_4_value_3 := (((winnerswinner1_held_0_9_sum mod 256) / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_3 := ((not ((((winnerswinner1_held_0_8_sum mod 256) / 8) mod 2) = 1)) and
-        (not sums_tag_row_start_value_3)) or winnerswinner1_best_index_0_4_value_3 or sums_tag_first_cost_value_2 when
-        winnerswinner1_best_index_0_4_choice_2 else (not ((((winnerswinner1_held_0_8_sum mod 256) / 8) mod 2) = 1)) and
-        (not sums_tag_row_start_value_3) and (winnerswinner1_best_index_0_4_value_3 or sums_tag_first_cost_value_2);
-      winnerswinner1_best_index_0_4_value_4 := (((winnerswinner1_held_0_9_sum mod 256) / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_4 := ((not ((((winnerswinner1_held_0_8_sum mod 256) / 16) mod 2) = 1)) and
-        (not sums_tag_row_start_value_4)) or winnerswinner1_best_index_0_4_value_4 or sums_tag_first_cost_value_3 when
-        winnerswinner1_best_index_0_4_choice_3 else (not ((((winnerswinner1_held_0_8_sum mod 256) / 16) mod 2) = 1))
-        and (not sums_tag_row_start_value_4) and (winnerswinner1_best_index_0_4_value_4 or sums_tag_first_cost_value_3);
-      winnerswinner1_best_index_0_4_value_5 := (((winnerswinner1_held_0_9_sum mod 256) / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_5 := ((not ((((winnerswinner1_held_0_8_sum mod 256) / 32) mod 2) = 1)) and
-        (not sums_tag_row_start_value_5)) or winnerswinner1_best_index_0_4_value_5 or sums_tag_first_cost_value_4 when
-        winnerswinner1_best_index_0_4_choice_4 else (not ((((winnerswinner1_held_0_8_sum mod 256) / 32) mod 2) = 1))
-        and (not sums_tag_row_start_value_5) and (winnerswinner1_best_index_0_4_value_5 or sums_tag_first_cost_value_4);
-      winnerswinner1_best_index_0_4_value_6 := (((winnerswinner1_held_0_9_sum mod 256) / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_6 := ((not ((((winnerswinner1_held_0_8_sum mod 256) / 64) mod 2) = 1)) and
-        (not sums_tag_row_start_value_6)) or winnerswinner1_best_index_0_4_value_6 or sums_tag_first_cost_value_5 when
-        winnerswinner1_best_index_0_4_choice_5 else (not ((((winnerswinner1_held_0_8_sum mod 256) / 64) mod 2) = 1))
-        and (not sums_tag_row_start_value_6) and (winnerswinner1_best_index_0_4_value_6 or sums_tag_first_cost_value_5);
-      winnerswinner1_best_index_0_4_value_7 := ((winnerswinner1_held_0_9_sum mod 256) / 128) = 1;
-      winnerswinner1_best_index_0_4_choice_7 := ((not (((winnerswinner1_held_0_8_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_8 / 128) = 1))) or winnerswinner1_best_index_0_4_value_7 or ((sums_sum_0_9 / 128) = 1) when
-        winnerswinner1_best_index_0_4_choice_6 else (not (((winnerswinner1_held_0_8_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_8 / 128) = 1)) and (winnerswinner1_best_index_0_4_value_7 or ((sums_sum_0_9 / 128) = 1));
-      winnerswinner1_best_index_0_5_value := (((winnerswinner1_held_0_10_sum mod 256) / 2) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice := (not ((not ((winnerswinner1_held_0_10_sum mod 2) = 1)) and (not
-        ((sums_sum_0_10 mod 2) = 1)) and (((winnerswinner1_held_0_11_sum mod 2) = 1) or ((sums_sum_0_11 mod 2) = 1))))
-        or winnerswinner1_best_index_0_5_value or sums_tag_first_group_value when (not ((((winnerswinner1_held_0_11_sum
-        mod 256) / 2) mod 2) = 1)) and (not (((sums_sum_0_11 / 2) mod 2) = 1)) else (not ((not
-        ((winnerswinner1_held_0_10_sum mod 2) = 1)) and (not ((sums_sum_0_10 mod 2) = 1)) and
-        (((winnerswinner1_held_0_11_sum mod 2) = 1) or ((sums_sum_0_11 mod 2) = 1)))) and
-        (winnerswinner1_best_index_0_5_value or sums_tag_first_group_value);
-      winnerswinner1_best_index_0_5_value_2 := (((winnerswinner1_held_0_11_sum mod 256) / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_5_value_3 := ((sums_sum_0_11 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_2 := (not ((((winnerswinner1_held_0_10_sum mod 256) / 4) mod 2) = 1)) and
-        (not sums_tag_first_group_value_2) and (winnerswinner1_best_index_0_5_value_2 or
-        winnerswinner1_best_index_0_5_value_3) when winnerswinner1_best_index_0_5_choice else ((not
-        ((((winnerswinner1_held_0_10_sum mod 256) / 4) mod 2) = 1)) and (not sums_tag_first_group_value_2)) or
-        winnerswinner1_best_index_0_5_value_2 or winnerswinner1_best_index_0_5_value_3;
-      winnerswinner1_best_index_0_5_value_4 := (((winnerswinner1_held_0_11_sum mod 256) / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_5_value_5 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_3 := ((not ((((winnerswinner1_held_0_10_sum mod 256) / 8) mod 2) = 1)) and
-        (not sums_tag_first_group_value_3)) or winnerswinner1_best_index_0_5_value_4 or
-        winnerswinner1_best_index_0_5_value_5 when winnerswinner1_best_index_0_5_choice_2 else (not
-        ((((winnerswinner1_held_0_10_sum mod 256) / 8) mod 2) = 1)) and (not sums_tag_first_group_value_3) and
-        (winnerswinner1_best_index_0_5_value_4 or winnerswinner1_best_index_0_5_value_5);
-      winnerswinner1_best_index_0_5_value_6 := (((winnerswinner1_held_0_11_sum mod 256) / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_5_value_7 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_4 := ((not ((((winnerswinner1_held_0_10_sum mod 256) / 16) mod 2) = 1)) and
-        (not sums_tag_first_group_value_4)) or winnerswinner1_best_index_0_5_value_6 or
-        winnerswinner1_best_index_0_5_value_7 when winnerswinner1_best_index_0_5_choice_3 else (not
-        ((((winnerswinner1_held_0_10_sum mod 256) / 16) mod 2) = 1)) and (not sums_tag_first_group_value_4) and
-        (winnerswinner1_best_index_0_5_value_6 or winnerswinner1_best_index_0_5_value_7);
-      winnerswinner1_best_index_0_5_value_8 := (((winnerswinner1_held_0_11_sum mod 256) / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_5_value_9 := ((sums_sum_0_11 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_5 := ((not ((((winnerswinner1_held_0_10_sum mod 256) / 32) mod 2) = 1)) and
-        (not sums_tag_first_group_value_5)) or winnerswinner1_best_index_0_5_value_8 or
-        winnerswinner1_best_index_0_5_value_9 when winnerswinner1_best_index_0_5_choice_4 else (not
-        ((((winnerswinner1_held_0_10_sum mod 256) / 32) mod 2) = 1)) and (not sums_tag_first_group_value_5) and
-        (winnerswinner1_best_index_0_5_value_8 or winnerswinner1_best_index_0_5_value_9);
-      winnerswinner1_best_index_0_5_value_10 := (((winnerswinner1_held_0_11_sum mod 256) / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_5_value_11 := ((sums_sum_0_11 / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_6 := ((not ((((winnerswinner1_held_0_10_sum mod 256) / 64) mod 2) = 1)) and
-        (not sums_tag_first_group_value_6)) or winnerswinner1_best_index_0_5_value_10 or
-        winnerswinner1_best_index_0_5_value_11 when winnerswinner1_best_index_0_5_choice_5 else (not
-        ((((winnerswinner1_held_0_10_sum mod 256) / 64) mod 2) = 1)) and (not sums_tag_first_group_value_6) and
-        (winnerswinner1_best_index_0_5_value_10 or winnerswinner1_best_index_0_5_value_11);
-      winnerswinner1_best_index_0_5_value_12 := ((winnerswinner1_held_0_11_sum mod 256) / 128) = 1;
-      winnerswinner1_best_index_0_5_choice_7 := ((not (((winnerswinner1_held_0_10_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_10 / 128) = 1))) or winnerswinner1_best_index_0_5_value_12 or ((sums_sum_0_11 / 128) = 1) when
-        winnerswinner1_best_index_0_5_choice_6 else (not (((winnerswinner1_held_0_10_sum mod 256) / 128) = 1)) and (not
-        ((sums_sum_0_10 / 128) = 1)) and (winnerswinner1_best_index_0_5_value_12 or ((sums_sum_0_11 / 128) = 1));
-      winnerswinner1_held_0_0 <= winnerswinner1_held_0_0_any;
-      winnerswinner1_held_0_1 <= winnerswinner1_held_0_1_any;
-      winnerswinner1_held_0_2 <= winnerswinner1_held_0_2_any;
-      winnerswinner1_held_0_3 <= winnerswinner1_held_0_3_any;
-      winnerswinner1_held_0_4 <= winnerswinner1_held_0_4_any;
-      winnerswinner1_held_0_5 <= winnerswinner1_held_0_5_any;
-      winnerswinner1_held_0_6 <= winnerswinner1_held_0_6_any;
-      winnerswinner1_held_0_7 <= winnerswinner1_held_0_7_any;
-      winnerswinner1_held_0_8 <= winnerswinner1_held_0_8_any;
-      winnerswinner1_held_0_9 <= winnerswinner1_held_0_9_any;
-      winnerswinner1_held_0_10 <= winnerswinner1_held_0_10_any;
-      winnerswinner1_held_0_11 <= winnerswinner1_held_0_11_any;
-      winnerswinner1_best_cost_0_0 <= winnerswinner1_held_0_1_any when (winnerswinner1_held_0_1_any -
-        winnerswinner1_held_0_0_any) < 0 else winnerswinner1_held_0_0_any;
-      winnerswinner1_best_cost_0_1 <= winnerswinner1_held_0_3_any when (winnerswinner1_held_0_3_any -
-        winnerswinner1_held_0_2_any) < 0 else winnerswinner1_held_0_2_any;
-      winnerswinner1_best_cost_0_2 <= winnerswinner1_held_0_5_any when (winnerswinner1_held_0_5_any -
-        winnerswinner1_held_0_4_any) < 0 else winnerswinner1_held_0_4_any;
-      winnerswinner1_best_cost_0_3 <= winnerswinner1_held_0_7_any when (winnerswinner1_held_0_7_any -
-        winnerswinner1_held_0_6_any) < 0 else winnerswinner1_held_0_6_any;
-      winnerswinner1_best_cost_0_4 <= winnerswinner1_held_0_9_any when (winnerswinner1_held_0_9_any -
-        winnerswinner1_held_0_8_any) < 0 else winnerswinner1_held_0_8_any;
-      winnerswinner1_best_cost_0_5 <= winnerswinner1_held_0_11_any when (winnerswinner1_held_0_11_any -
-        winnerswinner1_held_0_10_any) < 0 else winnerswinner1_held_0_10_any;
+      winnerswinner1_held_0_0_choice := 127 when (not winnersmask_searched_11) or (not winnersmask_inside_0) else
+        sums_sum_0_0;
+      winnerswinner1_held_0_1_choice := 127 when (not other_29) or (not winnersmask_inside_1) else sums_sum_0_1;
+      winnerswinner1_held_0_2_choice := 127 when (not other_28) or (not winnersmask_inside_2) else sums_sum_0_2;
+      winnerswinner1_held_0_3_choice := 127 when (not other_27) or (not winnersmask_inside_3) else sums_sum_0_3;
+      winnerswinner1_held_0_4_choice := 127 when (not other_26) or (not winnersmask_inside_4) else sums_sum_0_4;
+      winnerswinner1_held_0_5_choice := 127 when (not other_25) or (not winnersmask_inside_5) else sums_sum_0_5;
+      winnerswinner1_held_0_6_choice := 127 when (not other_24) or (not winnersmask_inside_6) else sums_sum_0_6;
+      winnerswinner1_held_0_7_choice := 127 when (not other_23) or (not winnersmask_inside_7) else sums_sum_0_7;
+      winnerswinner1_held_0_8_choice := 127 when (not winnersmask_searched_10) or (not winnersmask_inside_8) else
+        sums_sum_0_8;
+      winnerswinner1_held_0_9_choice := 127 when (not winnersmask_searched_9) or (not winnersmask_inside_9) else
+        sums_sum_0_9;
+      winnerswinner1_held_0_10_choice := 127 when (not winnersmask_searched_8) or (not winnersmask_inside_10) else
+        sums_sum_0_10;
+      winnerswinner1_held_0_11_choice := 127 when (not winnersmask_searched_0) or (not winnersmask_inside_11) else
+        sums_sum_0_11;
+      winnerswinner1_best_index_0_0_choice := winnersmask_searched_11 and winnersmask_inside_0 and (not ((sums_sum_0_0
+        mod 2) = 1)) and ((sums_sum_0_1 mod 2) = 1) when other_29 and winnersmask_inside_1 else winnersmask_searched_11
+        and winnersmask_inside_0 and (not ((sums_sum_0_0 mod 2) = 1));
+      winnerswinner1_best_index_0_0_choice_2 := winnerswinner1_best_index_0_0_choice and winnersmask_searched_11 and
+        winnersmask_inside_0 and (not (((sums_sum_0_0 / 2) mod 2) = 1)) when (not (((sums_sum_0_1 / 2) mod 2) = 1)) and
+        other_29 and winnersmask_inside_1 else winnerswinner1_best_index_0_0_choice or (winnersmask_searched_11 and
+        winnersmask_inside_0 and (not (((sums_sum_0_0 / 2) mod 2) = 1)));
+      winnerswinner1_best_index_0_0_choice_3 := (not ((not winnersother_winner_0_0_value) and winnersmask_searched_11
+        and winnersmask_inside_0)) and other_29 and winnersmask_inside_1 and (not winnersother_cost_0_1_value) when
+        winnerswinner1_best_index_0_0_choice_2 else (not ((not winnersother_winner_0_0_value) and
+        winnersmask_searched_11 and winnersmask_inside_0)) or (other_29 and winnersmask_inside_1 and (not
+        winnersother_cost_0_1_value));
+      winnerswinner1_best_index_0_0_choice_4 := (not ((not winnersother_winner_0_0_value_2) and winnersmask_searched_11
+        and winnersmask_inside_0)) or (other_29 and winnersmask_inside_1 and (not winnersother_cost_0_1_value_2)) when
+        winnerswinner1_best_index_0_0_choice_3 else (not ((not winnersother_winner_0_0_value_2) and
+        winnersmask_searched_11 and winnersmask_inside_0)) and other_29 and winnersmask_inside_1 and (not
+        winnersother_cost_0_1_value_2);
+      winnerswinner1_best_index_0_0_choice_5 := (not ((not winnersother_winner_0_0_value_3) and winnersmask_searched_11
+        and winnersmask_inside_0)) or (other_29 and winnersmask_inside_1 and (not winnersother_cost_0_1_value_3)) when
+        winnerswinner1_best_index_0_0_choice_4 else (not ((not winnersother_winner_0_0_value_3) and
+        winnersmask_searched_11 and winnersmask_inside_0)) and other_29 and winnersmask_inside_1 and (not
+        winnersother_cost_0_1_value_3);
+      winnerswinner1_best_index_0_0_choice_6 := (not ((not winnersother_winner_0_0_value_4) and winnersmask_searched_11
+        and winnersmask_inside_0)) or (other_29 and winnersmask_inside_1 and (not winnersother_cost_0_1_value_4)) when
+        winnerswinner1_best_index_0_0_choice_5 else (not ((not winnersother_winner_0_0_value_4) and
+        winnersmask_searched_11 and winnersmask_inside_0)) and other_29 and winnersmask_inside_1 and (not
+        winnersother_cost_0_1_value_4);
+      winnerswinner1_best_index_0_0_choice_7 := (not ((not ((sums_sum_0_0 / 64) = 1)) and winnersmask_searched_11 and
+        winnersmask_inside_0)) or (other_29 and winnersmask_inside_1 and (not ((sums_sum_0_1 / 64) = 1))) when
+        winnerswinner1_best_index_0_0_choice_6 else (not ((not ((sums_sum_0_0 / 64) = 1)) and winnersmask_searched_11
+        and winnersmask_inside_0)) and other_29 and winnersmask_inside_1 and (not ((sums_sum_0_1 / 64) = 1));
+      winnerswinner1_best_index_0_1_all := other_27 and winnersmask_inside_3;
+      winnerswinner1_best_index_0_1_choice := other_28 and winnersmask_inside_2 and (not ((sums_sum_0_2 mod 2) = 1))
+        and ((sums_sum_0_3 mod 2) = 1) when winnerswinner1_best_index_0_1_all else other_28 and winnersmask_inside_2
+        and (not ((sums_sum_0_2 mod 2) = 1));
+      winnerswinner1_best_index_0_1_choice_2 := winnerswinner1_best_index_0_1_choice and other_28 and
+        winnersmask_inside_2 and (not (((sums_sum_0_2 / 2) mod 2) = 1)) when (not (((sums_sum_0_3 / 2) mod 2) = 1)) and
+        other_27 and winnersmask_inside_3 else winnerswinner1_best_index_0_1_choice or (other_28 and
+        winnersmask_inside_2 and (not (((sums_sum_0_2 / 2) mod 2) = 1)));
+      winnerswinner1_best_index_0_1_choice_3 := (not ((not winnersother_cost_0_2_value) and other_28 and
+        winnersmask_inside_2)) and other_27 and winnersmask_inside_3 and (not winnersother_cost_0_3_value) when
+        winnerswinner1_best_index_0_1_choice_2 else (not ((not winnersother_cost_0_2_value) and other_28 and
+        winnersmask_inside_2)) or (other_27 and winnersmask_inside_3 and (not winnersother_cost_0_3_value));
+      winnerswinner1_best_index_0_1_choice_4 := (not ((not winnersother_cost_0_2_value_2) and other_28 and
+        winnersmask_inside_2)) or (other_27 and winnersmask_inside_3 and (not winnersother_cost_0_3_value_2)) when
+        winnerswinner1_best_index_0_1_choice_3 else (not ((not winnersother_cost_0_2_value_2) and other_28 and
+        winnersmask_inside_2)) and other_27 and winnersmask_inside_3 and (not winnersother_cost_0_3_value_2);
+      winnerswinner1_best_index_0_1_choice_5 := (not ((not winnersother_cost_0_2_value_3) and other_28 and
+        winnersmask_inside_2)) or (other_27 and winnersmask_inside_3 and (not winnersother_cost_0_3_value_3)) when
+        winnerswinner1_best_index_0_1_choice_4 else (not ((not winnersother_cost_0_2_value_3) and other_28 and
+        winnersmask_inside_2)) and other_27 and winnersmask_inside_3 and (not winnersother_cost_0_3_value_3);
+      winnerswinner1_best_index_0_1_choice_6 := (not ((not winnersother_cost_0_2_value_4) and other_28 and
+        winnersmask_inside_2)) or (other_27 and winnersmask_inside_3 and (not winnersother_cost_0_3_value_4)) when
+        winnerswinner1_best_index_0_1_choice_5 else (not ((not winnersother_cost_0_2_value_4) and other_28 and
+        winnersmask_inside_2)) and other_27 and winnersmask_inside_3 and (not winnersother_cost_0_3_value_4);
+      winnerswinner1_best_index_0_1_choice_7 := (not ((sums_sum_0_2 / 64) = 1)) and other_28 and winnersmask_inside_2
+        and ((not winnerswinner1_best_index_0_1_all) or ((sums_sum_0_3 / 64) = 1)) when
+        winnerswinner1_best_index_0_1_choice_6 else ((not ((sums_sum_0_2 / 64) = 1)) and other_28 and
+        winnersmask_inside_2) or (not winnerswinner1_best_index_0_1_all) or ((sums_sum_0_3 / 64) = 1);
+      winnerswinner1_best_index_0_2_all := other_25 and winnersmask_inside_5;
+      winnerswinner1_best_index_0_2_choice := other_26 and winnersmask_inside_4 and (not ((sums_sum_0_4 mod 2) = 1))
+        and ((sums_sum_0_5 mod 2) = 1) when winnerswinner1_best_index_0_2_all else other_26 and winnersmask_inside_4
+        and (not ((sums_sum_0_4 mod 2) = 1));
+      winnerswinner1_best_index_0_2_choice_2 := winnerswinner1_best_index_0_2_choice and other_26 and
+        winnersmask_inside_4 and (not (((sums_sum_0_4 / 2) mod 2) = 1)) when (not (((sums_sum_0_5 / 2) mod 2) = 1)) and
+        other_25 and winnersmask_inside_5 else winnerswinner1_best_index_0_2_choice or (other_26 and
+        winnersmask_inside_4 and (not (((sums_sum_0_4 / 2) mod 2) = 1)));
+      winnerswinner1_best_index_0_2_choice_3 := (not ((not winnersother_cost_0_4_value) and other_26 and
+        winnersmask_inside_4)) and other_25 and winnersmask_inside_5 and (not winnersother_cost_0_5_value) when
+        winnerswinner1_best_index_0_2_choice_2 else (not ((not winnersother_cost_0_4_value) and other_26 and
+        winnersmask_inside_4)) or (other_25 and winnersmask_inside_5 and (not winnersother_cost_0_5_value));
+      winnerswinner1_best_index_0_2_choice_4 := (not ((not winnersother_cost_0_4_value_2) and other_26 and
+        winnersmask_inside_4)) or (other_25 and winnersmask_inside_5 and (not winnersother_cost_0_5_value_2)) when
+        winnerswinner1_best_index_0_2_choice_3 else (not ((not winnersother_cost_0_4_value_2) and other_26 and
+        winnersmask_inside_4)) and other_25 and winnersmask_inside_5 and (not winnersother_cost_0_5_value_2);
+      winnerswinner1_best_index_0_2_choice_5 := (not ((not winnersother_cost_0_4_value_3) and other_26 and
+        winnersmask_inside_4)) or (other_25 and winnersmask_inside_5 and (not winnersother_cost_0_5_value_3)) when
+        winnerswinner1_best_index_0_2_choice_4 else (not ((not winnersother_cost_0_4_value_3) and other_26 and
+        winnersmask_inside_4)) and other_25 and winnersmask_inside_5 and (not winnersother_cost_0_5_value_3);
+      winnerswinner1_best_index_0_2_choice_6 := (not ((not winnersother_cost_0_4_value_4) and other_26 and
+        winnersmask_inside_4)) or (other_25 and winnersmask_inside_5 and (not winnersother_cost_0_5_value_4)) when
+        winnerswinner1_best_index_0_2_choice_5 else (not ((not winnersother_cost_0_4_value_4) and other_26 and
+        winnersmask_inside_4)) and other_25 and winnersmask_inside_5 and (not winnersother_cost_0_5_value_4);
+      winnerswinner1_best_index_0_2_choice_7 := (not ((sums_sum_0_4 / 64) = 1)) and other_26 and winnersmask_inside_4
+        and ((not winnerswinner1_best_index_0_2_all) or ((sums_sum_0_5 / 64) = 1)) when
+        winnerswinner1_best_index_0_2_choice_6 else ((not ((sums_sum_0_4 / 64) = 1)) and other_26 and
+        winnersmask_inside_4) or (not winnerswinner1_best_index_0_2_all) or ((sums_sum_0_5 / 64) = 1);
+      winnerswinner1_best_index_0_3_all := other_23 and winnersmask_inside_7;
+      winnerswinner1_best_index_0_3_choice := other_24 and winnersmask_inside_6 and (not ((sums_sum_0_6 mod 2) = 1))
+        and ((sums_sum_0_7 mod 2) = 1) when winnerswinner1_best_index_0_3_all else other_24 and winnersmask_inside_6
+        and (not ((sums_sum_0_6 mod 2) = 1));
+      winnerswinner1_best_index_0_3_choice_2 := winnerswinner1_best_index_0_3_choice and other_24 and
+        winnersmask_inside_6 and (not (((sums_sum_0_6 / 2) mod 2) = 1)) when (not (((sums_sum_0_7 / 2) mod 2) = 1)) and
+        other_23 and winnersmask_inside_7 else winnerswinner1_best_index_0_3_choice or (other_24 and
+        winnersmask_inside_6 and (not (((sums_sum_0_6 / 2) mod 2) = 1)));
+      winnerswinner1_best_index_0_3_choice_3 := (not ((not winnersother_cost_0_6_value) and other_24 and
+        winnersmask_inside_6)) and other_23 and winnersmask_inside_7 and (not winnersother_cost_0_7_value) when
+        winnerswinner1_best_index_0_3_choice_2 else (not ((not winnersother_cost_0_6_value) and other_24 and
+        winnersmask_inside_6)) or (other_23 and winnersmask_inside_7 and (not winnersother_cost_0_7_value));
+      winnerswinner1_best_index_0_3_choice_4 := (not ((not winnersother_cost_0_6_value_2) and other_24 and
+        winnersmask_inside_6)) or (other_23 and winnersmask_inside_7 and (not winnersother_cost_0_7_value_2)) when
+        winnerswinner1_best_index_0_3_choice_3 else (not ((not winnersother_cost_0_6_value_2) and other_24 and
+        winnersmask_inside_6)) and other_23 and winnersmask_inside_7 and (not winnersother_cost_0_7_value_2);
+      winnerswinner1_best_index_0_3_choice_5 := (not ((not winnersother_cost_0_6_value_3) and other_24 and
+        winnersmask_inside_6)) or (other_23 and winnersmask_inside_7 and (not winnersother_cost_0_7_value_3)) when
+        winnerswinner1_best_index_0_3_choice_4 else (not ((not winnersother_cost_0_6_value_3) and other_24 and
+        winnersmask_inside_6)) and other_23 and winnersmask_inside_7 and (not winnersother_cost_0_7_value_3);
+      winnerswinner1_best_index_0_3_choice_6 := (not ((not winnersother_cost_0_6_value_4) and other_24 and
+        winnersmask_inside_6)) or (other_23 and winnersmask_inside_7 and (not winnersother_cost_0_7_value_4)) when
+        winnerswinner1_best_index_0_3_choice_5 else (not ((not winnersother_cost_0_6_value_4) and other_24 and
+        winnersmask_inside_6)) and other_23 and winnersmask_inside_7 and (not winnersother_cost_0_7_value_4);
+      winnerswinner1_best_index_0_3_choice_7 := (not ((sums_sum_0_6 / 64) = 1)) and other_24 and winnersmask_inside_6
+        and ((not winnerswinner1_best_index_0_3_all) or ((sums_sum_0_7 / 64) = 1)) when
+        winnerswinner1_best_index_0_3_choice_6 else ((not ((sums_sum_0_6 / 64) = 1)) and other_24 and
+        winnersmask_inside_6) or (not winnerswinner1_best_index_0_3_all) or ((sums_sum_0_7 / 64) = 1);
+      winnerswinner1_best_index_0_4_all := winnersmask_searched_9 and winnersmask_inside_9;
+      winnerswinner1_best_index_0_4_choice := winnersmask_searched_10 and winnersmask_inside_8 and (not ((sums_sum_0_8
+        mod 2) = 1)) and ((sums_sum_0_9 mod 2) = 1) when winnerswinner1_best_index_0_4_all else winnersmask_searched_10
+        and winnersmask_inside_8 and (not ((sums_sum_0_8 mod 2) = 1));
+      winnerswinner1_best_index_0_4_choice_2 := winnerswinner1_best_index_0_4_choice and winnersmask_searched_10 and
+        winnersmask_inside_8 and (not (((sums_sum_0_8 / 2) mod 2) = 1)) when (not (((sums_sum_0_9 / 2) mod 2) = 1)) and
+        winnersmask_searched_9 and winnersmask_inside_9 else winnerswinner1_best_index_0_4_choice or
+        (winnersmask_searched_10 and winnersmask_inside_8 and (not (((sums_sum_0_8 / 2) mod 2) = 1)));
+      winnerswinner1_best_index_0_4_choice_3 := (not ((not sums_tag_row_start_value) and winnersmask_searched_10 and
+        winnersmask_inside_8)) and winnersmask_searched_9 and winnersmask_inside_9 and (not sums_tag_first_cost_value)
+        when winnerswinner1_best_index_0_4_choice_2 else (not ((not sums_tag_row_start_value) and
+        winnersmask_searched_10 and winnersmask_inside_8)) or (winnersmask_searched_9 and winnersmask_inside_9 and (not
+        sums_tag_first_cost_value));
+      winnerswinner1_best_index_0_4_choice_4 := (not ((not sums_tag_row_start_value_2) and winnersmask_searched_10 and
+        winnersmask_inside_8)) or (winnersmask_searched_9 and winnersmask_inside_9 and (not
+        sums_tag_first_cost_value_2)) when winnerswinner1_best_index_0_4_choice_3 else (not ((not
+        sums_tag_row_start_value_2) and winnersmask_searched_10 and winnersmask_inside_8)) and winnersmask_searched_9
+        and winnersmask_inside_9 and (not sums_tag_first_cost_value_2);
+      winnerswinner1_best_index_0_4_choice_5 := (not ((not sums_tag_row_start_value_3) and winnersmask_searched_10 and
+        winnersmask_inside_8)) or (winnersmask_searched_9 and winnersmask_inside_9 and (not
+        sums_tag_first_cost_value_3)) when winnerswinner1_best_index_0_4_choice_4 else (not ((not
+        sums_tag_row_start_value_3) and winnersmask_searched_10 and winnersmask_inside_8)) and winnersmask_searched_9
+        and winnersmask_inside_9 and (not sums_tag_first_cost_value_3);
+      winnerswinner1_best_index_0_4_choice_6 := (not ((not sums_tag_row_start_value_4) and winnersmask_searched_10 and
+        winnersmask_inside_8)) or (winnersmask_searched_9 and winnersmask_inside_9 and (not
+        sums_tag_first_cost_value_4)) when winnerswinner1_best_index_0_4_choice_5 else (not ((not
+        sums_tag_row_start_value_4) and winnersmask_searched_10 and winnersmask_inside_8)) and winnersmask_searched_9
+        and winnersmask_inside_9 and (not sums_tag_first_cost_value_4);
+      winnerswinner1_best_index_0_4_choice_7 := (not ((sums_sum_0_8 / 64) = 1)) and winnersmask_searched_10 and
+        winnersmask_inside_8 and ((not winnerswinner1_best_index_0_4_all) or ((sums_sum_0_9 / 64) = 1)) when
+        winnerswinner1_best_index_0_4_choice_6 else ((not ((sums_sum_0_8 / 64) = 1)) and winnersmask_searched_10 and
+        winnersmask_inside_8) or (not winnerswinner1_best_index_0_4_all) or ((sums_sum_0_9 / 64) = 1);
+      winnerswinner1_best_index_0_5_all := winnersmask_searched_0 and winnersmask_inside_11;
+      winnerswinner1_best_index_0_5_choice := winnersmask_searched_8 and winnersmask_inside_10 and (not ((sums_sum_0_10
+        mod 2) = 1)) and ((sums_sum_0_11 mod 2) = 1) when winnerswinner1_best_index_0_5_all else winnersmask_searched_8
+        and winnersmask_inside_10 and (not ((sums_sum_0_10 mod 2) = 1));
+      winnerswinner1_best_index_0_5_choice_2 := winnerswinner1_best_index_0_5_choice and winnersmask_searched_8 and
+        winnersmask_inside_10 and (not (((sums_sum_0_10 / 2) mod 2) = 1)) when (not (((sums_sum_0_11 / 2) mod 2) = 1))
+        and winnersmask_searched_0 and winnersmask_inside_11 else winnerswinner1_best_index_0_5_choice or
+        (winnersmask_searched_8 and winnersmask_inside_10 and (not (((sums_sum_0_10 / 2) mod 2) = 1)));
+      winnerswinner1_best_index_0_5_choice_3 := (not ((not sums_tag_first_group_value) and winnersmask_searched_8 and
+        winnersmask_inside_10)) and winnersmask_searched_0 and winnersmask_inside_11 and (not (((sums_sum_0_11 / 4) mod
+        2) = 1)) when winnerswinner1_best_index_0_5_choice_2 else (not ((not sums_tag_first_group_value) and
+        winnersmask_searched_8 and winnersmask_inside_10)) or (winnersmask_searched_0 and winnersmask_inside_11 and
+        (not (((sums_sum_0_11 / 4) mod 2) = 1)));
+      winnerswinner1_best_index_0_5_choice_4 := (not ((not sums_tag_first_group_value_2) and winnersmask_searched_8 and
+        winnersmask_inside_10)) or (winnersmask_searched_0 and winnersmask_inside_11 and (not (((sums_sum_0_11 / 8) mod
+        2) = 1))) when winnerswinner1_best_index_0_5_choice_3 else (not ((not sums_tag_first_group_value_2) and
+        winnersmask_searched_8 and winnersmask_inside_10)) and winnersmask_searched_0 and winnersmask_inside_11 and
+        (not (((sums_sum_0_11 / 8) mod 2) = 1));
+      winnerswinner1_best_index_0_5_choice_5 := (not ((not sums_tag_first_group_value_3) and winnersmask_searched_8 and
+        winnersmask_inside_10)) or (winnersmask_searched_0 and winnersmask_inside_11 and (not (((sums_sum_0_11 / 16)
+        mod 2) = 1))) when winnerswinner1_best_index_0_5_choice_4 else (not ((not sums_tag_first_group_value_3) and
+        winnersmask_searched_8 and winnersmask_inside_10)) and winnersmask_searched_0 and winnersmask_inside_11 and
+        (not (((sums_sum_0_11 / 16) mod 2) = 1));
+      winnerswinner1_best_index_0_5_choice_6 := (not ((not sums_tag_first_group_value_4) and winnersmask_searched_8 and
+        winnersmask_inside_10)) or (winnersmask_searched_0 and winnersmask_inside_11 and (not (((sums_sum_0_11 / 32)
+        mod 2) = 1))) when winnerswinner1_best_index_0_5_choice_5 else (not ((not sums_tag_first_group_value_4) and
+        winnersmask_searched_8 and winnersmask_inside_10)) and winnersmask_searched_0 and winnersmask_inside_11 and
+        (not (((sums_sum_0_11 / 32) mod 2) = 1));
+      winnerswinner1_best_index_0_5_choice_7 := (not ((sums_sum_0_10 / 64) = 1)) and winnersmask_searched_8 and
+        winnersmask_inside_10 and ((not winnerswinner1_best_index_0_5_all) or ((sums_sum_0_11 / 64) = 1)) when
+        winnerswinner1_best_index_0_5_choice_6 else ((not ((sums_sum_0_10 / 64) = 1)) and winnersmask_searched_8 and
+        winnersmask_inside_10) or (not winnerswinner1_best_index_0_5_all) or ((sums_sum_0_11 / 64) = 1);
+      winnerswinner1_held_0_0 <= winnerswinner1_held_0_0_choice;
+      winnerswinner1_held_0_1 <= winnerswinner1_held_0_1_choice;
+      winnerswinner1_held_0_2 <= winnerswinner1_held_0_2_choice;
+      winnerswinner1_held_0_3 <= winnerswinner1_held_0_3_choice;
+      winnerswinner1_held_0_4 <= winnerswinner1_held_0_4_choice;
+      winnerswinner1_held_0_5 <= winnerswinner1_held_0_5_choice;
+      winnerswinner1_held_0_6 <= winnerswinner1_held_0_6_choice;
+      winnerswinner1_held_0_7 <= winnerswinner1_held_0_7_choice;
+      winnerswinner1_held_0_8 <= winnerswinner1_held_0_8_choice;
+      winnerswinner1_held_0_9 <= winnerswinner1_held_0_9_choice;
+      winnerswinner1_held_0_10 <= winnerswinner1_held_0_10_choice;
+      winnerswinner1_held_0_11 <= winnerswinner1_held_0_11_choice;
+      winnerswinner1_best_cost_0_0 <= winnerswinner1_held_0_1_choice when (winnerswinner1_held_0_1_choice -
+        winnerswinner1_held_0_0_choice) < 0 else winnerswinner1_held_0_0_choice;
+      winnerswinner1_best_cost_0_1 <= winnerswinner1_held_0_3_choice when (winnerswinner1_held_0_3_choice -
+        winnerswinner1_held_0_2_choice) < 0 else winnerswinner1_held_0_2_choice;
+      winnerswinner1_best_cost_0_2 <= winnerswinner1_held_0_5_choice when (winnerswinner1_held_0_5_choice -
+        winnerswinner1_held_0_4_choice) < 0 else winnerswinner1_held_0_4_choice;
+      winnerswinner1_best_cost_0_3 <= winnerswinner1_held_0_7_choice when (winnerswinner1_held_0_7_choice -
+        winnerswinner1_held_0_6_choice) < 0 else winnerswinner1_held_0_6_choice;
+      winnerswinner1_best_cost_0_4 <= winnerswinner1_held_0_9_choice when (winnerswinner1_held_0_9_choice -
+        winnerswinner1_held_0_8_choice) < 0 else winnerswinner1_held_0_8_choice;
+      winnerswinner1_best_cost_0_5 <= winnerswinner1_held_0_11_choice when (winnerswinner1_held_0_11_choice -
+        winnerswinner1_held_0_10_choice) < 0 else winnerswinner1_held_0_10_choice;
       winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_0_choice_7;
       winnerswinner1_best_index_0_1 <= 2 when winnerswinner1_best_index_0_1_choice_7 else 3;
       winnerswinner1_best_index_0_2 <= 4 when winnerswinner1_best_index_0_2_choice_7 else 5;
       winnerswinner1_best_index_0_3 <= 6 when winnerswinner1_best_index_0_3_choice_7 else 7;
       winnerswinner1_best_index_0_4 <= 8 when winnerswinner1_best_index_0_4_choice_7 else 9;
       winnerswinner1_best_index_0_5 <= 10 when winnerswinner1_best_index_0_5_choice_7 else 11;
-      winnerswinner1_best_below_0_0 <= winnerswinner1_held_0_0_any when winnerswinner1_best_index_0_0_choice_7 else 0;
-      winnerswinner1_best_below_0_1 <= 0 when winnerswinner1_best_index_0_1_choice_7 else winnerswinner1_held_0_2_any;
-      winnerswinner1_best_below_0_2 <= 0 when winnerswinner1_best_index_0_2_choice_7 else winnerswinner1_held_0_4_any;
-      winnerswinner1_best_below_0_3 <= 0 when winnerswinner1_best_index_0_3_choice_7 else winnerswinner1_held_0_6_any;
-      winnerswinner1_best_below_0_4 <= 0 when winnerswinner1_best_index_0_4_choice_7 else winnerswinner1_held_0_8_any;
-      winnerswinner1_best_below_0_5 <= 0 when winnerswinner1_best_index_0_5_choice_7 else winnerswinner1_held_0_10_any;
-      winnerswinner1_best_above_0_0 <= 0 when winnerswinner1_best_index_0_0_choice_7 else winnerswinner1_held_0_1_any;
-      winnerswinner1_best_above_0_1 <= winnerswinner1_held_0_3_any when winnerswinner1_best_index_0_1_choice_7 else 0;
-      winnerswinner1_best_above_0_2 <= winnerswinner1_held_0_5_any when winnerswinner1_best_index_0_2_choice_7 else 0;
-      winnerswinner1_best_above_0_3 <= winnerswinner1_held_0_7_any when winnerswinner1_best_index_0_3_choice_7 else 0;
-      winnerswinner1_best_above_0_4 <= winnerswinner1_held_0_9_any when winnerswinner1_best_index_0_4_choice_7 else 0;
-      winnerswinner1_best_above_0_5 <= winnerswinner1_held_0_11_any when winnerswinner1_best_index_0_5_choice_7 else 0;
+      winnerswinner1_best_below_0_0 <= winnerswinner1_held_0_0_choice when winnerswinner1_best_index_0_0_choice_7 else
+        0;
+      winnerswinner1_best_below_0_1 <= 0 when winnerswinner1_best_index_0_1_choice_7 else
+        winnerswinner1_held_0_2_choice;
+      winnerswinner1_best_below_0_2 <= 0 when winnerswinner1_best_index_0_2_choice_7 else
+        winnerswinner1_held_0_4_choice;
+      winnerswinner1_best_below_0_3 <= 0 when winnerswinner1_best_index_0_3_choice_7 else
+        winnerswinner1_held_0_6_choice;
+      winnerswinner1_best_below_0_4 <= 0 when winnerswinner1_best_index_0_4_choice_7 else
+        winnerswinner1_held_0_8_choice;
+      winnerswinner1_best_below_0_5 <= 0 when winnerswinner1_best_index_0_5_choice_7 else
+        winnerswinner1_held_0_10_choice;
+      winnerswinner1_best_above_0_0 <= 0 when winnerswinner1_best_index_0_0_choice_7 else
+        winnerswinner1_held_0_1_choice;
+      winnerswinner1_best_above_0_1 <= winnerswinner1_held_0_3_choice when winnerswinner1_best_index_0_1_choice_7 else
+        0;
+      winnerswinner1_best_above_0_2 <= winnerswinner1_held_0_5_choice when winnerswinner1_best_index_0_2_choice_7 else
+        0;
+      winnerswinner1_best_above_0_3 <= winnerswinner1_held_0_7_choice when winnerswinner1_best_index_0_3_choice_7 else
+        0;
+      winnerswinner1_best_above_0_4 <= winnerswinner1_held_0_9_choice when winnerswinner1_best_index_0_4_choice_7 else
+        0;
+      winnerswinner1_best_above_0_5 <= winnerswinner1_held_0_11_choice when winnerswinner1_best_index_0_5_choice_7 else
+        0;
       winnerswinner1_best_late_cost_0_0 <= winnerswinner1_best_cost_0_0;
       winnerswinner1_best_late_cost_0_1 <= winnerswinner1_best_cost_0_1;
       winnerswinner1_best_late_cost_0_2 <= winnerswinner1_best_cost_0_2;
@@ -7350,13 +7180,9 @@ begin
       winnerswinner2_best_index_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
         winnerswinner2_best_index_0_0_value_4 when winnerswinner2_best_index_0_0_choice_5 else (not
         (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_4;
-      winnerswinner2_best_index_0_0_value_5 := ((winnerswinner1_best_cost_0_1 / 64) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_5 when winnerswinner2_best_index_0_0_choice_6 else (not
-        (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_5;
-      winnerswinner2_best_index_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 128) = 1)) when winnerswinner2_best_index_0_0_choice_7 else
-        ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      winnerswinner2_best_index_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_best_index_0_0_choice_6 else
+        ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not ((winnerswinner1_best_cost_0_1 / 64) = 1));
       winnerswinner2_best_index_0_1_choice := not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1) when
         (winnerswinner1_best_cost_0_2 mod 2) = 1 else (winnerswinner1_best_cost_0_3 mod 4) = 0;
       winnerswinner2_best_index_0_1_choice_2 := ((winnerswinner1_best_cost_0_2 mod 2) = 1) or (not
@@ -7378,13 +7204,9 @@ begin
       winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) or
         winnerswinner2_best_index_0_1_value_4 when winnerswinner2_best_index_0_1_choice_5 else (not
         (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_4;
-      winnerswinner2_best_index_0_1_value_5 := ((winnerswinner1_best_cost_0_3 / 64) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_7 := (not (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_5 when winnerswinner2_best_index_0_1_choice_6 else (not
-        (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_5;
-      winnerswinner2_best_index_0_1_choice_8 := ((winnerswinner1_best_cost_0_2 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_3 / 128) = 1)) when winnerswinner2_best_index_0_1_choice_7 else
-        ((winnerswinner1_best_cost_0_2 / 128) = 1) or (not ((winnerswinner1_best_cost_0_3 / 128) = 1));
+      winnerswinner2_best_index_0_1_choice_7 := ((winnerswinner1_best_cost_0_2 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_3 / 64) = 1)) when winnerswinner2_best_index_0_1_choice_6 else
+        ((winnerswinner1_best_cost_0_2 / 64) = 1) or (not ((winnerswinner1_best_cost_0_3 / 64) = 1));
       winnerswinner2_best_index_0_2_choice := not (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1) when
         (winnerswinner1_best_cost_0_4 mod 2) = 1 else (winnerswinner1_best_cost_0_5 mod 4) = 0;
       winnerswinner2_best_index_0_2_choice_2 := ((winnerswinner1_best_cost_0_4 mod 2) = 1) or (not
@@ -7406,13 +7228,9 @@ begin
       winnerswinner2_best_index_0_2_choice_6 := (not (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) or
         winnerswinner2_best_index_0_2_value_4 when winnerswinner2_best_index_0_2_choice_5 else (not
         (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_4;
-      winnerswinner2_best_index_0_2_value_5 := ((winnerswinner1_best_cost_0_5 / 64) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_7 := (not (((winnerswinner1_best_cost_0_4 / 64) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_5 when winnerswinner2_best_index_0_2_choice_6 else (not
-        (((winnerswinner1_best_cost_0_4 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_5;
-      winnerswinner2_best_index_0_2_choice_8 := ((winnerswinner1_best_cost_0_4 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_5 / 128) = 1)) when winnerswinner2_best_index_0_2_choice_7 else
-        ((winnerswinner1_best_cost_0_4 / 128) = 1) or (not ((winnerswinner1_best_cost_0_5 / 128) = 1));
+      winnerswinner2_best_index_0_2_choice_7 := ((winnerswinner1_best_cost_0_4 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_5 / 64) = 1)) when winnerswinner2_best_index_0_2_choice_6 else
+        ((winnerswinner1_best_cost_0_4 / 64) = 1) or (not ((winnerswinner1_best_cost_0_5 / 64) = 1));
       winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1 when other_5 else winnerswinner1_best_below_0_1;
       winnerswinner2_best_below_0_1_choice := winnerswinner1_held_0_5 when other_4 else winnerswinner1_best_below_0_3;
       winnerswinner2_best_below_0_2_choice := winnerswinner1_held_0_9 when other_0 else winnerswinner1_best_below_0_5;
@@ -7422,37 +7240,37 @@ begin
         and ((winnerswinner1_best_index_0_2 mod 2) = 1) else winnerswinner1_best_above_0_2;
       winnerswinner2_best_above_0_2_choice := winnerswinner1_held_0_10 when ((winnerswinner1_best_index_0_4 / 8) = 1)
         and ((winnerswinner1_best_index_0_4 mod 2) = 1) else winnerswinner1_best_above_0_4;
-      winnerswinner2_best_at_start_0_0_choice := (not ((winnerswinner1_best_cost_0_0 / 128) = 1)) or
-        ((winnerswinner1_best_cost_0_1 / 128) = 1) when winnerswinner2_best_index_0_0_choice_7 else (not
-        ((winnerswinner1_best_cost_0_0 / 128) = 1)) and ((winnerswinner1_best_cost_0_1 / 128) = 1);
-      winnerswinner2_best_at_start_0_1_choice := (not ((winnerswinner1_best_cost_0_2 / 128) = 1)) or
-        ((winnerswinner1_best_cost_0_3 / 128) = 1) when winnerswinner2_best_index_0_1_choice_7 else (not
-        ((winnerswinner1_best_cost_0_2 / 128) = 1)) and ((winnerswinner1_best_cost_0_3 / 128) = 1);
-      winnerswinner2_best_at_start_0_2_choice := (not ((winnerswinner1_best_cost_0_4 / 128) = 1)) or
-        ((winnerswinner1_best_cost_0_5 / 128) = 1) when winnerswinner2_best_index_0_2_choice_7 else (not
-        ((winnerswinner1_best_cost_0_4 / 128) = 1)) and ((winnerswinner1_best_cost_0_5 / 128) = 1);
-      winnerswinner2_best_second_0_0_choice := 255 when winnerswinner2_best_place_0_0 else
+      winnerswinner2_best_at_start_0_0_choice := (not ((winnerswinner1_best_cost_0_0 / 64) = 1)) or
+        ((winnerswinner1_best_cost_0_1 / 64) = 1) when winnerswinner2_best_index_0_0_choice_6 else (not
+        ((winnerswinner1_best_cost_0_0 / 64) = 1)) and ((winnerswinner1_best_cost_0_1 / 64) = 1);
+      winnerswinner2_best_at_start_0_1_choice := (not ((winnerswinner1_best_cost_0_2 / 64) = 1)) or
+        ((winnerswinner1_best_cost_0_3 / 64) = 1) when winnerswinner2_best_index_0_1_choice_6 else (not
+        ((winnerswinner1_best_cost_0_2 / 64) = 1)) and ((winnerswinner1_best_cost_0_3 / 64) = 1);
+      winnerswinner2_best_at_start_0_2_choice := (not ((winnerswinner1_best_cost_0_4 / 64) = 1)) or
+        ((winnerswinner1_best_cost_0_5 / 64) = 1) when winnerswinner2_best_index_0_2_choice_6 else (not
+        ((winnerswinner1_best_cost_0_4 / 64) = 1)) and ((winnerswinner1_best_cost_0_5 / 64) = 1);
+      winnerswinner2_best_second_0_0_choice := 127 when winnerswinner2_best_place_0_0 else
         winnerswinner1_best_late_cost_0_1;
       winnerswinner2_best_second_0_0_choice_2 := winnerswinner1_best_but_first_0_1 when winnerswinner2_best_at_end_0_0
         else winnerswinner2_best_second_0_0_choice;
       winnerswinner2_best_second_0_0_choice_3 := winnerswinner1_best_late_cost_0_0 when winnerswinner2_best_place_0_0
-        else 255;
+        else 127;
       winnerswinner2_best_second_0_0_choice_4 := winnerswinner1_best_but_last_0_0 when winnerswinner2_best_at_start_0_0
         else winnerswinner2_best_second_0_0_choice_3;
-      winnerswinner2_best_second_0_1_choice := 255 when winnerswinner2_best_place_0_1 else
+      winnerswinner2_best_second_0_1_choice := 127 when winnerswinner2_best_place_0_1 else
         winnerswinner1_best_late_cost_0_3;
       winnerswinner2_best_second_0_1_choice_2 := winnerswinner1_best_but_first_0_3 when winnerswinner2_best_at_end_0_1
         else winnerswinner2_best_second_0_1_choice;
       winnerswinner2_best_second_0_1_choice_3 := winnerswinner1_best_late_cost_0_2 when winnerswinner2_best_place_0_1
-        else 255;
+        else 127;
       winnerswinner2_best_second_0_1_choice_4 := winnerswinner1_best_but_last_0_2 when winnerswinner2_best_at_start_0_1
         else winnerswinner2_best_second_0_1_choice_3;
-      winnerswinner2_best_second_0_2_choice := 255 when winnerswinner2_best_place_0_2 else
+      winnerswinner2_best_second_0_2_choice := 127 when winnerswinner2_best_place_0_2 else
         winnerswinner1_best_late_cost_0_5;
       winnerswinner2_best_second_0_2_choice_2 := winnerswinner1_best_but_first_0_5 when winnerswinner2_best_at_end_0_2
         else winnerswinner2_best_second_0_2_choice;
       winnerswinner2_best_second_0_2_choice_3 := winnerswinner1_best_late_cost_0_4 when winnerswinner2_best_place_0_2
-        else 255;
+        else 127;
       winnerswinner2_best_second_0_2_choice_4 := winnerswinner1_best_but_last_0_4 when winnerswinner2_best_at_start_0_2
         else winnerswinner2_best_second_0_2_choice_3;
       winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when (winnerswinner1_best_cost_0_1 -
@@ -7461,31 +7279,31 @@ begin
         winnerswinner1_best_cost_0_2) < 0 else winnerswinner1_best_cost_0_2;
       winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when (winnerswinner1_best_cost_0_5 -
         winnerswinner1_best_cost_0_4) < 0 else winnerswinner1_best_cost_0_4;
-      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_8 else
+      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_7 else
         as_number(winnerswinner1_best_index_0_0);
-      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_8 else
+      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_7 else
         winnerswinner1_best_index_0_2;
-      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_8 else
+      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_7 else
         winnerswinner1_best_index_0_4;
-      winnerswinner2_best_below_0_0 <= winnerswinner2_best_below_0_0_choice when winnerswinner2_best_index_0_0_choice_8
+      winnerswinner2_best_below_0_0 <= winnerswinner2_best_below_0_0_choice when winnerswinner2_best_index_0_0_choice_7
         else winnerswinner1_best_below_0_0;
-      winnerswinner2_best_below_0_1 <= winnerswinner2_best_below_0_1_choice when winnerswinner2_best_index_0_1_choice_8
+      winnerswinner2_best_below_0_1 <= winnerswinner2_best_below_0_1_choice when winnerswinner2_best_index_0_1_choice_7
         else winnerswinner1_best_below_0_2;
-      winnerswinner2_best_below_0_2 <= winnerswinner2_best_below_0_2_choice when winnerswinner2_best_index_0_2_choice_8
+      winnerswinner2_best_below_0_2 <= winnerswinner2_best_below_0_2_choice when winnerswinner2_best_index_0_2_choice_7
         else winnerswinner1_best_below_0_4;
-      winnerswinner2_best_above_0_0 <= winnerswinner1_best_above_0_1 when winnerswinner2_best_index_0_0_choice_8 else
+      winnerswinner2_best_above_0_0 <= winnerswinner1_best_above_0_1 when winnerswinner2_best_index_0_0_choice_7 else
         winnerswinner2_best_above_0_0_choice;
-      winnerswinner2_best_above_0_1 <= winnerswinner1_best_above_0_3 when winnerswinner2_best_index_0_1_choice_8 else
+      winnerswinner2_best_above_0_1 <= winnerswinner1_best_above_0_3 when winnerswinner2_best_index_0_1_choice_7 else
         winnerswinner2_best_above_0_1_choice;
-      winnerswinner2_best_above_0_2 <= winnerswinner1_best_above_0_5 when winnerswinner2_best_index_0_2_choice_8 else
+      winnerswinner2_best_above_0_2 <= winnerswinner1_best_above_0_5 when winnerswinner2_best_index_0_2_choice_7 else
         winnerswinner2_best_above_0_2_choice;
       winnerswinner2_best_first_0_1 <= winnerswinner1_held_0_4;
       winnerswinner2_best_first_0_2 <= winnerswinner1_held_0_8;
       winnerswinner2_best_last_0_0 <= winnerswinner1_held_0_3;
       winnerswinner2_best_last_0_1 <= winnerswinner1_held_0_7;
-      winnerswinner2_best_place_0_0 <= winnerswinner2_best_index_0_0_choice_8;
-      winnerswinner2_best_place_0_1 <= winnerswinner2_best_index_0_1_choice_8;
-      winnerswinner2_best_place_0_2 <= winnerswinner2_best_index_0_2_choice_8;
+      winnerswinner2_best_place_0_0 <= winnerswinner2_best_index_0_0_choice_7;
+      winnerswinner2_best_place_0_1 <= winnerswinner2_best_index_0_1_choice_7;
+      winnerswinner2_best_place_0_2 <= winnerswinner2_best_index_0_2_choice_7;
       winnerswinner2_best_at_start_0_0 <= (not winnerswinner2_best_at_start_0_0_choice) and other_5;
       winnerswinner2_best_at_start_0_1 <= (not winnerswinner2_best_at_start_0_1_choice) and other_4;
       winnerswinner2_best_at_start_0_2 <= (not winnerswinner2_best_at_start_0_2_choice) and other_0;
@@ -7541,22 +7359,18 @@ begin
       winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
         winnerswinner3_best_index_0_0_value_4 when winnerswinner3_best_index_0_0_choice_5 else (not
         (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_4;
-      winnerswinner3_best_index_0_0_value_5 := ((winnerswinner2_best_cost_0_1 / 64) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_7 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_5 when winnerswinner3_best_index_0_0_choice_6 else (not
-        (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_5;
-      winnerswinner3_best_index_0_0_choice_8 := ((winnerswinner2_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner2_best_cost_0_1 / 128) = 1)) when winnerswinner3_best_index_0_0_choice_7 else
-        ((winnerswinner2_best_cost_0_0 / 128) = 1) or (not ((winnerswinner2_best_cost_0_1 / 128) = 1));
+      winnerswinner3_best_index_0_0_choice_7 := ((winnerswinner2_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner2_best_cost_0_1 / 64) = 1)) when winnerswinner3_best_index_0_0_choice_6 else
+        ((winnerswinner2_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_cost_0_1 / 64) = 1));
       winnerswinner3_best_below_0_0_is_equal := winnerswinner2_best_index_0_1 = 4;
       winnerswinner3_best_below_0_0_choice := winnerswinner2_best_last_0_0 when winnerswinner3_best_below_0_0_is_equal
         else winnerswinner2_best_below_0_1;
       winnerswinner3_best_above_0_0_is_equal := winnerswinner2_best_index_0_0 = 3;
       winnerswinner3_best_above_0_0_choice := winnerswinner2_best_first_0_1 when winnerswinner3_best_above_0_0_is_equal
         else winnerswinner2_best_above_0_0;
-      winnerswinner3_best_at_start_0_0_choice := (not ((winnerswinner2_best_cost_0_0 / 128) = 1)) or
-        ((winnerswinner2_best_cost_0_1 / 128) = 1) when winnerswinner3_best_index_0_0_choice_7 else (not
-        ((winnerswinner2_best_cost_0_0 / 128) = 1)) and ((winnerswinner2_best_cost_0_1 / 128) = 1);
+      winnerswinner3_best_at_start_0_0_choice := (not ((winnerswinner2_best_cost_0_0 / 64) = 1)) or
+        ((winnerswinner2_best_cost_0_1 / 64) = 1) when winnerswinner3_best_index_0_0_choice_6 else (not
+        ((winnerswinner2_best_cost_0_0 / 64) = 1)) and ((winnerswinner2_best_cost_0_1 / 64) = 1);
       winnerswinner3_best_second_0_0_choice := winnerswinner2_best_second_0_1 when winnerswinner3_best_place_0_0 else
         winnerswinner2_best_late_cost_0_1;
       winnerswinner3_best_second_0_0_choice_2 := winnerswinner2_best_but_first_0_1 when winnerswinner3_best_at_end_0_0
@@ -7567,18 +7381,18 @@ begin
         else winnerswinner3_best_second_0_0_choice_3;
       winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when (winnerswinner2_best_cost_0_1 -
         winnerswinner2_best_cost_0_0) < 0 else winnerswinner2_best_cost_0_0;
-      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_8 else
+      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_7 else
         winnerswinner2_best_index_0_0;
       winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
-      winnerswinner3_best_below_0_0 <= winnerswinner3_best_below_0_0_choice when winnerswinner3_best_index_0_0_choice_8
+      winnerswinner3_best_below_0_0 <= winnerswinner3_best_below_0_0_choice when winnerswinner3_best_index_0_0_choice_7
         else winnerswinner2_best_below_0_0;
       winnerswinner3_best_below_0_1 <= winnerswinner2_best_below_0_2;
-      winnerswinner3_best_above_0_0 <= winnerswinner2_best_above_0_1 when winnerswinner3_best_index_0_0_choice_8 else
+      winnerswinner3_best_above_0_0 <= winnerswinner2_best_above_0_1 when winnerswinner3_best_index_0_0_choice_7 else
         winnerswinner3_best_above_0_0_choice;
       winnerswinner3_best_above_0_1 <= winnerswinner2_best_above_0_2;
       winnerswinner3_best_first_0_1 <= winnerswinner2_best_first_0_2;
       winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0_1;
-      winnerswinner3_best_place_0_0 <= winnerswinner3_best_index_0_0_choice_8;
+      winnerswinner3_best_place_0_0 <= winnerswinner3_best_index_0_0_choice_7;
       winnerswinner3_best_at_start_0_0 <= (not winnerswinner3_best_at_start_0_0_choice) and
         winnerswinner3_best_below_0_0_is_equal;
       winnerswinner3_best_at_end_0_0 <= winnerswinner3_best_at_start_0_0_choice and
@@ -7619,13 +7433,9 @@ begin
       winnerswinner4_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) or
         winnerswinner4_best_index_0_0_value_4 when winnerswinner4_best_index_0_0_choice_5 else (not
         (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_4;
-      winnerswinner4_best_index_0_0_value_5 := ((winnerswinner2_best_late_cost_0_2 / 64) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_7 := (not (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_5 when winnerswinner4_best_index_0_0_choice_6 else (not
-        (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_5;
-      winnerswinner4_best_index_0_0_choice_8 := (not ((winnerswinner3_best_cost_0_0 / 128) = 1)) or
-        ((winnerswinner2_best_late_cost_0_2 / 128) = 1) when winnerswinner4_best_index_0_0_choice_7 else (not
-        ((winnerswinner3_best_cost_0_0 / 128) = 1)) and ((winnerswinner2_best_late_cost_0_2 / 128) = 1);
+      winnerswinner4_best_index_0_0_choice_7 := (not ((winnerswinner3_best_cost_0_0 / 64) = 1)) or
+        ((winnerswinner2_best_late_cost_0_2 / 64) = 1) when winnerswinner4_best_index_0_0_choice_6 else (not
+        ((winnerswinner3_best_cost_0_0 / 64) = 1)) and ((winnerswinner2_best_late_cost_0_2 / 64) = 1);
       winnerswinner4_best_below_0_0_is_equal := (winnerswinner3_best_index_0_1 mod 4) = 0;
       winnerswinner4_best_below_0_0_choice := winnerswinner3_best_last_0_0 when ((winnerswinner3_best_index_0_1 / 8) =
         1) and winnerswinner4_best_below_0_0_is_equal else winnerswinner3_best_below_0_1;
@@ -7642,18 +7452,18 @@ begin
         else winnerswinner4_best_second_0_0_choice_3;
       winnerswinner4_best_cost_0_0 <= winnerswinner2_best_late_cost_0_2 when (winnerswinner2_best_late_cost_0_2 -
         winnerswinner3_best_cost_0_0) < 0 else winnerswinner3_best_cost_0_0;
-      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_0 when winnerswinner4_best_index_0_0_choice_8 else
+      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_0 when winnerswinner4_best_index_0_0_choice_7 else
         winnerswinner3_best_index_0_1;
-      winnerswinner4_best_below_0_0 <= winnerswinner3_best_below_0_0 when winnerswinner4_best_index_0_0_choice_8 else
+      winnerswinner4_best_below_0_0 <= winnerswinner3_best_below_0_0 when winnerswinner4_best_index_0_0_choice_7 else
         winnerswinner4_best_below_0_0_choice;
-      winnerswinner4_best_above_0_0 <= winnerswinner4_best_above_0_0_choice when winnerswinner4_best_index_0_0_choice_8
+      winnerswinner4_best_above_0_0 <= winnerswinner4_best_above_0_0_choice when winnerswinner4_best_index_0_0_choice_7
         else winnerswinner3_best_above_0_1;
-      winnerswinner4_best_place_0_0 <= ((winnerswinner3_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner2_best_late_cost_0_2 / 128) = 1)) when winnerswinner4_best_index_0_0_choice_7 else
-        ((winnerswinner3_best_cost_0_0 / 128) = 1) or (not ((winnerswinner2_best_late_cost_0_2 / 128) = 1));
-      winnerswinner4_best_at_start_0_0 <= (not winnerswinner4_best_index_0_0_choice_8) and
+      winnerswinner4_best_place_0_0 <= ((winnerswinner3_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner2_best_late_cost_0_2 / 64) = 1)) when winnerswinner4_best_index_0_0_choice_6 else
+        ((winnerswinner3_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_late_cost_0_2 / 64) = 1));
+      winnerswinner4_best_at_start_0_0 <= (not winnerswinner4_best_index_0_0_choice_7) and
         ((winnerswinner3_best_index_0_1 / 8) = 1) and winnerswinner4_best_below_0_0_is_equal;
-      winnerswinner4_best_at_end_0_0 <= winnerswinner4_best_index_0_0_choice_8 and
+      winnerswinner4_best_at_end_0_0 <= winnerswinner4_best_index_0_0_choice_7 and
         winnerswinner4_best_above_0_0_is_equal;
       winnerswinner4_best_late_cost_0_0 <= winnerswinner4_best_cost_0_0;
       winnerswinner4_best_second_0_0 <= winnerswinner4_best_second_0_0_choice_2 when
@@ -7676,20 +7486,44 @@ begin
       winners_best_tag_start_of_frame <= winnerswinner4_tag_start_of_frame;
       winners_best_tag_end_of_line <= winnerswinner4_tag_end_of_line;
       -- refinement
+      refinement_passed_3_0_choice := not (((refinement_scaled_gap_0 / 2) mod 2) = 1) when (refinement_scaled_cost_0
+        mod 2) = 1 else (refinement_scaled_gap_0 mod 4) = 0;
+      refinement_passed_3_0_choice_2 := ((refinement_scaled_cost_0 mod 2) = 1) or (not (((refinement_scaled_gap_0 / 2)
+        mod 2) = 1)) or (not ((refinement_scaled_gap_0 mod 2) = 1)) when ((refinement_scaled_cost_0 / 2) mod 2) = 1
+        else refinement_passed_3_0_choice;
+      refinement_passed_3_0_value := ((refinement_scaled_gap_0 / 4) mod 2) = 1;
+      refinement_passed_3_0_choice_3 := (not (((refinement_scaled_cost_0 / 4) mod 2) = 1)) and
+        refinement_passed_3_0_value when refinement_passed_3_0_choice_2 else (not (((refinement_scaled_cost_0 / 4) mod
+        2) = 1)) or refinement_passed_3_0_value;
+      refinement_passed_3_0_value_2 := ((refinement_scaled_gap_0 / 8) mod 2) = 1;
+      refinement_passed_3_0_choice_4 := (not (((refinement_scaled_cost_0 / 8) mod 2) = 1)) or
+        refinement_passed_3_0_value_2 when refinement_passed_3_0_choice_3 else (not (((refinement_scaled_cost_0 / 8)
+        mod 2) = 1)) and refinement_passed_3_0_value_2;
+      refinement_passed_3_0_value_3 := ((refinement_scaled_gap_0 / 16) mod 2) = 1;
+      refinement_passed_3_0_choice_5 := (not (((refinement_scaled_cost_0 / 16) mod 2) = 1)) or
+        refinement_passed_3_0_value_3 when refinement_passed_3_0_choice_4 else (not (((refinement_scaled_cost_0 / 16)
+        mod 2) = 1)) and refinement_passed_3_0_value_3;
+      refinement_passed_3_0_value_4 := ((refinement_scaled_gap_0 / 32) mod 2) = 1;
+      refinement_passed_3_0_choice_6 := (not (((refinement_scaled_cost_0 / 32) mod 2) = 1)) or
+        refinement_passed_3_0_value_4 when refinement_passed_3_0_choice_5 else (not (((refinement_scaled_cost_0 / 32)
+        mod 2) = 1)) and refinement_passed_3_0_value_4;
+      refinement_passed_3_0_is_equal := (refinement_scaled_gap_0 / 64) = 0;
+      refinement_passed_3_0_choice_7 := not ((refinement_scaled_gap_0 / 128) = 1) when (refinement_scaled_cost_0 / 64)
+        = 1 else refinement_passed_3_0_is_equal;
+      refinement_passed_3_0_choice_8 := ((refinement_scaled_cost_0 / 64) = 1) and refinement_passed_3_0_is_equal when
+        refinement_passed_3_0_choice_6 else refinement_passed_3_0_choice_7;
       refinement_below_0_differs := winners_best_index_0_0 /= 0;
-      refinement_below_0_differs_2 := winners_best_below_0_0 /= 255;
-      refinement_above_0_all := (winners_best_index_0_0 = 11) and refinement_below_0_differs;
-      refinement_above_0_choice := refinement_below_0_differs when (winners_best_above_0_0 mod 16) = 15 else
-        refinement_above_0_all;
-      refinement_above_0_choice_2 := refinement_above_0_choice when (winners_best_above_0_0 / 16) = 15 else
-        refinement_above_0_all;
-      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 512) - refinement_divisor_0_0;
-      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 512) - refinement_divisor_1_0;
-      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 512) - refinement_divisor_2_0;
-      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 512) - refinement_divisor_3_0;
-      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 512) - refinement_divisor_4_0;
-      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 512) - refinement_divisor_5_0;
-      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 512) - refinement_divisor_6_0;
+      refinement_below_0_differs_2 := winners_best_below_0_0 /= 127;
+      refinement_below_0_all := refinement_below_0_differs and refinement_below_0_differs_2;
+      refinement_above_0_choice := refinement_below_0_all when winners_best_index_0_0 = 11 else (winners_best_above_0_0
+        = 127) and refinement_below_0_differs and refinement_below_0_differs_2;
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 256) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 256) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 256) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 256) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 256) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 256) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 256) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
       refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
@@ -7716,12 +7550,13 @@ begin
       refinement_disparity_9_0 <= refinement_disparity_8_0;
       refinement_disparity_10_0 <= refinement_disparity_9_0;
       refinement_disparity_11_0 <= refinement_disparity_10_0;
-      refinement_passed_0_0 <= ((winnerswinner4_best_late_cost_0_0 / 16) /= 15) or ((winnerswinner4_best_late_cost_0_0
-        mod 16) /= 15);
+      refinement_passed_0_0 <= ((winnerswinner4_best_late_cost_0_0 / 8) /= 15) or (not
+        (((winnerswinner4_best_late_cost_0_0 / 4) mod 2) = 1)) or (not (((winnerswinner4_best_late_cost_0_0 / 2) mod 2)
+        = 1)) or (not ((winnerswinner4_best_late_cost_0_0 mod 2) = 1));
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      refinement_passed_3_0 <= refinement_alone_1_0 and refinement_passed_2_0 when refinement_passed_3_0_choice_8 else
+        refinement_passed_2_0;
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -7790,35 +7625,33 @@ begin
       refinement_tag_11_output_column <= refinement_tag_10_output_column;
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
-      refinement_alone_0_0 <= winners_best_second_0_0 = 255;
+      refinement_alone_0_0 <= winners_best_second_0_0 = 127;
       refinement_alone_1_0 <= refinement_alone_0_0;
-      refinement_gap_0 <= (winners_best_second_0_0 - winners_best_late_cost_0_0) mod 256;
+      refinement_gap_0 <= (winners_best_second_0_0 - winners_best_late_cost_0_0) mod 128;
       refinement_scaled_gap_0 <= refinement_gap_0 + 1;
       refinement_scaled_cost_0 <= refinement_distance;
-      refinement_below_0 <= winners_best_below_0_0 when refinement_below_0_differs and refinement_below_0_differs_2
-        else winners_best_above_0_0;
-      refinement_above_0 <= winners_best_below_0_0 when refinement_above_0_choice_2 and refinement_below_0_differs_2
-        else winners_best_above_0_0;
-      refinement_u_0 <= (refinement_below_0 - winners_best_late_cost_0_0) mod 256;
-      refinement_v_0 <= (refinement_above_0 - winners_best_late_cost_0_0) mod 256;
+      refinement_below_0 <= winners_best_below_0_0 when refinement_below_0_all else winners_best_above_0_0;
+      refinement_above_0 <= winners_best_below_0_0 when refinement_above_0_choice else winners_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - winners_best_late_cost_0_0) mod 128;
+      refinement_v_0 <= (refinement_above_0 - winners_best_late_cost_0_0) mod 128;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 256 when (refinement_remainder_1_0_difference
-        / 512) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 256 when (refinement_remainder_2_0_difference
-        / 512) = 1 else (refinement_remainder_1_0 mod 128) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 256 when (refinement_remainder_3_0_difference
-        / 512) = 1 else (refinement_remainder_2_0 mod 128) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 256 when (refinement_remainder_4_0_difference
-        / 512) = 1 else (refinement_remainder_3_0 mod 128) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 256 when (refinement_remainder_5_0_difference
-        / 512) = 1 else (refinement_remainder_4_0 mod 128) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 256 when (refinement_remainder_6_0_difference
-        / 512) = 1 else (refinement_remainder_5_0 mod 128) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 256 when (refinement_remainder_7_0_difference
-        / 512) = 1 else (refinement_remainder_6_0 mod 128) * 2;
-      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 8)) or
-        (to_unsigned(as_number(((refinement_v_0 = 0) and (refinement_u_0 = 0))), 8))));
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 128 when (refinement_remainder_1_0_difference
+        / 256) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 128 when (refinement_remainder_2_0_difference
+        / 256) = 1 else (refinement_remainder_1_0 mod 64) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 128 when (refinement_remainder_3_0_difference
+        / 256) = 1 else (refinement_remainder_2_0 mod 64) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 128 when (refinement_remainder_4_0_difference
+        / 256) = 1 else (refinement_remainder_3_0 mod 64) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 128 when (refinement_remainder_5_0_difference
+        / 256) = 1 else (refinement_remainder_4_0 mod 64) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 128 when (refinement_remainder_6_0_difference
+        / 256) = 1 else (refinement_remainder_5_0 mod 64) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 128 when (refinement_remainder_7_0_difference
+        / 256) = 1 else (refinement_remainder_6_0 mod 64) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 7)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 7))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
       refinement_divisor_3_0 <= refinement_divisor_2_0;
@@ -7826,7 +7659,7 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((refinement_remainder_7_0 * 2) + 512) - refinement_divisor_7_0) / 512) + ((other_16
+      refinement_quotient_8_0 <= ((((256 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 128) + ((other_16
         / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -8217,13 +8050,13 @@ begin
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
       other_14 <= to_integer(other_15);
-      other_16 <= ((refinement_remainder_7_0_difference / 512) * 2) + ((other_17 / 4) * 4);
-      other_17 <= ((refinement_remainder_6_0_difference / 512) * 4) + ((other_18 / 8) * 8);
-      other_18 <= ((refinement_remainder_5_0_difference / 512) * 8) + ((other_19 / 16) * 16);
-      other_19 <= ((refinement_remainder_4_0_difference / 512) * 16) + ((other_20 / 32) * 32);
-      other_20 <= ((refinement_remainder_3_0_difference / 512) * 32) + ((other_21 / 64) * 64);
-      other_21 <= ((refinement_remainder_2_0_difference / 512) * 64) + ((other_22 / 128) * 128);
-      other_22 <= (refinement_remainder_1_0_difference / 512) * 128;
+      other_16 <= ((refinement_remainder_7_0_difference / 256) * 2) + ((other_17 / 4) * 4);
+      other_17 <= ((refinement_remainder_6_0_difference / 256) * 4) + ((other_18 / 8) * 8);
+      other_18 <= ((refinement_remainder_5_0_difference / 256) * 8) + ((other_19 / 16) * 16);
+      other_19 <= ((refinement_remainder_4_0_difference / 256) * 16) + ((other_20 / 32) * 32);
+      other_20 <= ((refinement_remainder_3_0_difference / 256) * 32) + ((other_21 / 64) * 64);
+      other_21 <= ((refinement_remainder_2_0_difference / 256) * 64) + ((other_22 / 128) * 128);
+      other_22 <= (refinement_remainder_1_0_difference / 256) * 128;
       other_1_is_equal := (settings_first_disparity / 8) = 0;
       other_1_choice := other_1_is_equal and slice1mask_searched_3_value_6 when (not (((settings_last_disparity / 16)
         mod 2) = 1)) and ((not slice1mask_searched_3_value_2) or (not slice1mask_searched_3_value_3) or (not

@@ -66,11 +66,11 @@ begin
       latency_clocks => 59,
       flush_groups => 267,
       gap_groups => 0,
-      core_id => x"96f0d1e2",
+      core_id => x"f2401161",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (7, 198, 11, 31, 11, 11, 40, 20),
+      settings_largest => (5, 125, 11, 22, 11, 11, 40, 20),
       settings_start => (5, 3, 1, 22, 0, 11, 40, 20),
-      settings_least => (0, 0, 0, 0, 0, 0, 18, 10))
+      settings_least => (3, 0, 0, 0, 0, 0, 18, 10))
     port map (
       aclk => aclk,
       aresetn => aresetn,

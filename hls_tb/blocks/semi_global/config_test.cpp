@@ -60,21 +60,38 @@ TEST(SemiGlobalConfig, SaysWhatCannotBeBuilt) {
              "at least one path must be on");
 }
 
-TEST(SemiGlobalConfig, PortsBringAllNumbersOfTheirBits) {
+TEST(SemiGlobalConfig, PortsWidenNoPath) {
    Config config = kGood;
    config.run_time_settings = true;
    config.uniqueness_distance = 3;
    SettingList list;
    config.settings(list);
    ASSERT_EQ(list.count, 6);
-   const int largest[] = {7, 31, config.largest_sum(), 0, 0, 0}, start[] = {5, 22, 3, 0, 0, 0};
+   const int largest[] = {5, 22, config.largest_sum(), 0, 0, 0}, start[] = {5, 22, 3, 0, 0, 0};
    for (int i = 0; i < list.count; ++i) {
       EXPECT_EQ(list.setting[i].largest, largest[i]) << list.setting[i].name;
       EXPECT_EQ(list.setting[i].start, start[i]) << list.setting[i].name;
    }
-   // K and A: -(31 + 13) ... 2*13 + 7.
-   EXPECT_EQ(config.row_path_bits(), 7);
-   EXPECT_EQ(config.largest_path_above(), 44);
+   // K and A: -(22 + 13 - P1) ... 2*13 + 5, in 6 bits from P1 = 3 on.
+   EXPECT_EQ(list.setting[0].least, 3);
+   EXPECT_EQ(list.setting[1].least, 0);
+   for (int p1 = 0; p1 <= 40; ++p1)
+      for (int p2 = 0; p2 <= 60; ++p2) {
+         Config fixed = config;
+         fixed.run_time_settings = false;
+         fixed.p1 = config.p1 = p1;
+         fixed.p2 = config.p2 = p2;
+         ASSERT_EQ(config.row_path_bits(), fixed.row_path_bits());
+         ASSERT_EQ(config.largest_sum(), fixed.largest_sum());
+         ASSERT_LE(config.least_p1(), p1);
+         // It is the smallest: one less needs another bit.
+         fixed.p1 = config.least_p1();
+         ASSERT_LE(fixed.row_path_bits(), config.row_path_bits()) << p1 << ' ' << p2;
+         if (fixed.p1-- == 0) continue;
+         ASSERT_GT(fixed.row_path_bits(), config.row_path_bits()) << p1 << ' ' << p2;
+      }
+   config.path_left = config.path_right = false;
+   EXPECT_EQ(config.least_p1(), 0) << "the path from above has no sign";
 }
 
 /// The limits of the window costs, and of the rows that are turned round: 11 columns between two maps.

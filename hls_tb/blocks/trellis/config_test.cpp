@@ -5,18 +5,60 @@
 
 #include <string>
 
+#include "support/settings.hpp"
+
 namespace stereo::test {
 namespace {
 
-TEST(TrellisConfig, TakesNothingAtRunTime) {
-   const trellis::Config good{{.width_px = 40, .height_px = 12}, {.disparities = 12}, {}};
-   EXPECT_EQ(good.problem().text, std::string());
-   trellis::Config config = good;
-   config.run_time_size = true;
-   EXPECT_EQ(config.problem().text, std::string("a run-time size is for block matching and semi-global matching"));
-   config = good;
+constexpr trellis::Config kGood{{.width_px = 40, .height_px = 12}, {.disparities = 12}, {}};
+
+TEST(TrellisConfig, SettingsGoUpToTheConfigurations) {
+   trellis::Config config = kGood;
+   config.drop_cost = 4;
+   config.occlusion_cost = 9;
    config.run_time_settings = true;
-   EXPECT_EQ(config.problem().text, std::string("run-time settings are for block matching and semi-global matching"));
+   ASSERT_EQ(config.problem().text, std::string());
+   SettingList list;
+   config.settings(list);
+   ASSERT_EQ(list.count, 2);
+   EXPECT_EQ(list.setting[0].name, std::string("drop_cost"));
+   EXPECT_EQ(list.setting[0].least, 0);
+   EXPECT_EQ(list.setting[0].largest, 4);
+   EXPECT_EQ(list.setting[0].start, 4);
+   EXPECT_EQ(list.setting[1].name, std::string("occlusion_cost"));
+   EXPECT_EQ(list.setting[1].least, 1);
+   EXPECT_EQ(list.setting[1].largest, 9);
+   EXPECT_EQ(list.setting[1].start, 9);
+}
+
+TEST(TrellisConfig, AFrameIsThereBeforeTheNextOne) {
+   trellis::Config config = kGood;
+   config.run_time_settings = true;
+   for (int height = 5; height <= 12; ++height) {
+      config.height_px = height;
+      const int groups = config.costs().windows().groups_to_first_window() + config.clocks_to_forward();
+      EXPECT_EQ(config.problem().empty(), groups < 40 * height) << height;
+   }
+   config.height_px = 5;
+   EXPECT_EQ(config.problem().text,
+             std::string("with run-time settings the image must be higher, for a frame's first column to be there "
+                         "before the next one"));
+}
+
+TEST(TrellisConfig, ASizeAloneSetsNothingElse) {
+   trellis::Config config = kGood;
+   config.run_time_size = true;
+   ASSERT_EQ(config.problem().text, std::string());
+   SettingList list;
+   config.settings(list);
+   ASSERT_EQ(list.count, 4);
+   EXPECT_EQ(list.setting[0].largest, 0);
+   EXPECT_EQ(list.setting[1].largest, 0);
+   EXPECT_EQ(list.setting[1].least, 0);
+   EXPECT_EQ(list.setting[2].name, std::string("image_width"));
+   EXPECT_EQ(list.setting[2].largest, 40);
+   EXPECT_EQ(list.setting[3].name, std::string("image_height"));
+   EXPECT_EQ(list.setting[3].largest, 12);
 }
 
 }  // namespace

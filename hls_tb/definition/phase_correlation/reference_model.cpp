@@ -70,6 +70,7 @@ CostVolume costs_of(const Image& left, const Image& right, const Matching& match
       for (int x = 0; x < costs.width; ++x)
          for (int d = 0; d < costs.disparities; ++d) {
             const int right_x = first + x, left_x = right_x + matching.min_disparity + d;
+            if (left_x < 0 || left_x >= left.width) continue;  // with full_width; of no candidate
             costs.at(x, y, d) = code_cost(r.at(right_x, y), l.at(left_x, y), matching.phase_scales);
          }
    return costs;
@@ -83,7 +84,12 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
       of_mirror.reference = Reference::right;
       return mirrored(match(mirrored(right), mirrored(left), of_mirror));
    }
-   const CostVolume sums = window_sums(costs_of(left, right, matching), matching.window_px);
+   const CostVolume costs = costs_of(left, right, matching);
+   const block_matching::Matching columns = matching.block_matching();
+   const DisparityRange range{matching.min_disparity, matching.first_disparity, columns.last_searched()};
+   const CostVolume sums = matching.full_width
+                               ? full_width_sums(all_window_sums(costs, matching.window_px), matching.window_px, range)
+                               : window_sums(costs, matching.window_px);
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
    if (matching.median) map = median_filtered(map);

@@ -73,11 +73,12 @@ std::vector<uint32_t> random_settings(const SettingList& ports, Random& random) 
          values.push_back(uint32_t(port.start));
          continue;
       }
-      const int most = random.percent(50) ? port.largest : std::min(port.largest, 1 + port.largest / 8);
-      const uint32_t value = random.percent(15) ? 0 : uint32_t(random.below(most + 1));
+      const int span = port.largest - port.least;
+      const int most = random.percent(50) ? span : std::min(span, 1 + span / 8);
+      const int above = random.percent(15) ? 0 : random.below(most + 1);
       // Of the last disparity the large ones: most frames shall search something.
       const bool from_top = std::string_view(port.name) == "last_disparity";
-      values.push_back(from_top ? uint32_t(port.largest) - value : value);
+      values.push_back(uint32_t(from_top ? port.largest - above : port.least + above));
    }
    return values;
 }

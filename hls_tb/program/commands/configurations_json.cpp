@@ -48,6 +48,7 @@ nlohmann::json common_json(const Entry& entry) {
    for (const Setting& setting : shape.settings) {
       json["settings"].push_back(
           {{"name", setting.name}, {"bits", setting.bits}, {"largest", setting.largest}, {"start", setting.start}});
+      if (setting.least > 0) json["settings"].back().update({{"least", setting.least}});
       if (setting.held)
          json["settings"].back().update({{"least", setting.least}, {"step", setting.step}, {"held", true}});
    }

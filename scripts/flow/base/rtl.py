@@ -129,6 +129,7 @@ class Kind(NamedTuple):
     """A kind of design that goes through the flow."""
 
     top: str  # the C++ file that the synthesis tool takes, from the project's root
+    macros: tuple[str, ...]  # which of its ports there are
     function: str  # in that file
     prefix: str  # of its entity's name
     title: str  # for the first line of its VHDL
@@ -153,6 +154,7 @@ class Kind(NamedTuple):
 
 CORE = Kind(
     "hls/top/stereo_top.cpp",
+    (),
     "stereo_core",
     "stereo_core_",
     "Stereo core",
@@ -161,20 +163,11 @@ CORE = Kind(
     "disparity_valid",
     ("disparity",),
 )
-# Of cores whose settings come from ports, by family: a port has its name in the file.
-SETTINGS_TOPS = {
-    "block_matching": "hls/top/settings_top.cpp",
-    "semi_global": "hls/top/semi_global_settings_top.cpp",
-}
-# Where the size of the images is among them.
-SIZE_TOPS = {
-    "block_matching": "hls/top/size_top.cpp",
-    "semi_global": "hls/top/semi_global_size_top.cpp",
-}
 # By the folder that stands where a matching core has its family.
 STAGES = {
     "rectification": Kind(
         "hls/top/rectification_top.cpp",
+        (),
         "rectification_core",
         "stereo_",
         "Stage in front of a stereo core",
@@ -207,8 +200,8 @@ def kind_of(parameters: Mapping[str, Any]) -> Kind:
     settings = settings_of(parameters)
     if not settings:
         return kind
-    tops = SIZE_TOPS if any(setting.held for setting in settings) else SETTINGS_TOPS
-    return kind._replace(top=tops[parameters["family"]])
+    sized = any(setting.held for setting in settings)
+    return kind._replace(macros=("STEREO_SETTINGS", *(["STEREO_SIZE"] if sized else [])))
 
 
 def core_entity(config: str) -> str:

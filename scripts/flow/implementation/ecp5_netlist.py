@@ -9,6 +9,7 @@ from typing import Any
 from .ecp5_carry import CarryPacker
 from .ecp5_fanout import copy_wide_controls
 from .ecp5_memory import use_output_registers
+from .ecp5_reset import resets_to_logic
 
 
 def improve(path: Path, top: str) -> dict[str, int]:
@@ -18,6 +19,7 @@ def improve(path: Path, top: str) -> dict[str, int]:
     before = _types(module)
     CarryPacker(module).run()
     use_output_registers(module)
+    resets_to_logic(module)
     copy_wide_controls(module)
     path.write_text(json.dumps(netlist))
     after = _types(module)

@@ -15,7 +15,7 @@ DOCUMENT = ROOT / "docs" / "integration.md"
 TABLE_BEGIN, TABLE_END = "<!-- registers: made by scripts/registers.py -->", "<!-- end of registers -->"
 ID = 0x53544552  # "STER"
 VERSION = (1, 4, 0)
-PLAIN = "block_matching"  # whose names the settings have in a family without any
+PLAIN = "block_matching"  # whose names the settings have in a family without names of its own
 
 
 class Field(TypedDict):

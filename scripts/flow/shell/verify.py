@@ -43,6 +43,8 @@ FRAMES = {
     "tiny_sgm_settings": 200,
     "tiny_sgm_settings_full": 200,
     "tiny_settings_all": 200,
+    "tiny_trellis_settings": 200,
+    "tiny_phase_settings": 200,
     # and its own size
     "tiny_size": 256,
     "tiny_size_all": 256,
@@ -53,6 +55,9 @@ FRAMES = {
     "tiny_sgm_size": 256,
     "tiny_sgm_size_all": 256,
     "tiny_sgm_size_full": 256,
+    "tiny_trellis_size": 256,
+    "tiny_phase_size": 256,
+    "tiny_phase_size_all": 256,
 }
 LARGEST_FOR_CASES = 10000  # groups of a frame: larger ones meet the broken streams in the mixture only
 SHORT_FRAMES = {

@@ -48,7 +48,7 @@ def synthesize(config: str, row: Configuration) -> ToolRun:
     """Synthesises one configuration in an empty working directory, unless the last run there had the same inputs."""
     bambu = find_bambu()
     directory, kind = WORK / config, rtl.kind_of(row)
-    options = top_options(config, row["family"], row["source_folder"], kind.top)
+    options = top_options(config, row["family"], row["source_folder"], kind.top, kind.macros)
     options += ["--compiler=I386_CLANG16", f"--top-fname={kind.function}", *OPTIONS]
     command = shlex.join(["bambu", *options])
     version = tool_version(bambu)

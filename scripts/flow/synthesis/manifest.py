@@ -74,16 +74,11 @@ def _digests(paths: Iterable[Path]) -> Digests:
     return {path.relative_to(ROOT).as_posix(): digest(path) for path in paths}
 
 
-def top_options(config: str, family: str, source_folder: str, top: str) -> list[str]:
+def top_options(config: str, family: str, source_folder: str, top: str, macros: Iterable[str] = ()) -> list[str]:
     """What a compiler needs to compile the hardware top, in the project's root."""
     folders = dict.fromkeys((source_folder, "hls"))
-    macros = {"STEREO_FAMILY": family, "STEREO_CONFIGURATION": config}
-    return [
-        top,
-        "--std=c++20",
-        *(f"-I{folder}" for folder in folders),
-        *(f"-D{name}={value}" for name, value in macros.items()),
-    ]
+    defined = (f"STEREO_FAMILY={family}", f"STEREO_CONFIGURATION={config}", *macros)
+    return [top, "--std=c++20", *(f"-I{folder}" for folder in folders), *(f"-D{macro}" for macro in defined)]
 
 
 @cache

@@ -31,6 +31,11 @@ Matching random_options(Random& random, int width) {
    if (random.percent(40)) m.uniqueness_percent = random.below(101);
    m.subpixel = random.percent(50);
    m.median = random.percent(40);
+   m.full_width = random.percent(40) && m.window_px >= 2 && m.window_px < width;
+   if (m.full_width && random.percent(50)) {
+      m.first_disparity = random.below(m.disparities);
+      m.last_disparity = random.below(m.disparities + 1) - 1;
+   }
    return m;
 }
 

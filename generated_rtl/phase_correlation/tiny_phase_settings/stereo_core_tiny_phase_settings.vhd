@@ -1,0 +1,3541 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, phase correlation, configuration tiny_phase_settings: 40x18, 12 disparities, window 4x4, phase of 2 scales, 1 pixel pair a clock.
+-- Options: disparities 12, window_px 4, min_disparity 2, reference left, left_right_threshold 1,
+--   uniqueness_percent 10, subpixel true, median true, slice_disparities 6, run_time_settings true.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_phase_settings
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_phase_settings is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 40;
+    height_px : positive := 18;
+    disparities : positive := 12;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 16;
+    output_width_px : positive := 26;
+    latency_clocks : positive := 55;
+    flush_groups : positive := 259;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    uniqueness_percent : in std_logic_vector(7 downto 0);  -- 0 ... 100, taken over with start_of_frame
+    left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 11, taken over with start_of_frame
+    first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    disparity : out std_logic_vector(15 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 40 report "stereo_core_tiny_phase_settings: width_px is " & integer'image(width_px) & " but this core has 40" severity failure;
+  assert height_px = 18 report "stereo_core_tiny_phase_settings: height_px is " & integer'image(height_px) & " but this core has 18" severity failure;
+  assert disparities = 12 report "stereo_core_tiny_phase_settings: disparities is " & integer'image(disparities) & " but this core has 12" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_phase_settings: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 16 report "stereo_core_tiny_phase_settings: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
+  assert output_width_px = 26 report "stereo_core_tiny_phase_settings: output_width_px is " & integer'image(output_width_px) & " but this core has 26" severity failure;
+  assert latency_clocks = 55 report "stereo_core_tiny_phase_settings: latency_clocks is " & integer'image(latency_clocks) & " but this core has 55" severity failure;
+  assert flush_groups = 259 report "stereo_core_tiny_phase_settings: flush_groups is " & integer'image(flush_groups) & " but this core has 259" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_phase_settings: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_phase_settings is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_left_pixel : natural range 0 to 255;
+  signal in_left_right_threshold : natural range 0 to 255;
+  signal in_uniqueness_percent : natural range 0 to 255;
+  -- settings
+  signal settings_uniqueness_percent, settings_left_right_threshold : natural range 0 to 255;
+  -- transform
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_ready_words_2, transform_left_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_write_words_2, transform_right_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_ready_words_2, transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_write_words_2, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
+  signal transform_left_column_2, transform_left_column_3, transform_left_column_4 : natural range 0 to 255;
+  signal transform_left_column_5, transform_left_column_6, transform_left_column_7 : natural range 0 to 255;
+  signal transform_left_column_8, transform_left_column_9, transform_right_column_0 : natural range 0 to 255;
+  signal transform_right_column_1, transform_right_column_2, transform_right_column_3 : natural range 0 to 255;
+  signal transform_right_column_4, transform_right_column_5, transform_right_column_6 : natural range 0 to 255;
+  signal transform_right_column_7, transform_right_column_8, transform_right_column_9 : natural range 0 to 255;
+  signal transform_left_code_column_box_0_0_0, transform_left_code_column_box_0_1_0 : natural range 0 to 255;
+  signal transform_left_code_column_box_0_2_0, transform_left_code_column_box_0_3_0 : natural range 0 to 255;
+  signal transform_left_code_column_box_0_4_0, transform_left_code_column_centre : natural range 0 to 255;
+  signal transform_right_code_column_box_0_0_0, transform_right_code_column_box_0_1_0 : natural range 0 to 255;
+  signal transform_right_code_column_box_0_2_0, transform_right_code_column_box_0_3_0 : natural range 0 to 255;
+  signal transform_right_code_column_box_0_4_0, transform_right_code_column_centre : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame, transform_from_first_0, transform_from_first_1 : boolean;
+  signal transform_up_to_last_0, transform_up_to_last_1, transform_columns_inside_0 : boolean;
+  signal transform_columns_inside_1, transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_inside_0, transform_filtering_0_inside_1, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_inside_0, transform_filtering_1_inside_1 : boolean;
+  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid, transform_filtering_2_inside_0 : boolean;
+  signal transform_filtering_2_inside_1, transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
+  signal transform_filtering_3_inside_0, transform_filtering_3_inside_1, transform_filtering_3_start_of_frame : boolean;
+  signal transform_filtering_3_valid, transform_filtering_4_inside_0, transform_filtering_4_inside_1 : boolean;
+  signal transform_filtering_4_start_of_frame, transform_filtering_4_valid, transform_filtering_5_inside_0 : boolean;
+  signal transform_filtering_5_inside_1, transform_filtering_5_start_of_frame, transform_filtering_5_valid : boolean;
+  signal transform_filtering_6_inside_0, transform_filtering_6_inside_1, transform_filtering_6_start_of_frame : boolean;
+  signal transform_filtering_6_valid, transform_filtering_7_start_of_frame, transform_filtering_7_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
+  signal transform_write_column, transform_centre_column, transform_left_code_row_signs : natural range 0 to 63;
+  signal transform_left_code_earlier_0, transform_left_code_earlier_1 : natural range 0 to 63;
+  signal transform_left_code_earlier_2, transform_left_code_bits : natural range 0 to 63;
+  signal transform_left_code_next_row_signs, transform_left_code_next_bits : natural range 0 to 63;
+  signal transform_right_code_row_signs, transform_right_code_earlier_0 : natural range 0 to 63;
+  signal transform_right_code_earlier_1, transform_right_code_earlier_2 : natural range 0 to 63;
+  signal transform_right_code_bits, transform_right_code_next_row_signs : natural range 0 to 63;
+  signal transform_right_code_next_bits : natural range 0 to 63;
+  signal transform_counter_group : natural range 0 to 31;
+  signal transform_left_rows_read_words_0, transform_left_rows_read_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_ready_words_0, transform_left_rows_ready_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_write_words_0, transform_left_rows_write_words_1 : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0, transform_right_rows_read_words_1 : unsigned(31 downto 0);
+  signal transform_right_rows_ready_words_0, transform_right_rows_ready_words_1 : unsigned(31 downto 0);
+  signal transform_right_rows_write_words_0, transform_right_rows_write_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_2, transform_right_rows_read_words_2 : unsigned(7 downto 0);
+  signal transform_centre_group : natural range 0 to 32;
+  signal transform_left_code_column_near, transform_left_code_column_outer : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_0_0, transform_left_code_next_column_box_0_1_0 : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_2_0, transform_left_code_next_column_box_0_3_0 : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_4_0, transform_left_code_next_column_centre : natural range 0 to 510;
+  signal transform_right_code_column_near, transform_right_code_column_outer : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_0_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_1_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_2_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_3_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_4_0, transform_right_code_next_column_centre : natural range 0 to 510;
+  signal transform_left_code_column_upper, transform_left_code_column_lower : natural range 0 to 765;
+  signal transform_right_code_column_upper, transform_right_code_column_lower : natural range 0 to 765;
+  signal transform_left_code_column_response_0, transform_left_code_column_response_1 : natural range 0 to 1021;
+  signal transform_left_code_row_box_0_0, transform_left_code_row_box_0_1 : natural range 0 to 1021;
+  signal transform_left_code_row_column_0_0, transform_left_code_row_column_0_1 : natural range 0 to 1021;
+  signal transform_left_code_row_column_0_2, transform_left_code_row_column_0_3 : natural range 0 to 1021;
+  signal transform_left_code_row_column_1_0, transform_left_code_row_column_1_1 : natural range 0 to 1021;
+  signal transform_left_code_row_column_1_2, transform_left_code_row_column_1_3 : natural range 0 to 1021;
+  signal transform_left_code_row_centre_0, transform_left_code_row_centre_1 : natural range 0 to 1021;
+  signal transform_right_code_column_response_0, transform_right_code_column_response_1 : natural range 0 to 1021;
+  signal transform_right_code_row_box_0_0, transform_right_code_row_box_0_1 : natural range 0 to 1021;
+  signal transform_right_code_row_column_0_0, transform_right_code_row_column_0_1 : natural range 0 to 1021;
+  signal transform_right_code_row_column_0_2, transform_right_code_row_column_0_3 : natural range 0 to 1021;
+  signal transform_right_code_row_column_1_0, transform_right_code_row_column_1_1 : natural range 0 to 1021;
+  signal transform_right_code_row_column_1_2, transform_right_code_row_column_1_3 : natural range 0 to 1021;
+  signal transform_right_code_row_centre_0, transform_right_code_row_centre_1 : natural range 0 to 1021;
+  signal transform_left_code_column_response_2, transform_left_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_left_code_row_column_2_0, transform_left_code_row_column_2_1 : natural range 0 to 1530;
+  signal transform_left_code_row_column_2_2, transform_left_code_row_column_2_3 : natural range 0 to 1530;
+  signal transform_left_code_row_centre_2, transform_right_code_column_response_2 : natural range 0 to 1530;
+  signal transform_right_code_row_box_0_2, transform_right_code_row_column_2_0 : natural range 0 to 1530;
+  signal transform_right_code_row_column_2_1, transform_right_code_row_column_2_2 : natural range 0 to 1530;
+  signal transform_right_code_row_column_2_3, transform_right_code_row_centre_2 : natural range 0 to 1530;
+  signal transform_left_code_row_outer_1, transform_right_code_row_outer_1 : natural range 0 to 2042;
+  signal transform_left_code_row_outer_2, transform_right_code_row_outer_2 : natural range 0 to 3060;
+  signal transform_left_code_row_before_0, transform_left_code_row_before_1 : natural range 0 to 3063;
+  signal transform_left_code_row_after_0, transform_left_code_row_after_1 : natural range 0 to 3063;
+  signal transform_right_code_row_before_0, transform_right_code_row_before_1 : natural range 0 to 3063;
+  signal transform_right_code_row_after_0, transform_right_code_row_after_1 : natural range 0 to 3063;
+  signal transform_left_code_row_before_2, transform_left_code_row_after_2 : natural range 0 to 4591;
+  signal transform_right_code_row_before_2, transform_right_code_row_after_2 : natural range 0 to 4591;
+  signal transform_left_code_row_even_1, transform_left_code_row_even_2 : natural range 0 to 16383;
+  signal transform_left_code_row_odd_1, transform_left_code_row_odd_2 : natural range 0 to 16383;
+  signal transform_right_code_row_even_1, transform_right_code_row_even_2 : natural range 0 to 16383;
+  signal transform_right_code_row_odd_1, transform_right_code_row_odd_2 : natural range 0 to 16383;
+  signal transform_left_code_next_column_near, transform_left_code_next_column_outer : natural range 0 to 1020;
+  signal transform_right_code_next_column_near, transform_right_code_next_column_outer : natural range 0 to 1020;
+  signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_earlier_0_2_0, transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_0, transform_left_code_next_row_column_2_1 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_2, transform_left_code_next_row_column_2_3 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_4, transform_left_code_next_row_column_2_5 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_6, transform_left_code_next_row_column_2_7 : natural range 0 to 65535;
+  signal transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_after_2, transform_left_code_next_row_even_1 : natural range 0 to 65535;
+  signal transform_left_code_next_row_even_2, transform_left_code_next_row_odd_0 : natural range 0 to 65535;
+  signal transform_left_code_next_row_odd_1, transform_left_code_next_row_odd_2 : natural range 0 to 65535;
+  signal transform_right_code_next_column_upper, transform_right_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_earlier_0_2_0, transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_0, transform_right_code_next_row_column_2_1 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_2, transform_right_code_next_row_column_2_3 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_4, transform_right_code_next_row_column_2_5 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_6, transform_right_code_next_row_column_2_7 : natural range 0 to 65535;
+  signal transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_after_2, transform_right_code_next_row_even_1 : natural range 0 to 65535;
+  signal transform_right_code_next_row_even_2, transform_right_code_next_row_odd_0 : natural range 0 to 65535;
+  signal transform_right_code_next_row_odd_1, transform_right_code_next_row_odd_2 : natural range 0 to 65535;
+  signal transform_left_code_next_column_lower, transform_right_code_next_column_lower : natural range 0 to 1531;
+  signal transform_left_code_next_column_response_0 : natural range 0 to 2041;
+  signal transform_left_code_next_column_response_1 : natural range 0 to 2041;
+  signal transform_left_code_next_row_earlier_0_0_0 : natural range 0 to 2041;
+  signal transform_left_code_next_row_earlier_0_1_0 : natural range 0 to 2041;
+  signal transform_right_code_next_column_response_0 : natural range 0 to 2041;
+  signal transform_right_code_next_column_response_1 : natural range 0 to 2041;
+  signal transform_right_code_next_row_earlier_0_0_0 : natural range 0 to 2041;
+  signal transform_right_code_next_row_earlier_0_1_0 : natural range 0 to 2041;
+  signal transform_left_code_next_row_box_0_0, transform_left_code_next_row_box_0_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_0, transform_left_code_next_row_column_0_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_2, transform_left_code_next_row_column_0_3 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_4, transform_left_code_next_row_column_0_5 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_6, transform_left_code_next_row_column_0_7 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_0, transform_left_code_next_row_column_1_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_2, transform_left_code_next_row_column_1_3 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_4, transform_left_code_next_row_column_1_5 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_6, transform_left_code_next_row_column_1_7 : natural range 0 to 4082;
+  signal transform_left_code_next_row_centre_0, transform_left_code_next_row_centre_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_box_0_0, transform_right_code_next_row_box_0_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_0, transform_right_code_next_row_column_0_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_2, transform_right_code_next_row_column_0_3 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_4, transform_right_code_next_row_column_0_5 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_6, transform_right_code_next_row_column_0_7 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_0, transform_right_code_next_row_column_1_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_2, transform_right_code_next_row_column_1_3 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_4, transform_right_code_next_row_column_1_5 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_6, transform_right_code_next_row_column_1_7 : natural range 0 to 4082;
+  signal transform_right_code_next_row_centre_0, transform_right_code_next_row_centre_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_centre_2, transform_right_code_next_row_centre_2 : natural range 0 to 32767;
+  signal transform_left_code_next_row_outer_0, transform_left_code_next_row_outer_1 : natural range 0 to 8164;
+  signal transform_right_code_next_row_outer_0, transform_right_code_next_row_outer_1 : natural range 0 to 8164;
+  signal transform_left_code_next_row_before_0, transform_left_code_next_row_before_1 : natural range 0 to 12247;
+  signal transform_left_code_next_row_after_0, transform_left_code_next_row_after_1 : natural range 0 to 12247;
+  signal transform_right_code_next_row_before_0, transform_right_code_next_row_before_1 : natural range 0 to 12247;
+  signal transform_right_code_next_row_after_0, transform_right_code_next_row_after_1 : natural range 0 to 12247;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 4095;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 63;
+  signal raster_place_group : natural range 0 to 31;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 3;
+  signal delay_ahead_0 : natural range 0 to 4095;
+  signal delay_delayed_0 : unsigned(11 downto 0);
+  signal delay_column : natural range 0 to 63;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_tag_valid : boolean;
+  signal delay_tag_border_column, delay_tag_map_column, delay_tag_output_column, delay_tag_first_column : boolean;
+  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_1, rows_reference_rows_read_words_1 : unsigned(11 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_1 : natural range 0 to 4095;
+  signal rows_search_rows_ready_newest_0, rows_search_rows_write_words_1 : natural range 0 to 4095;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_1 : natural range 0 to 4095;
+  signal rows_reference_rows_ready_newest_0, rows_reference_rows_write_words_1, rows_search_0 : natural range 0 to 4095;
+  signal rows_search_1, rows_search_2, rows_search_3, rows_reference_0, rows_reference_1 : natural range 0 to 4095;
+  signal rows_reference_2, rows_reference_3 : natural range 0 to 4095;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_tag_valid : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_map_column, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_first_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2, rows_ready_inside_3 : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_map_column : boolean;
+  signal rows_ready_tag_output_column, rows_ready_tag_first_column, rows_ready_tag_start_of_frame : boolean;
+  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_map_column : boolean;
+  signal rows_tag_output_column, rows_tag_first_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 4095;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 4095;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 4095;
+  signal slice0shift_search_1_3, slice0shift_search_1_4, slice0shift_search_1_5 : natural range 0 to 4095;
+  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 4095;
+  signal slice0shift_search_2_3, slice0shift_search_2_4, slice0shift_search_2_5 : natural range 0 to 4095;
+  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 4095;
+  signal slice0shift_search_3_3, slice0shift_search_3_4, slice0shift_search_3_5 : natural range 0 to 4095;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 4095;
+  signal slice0shift_reference_3, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 4095;
+  signal slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 4095;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_map_column : boolean;
+  signal slice0shift_tag_output_column, slice0shift_tag_first_column, slice0shift_tag_start_of_frame : boolean;
+  signal slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1, slice0cost_pixels_first_0_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_0_3, slice0cost_pixels_first_0_4, slice0cost_pixels_first_0_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_1_0, slice0cost_pixels_first_1_1, slice0cost_pixels_first_1_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_1_3, slice0cost_pixels_first_1_4, slice0cost_pixels_first_1_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_2_0, slice0cost_pixels_first_2_1, slice0cost_pixels_first_2_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_2_3, slice0cost_pixels_first_2_4, slice0cost_pixels_first_2_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_3_0, slice0cost_pixels_first_3_1, slice0cost_pixels_first_3_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_3_3, slice0cost_pixels_first_3_4, slice0cost_pixels_first_3_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
+  signal slice0cost_pixels_first_tag_map_column, slice0cost_pixels_first_tag_output_column : boolean;
+  signal slice0cost_pixels_first_tag_first_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
+  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_map_column : boolean;
+  signal slice0cost_pixels_tag_output_column, slice0cost_pixels_tag_first_column : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_map_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_first_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_map_column, slice0cost_tag_output_column, slice0cost_tag_first_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_1_5 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1, slice0cost_pixels_cost_2_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4, slice0cost_pixels_cost_2_5 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_3_0, slice0cost_pixels_cost_3_1, slice0cost_pixels_cost_3_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_3_3, slice0cost_pixels_cost_3_4, slice0cost_pixels_cost_3_5 : natural range 0 to 19;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 19;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 19;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 19;
+  signal slice0cost_single_3_3, slice0cost_single_3_4, slice0cost_single_3_5 : natural range 0 to 19;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 38;
+  signal slice0cost_pair_0_4, slice0cost_pair_0_5 : natural range 0 to 38;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 76;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 76;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 76;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 76;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 152;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 152;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 228;
+  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 228;
+  signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
+  signal slice0window_centre_output_column_1, slice0window_centre_first_column_0 : boolean;
+  signal slice0window_centre_first_column_1, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_tag_map_column, slice0window_tag_output_column, slice0window_tag_first_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 304;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 304;
+  -- slice0other
+  signal slice0other_cost_0_0, slice0other_cost_0_1, slice0other_cost_0_2 : natural range 0 to 304;
+  signal slice0other_cost_0_3, slice0other_cost_0_4, slice0other_cost_0_5 : natural range 0 to 304;
+  signal slice0other_cost_out_0 : natural range 0 to 304;
+  signal slice0other_winner_0_1 : boolean;
+  signal slice0other_winner_0_2 : natural range 0 to 2;
+  signal slice0other_winner_0_3 : natural range 0 to 3;
+  signal slice0other_winner_0_4 : natural range 0 to 4;
+  signal slice0other_winner_0_5, slice0other_winner_out_0 : natural range 0 to 5;
+  -- slice0winner1
+  signal slice0winner1_held_0_0, slice0winner1_held_0_1, slice0winner1_held_0_2 : natural range 0 to 304;
+  signal slice0winner1_held_0_3, slice0winner1_held_0_4, slice0winner1_held_0_5 : natural range 0 to 304;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 304;
+  signal slice0winner1_best_below_0_0, slice0winner1_best_below_0_1 : natural range 0 to 304;
+  signal slice0winner1_best_below_0_2, slice0winner1_best_above_0_0 : natural range 0 to 304;
+  signal slice0winner1_best_above_0_1, slice0winner1_best_above_0_2 : natural range 0 to 304;
+  signal slice0winner1_best_late_cost_0_0, slice0winner1_best_late_cost_0_1 : natural range 0 to 304;
+  signal slice0winner1_best_late_cost_0_2 : natural range 0 to 304;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_first_column, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_but_first_0_1, slice0winner1_best_but_first_0_2 : natural range 0 to 511;
+  signal slice0winner1_best_but_last_0_0, slice0winner1_best_but_last_0_1 : natural range 0 to 511;
+  signal slice0winner1_best_but_last_0_2 : natural range 0 to 511;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_below_0_0 : natural range 0 to 304;
+  signal slice0winner2_best_below_0_1, slice0winner2_best_above_0_0 : natural range 0 to 304;
+  signal slice0winner2_best_above_0_1, slice0winner2_best_first_0_1 : natural range 0 to 304;
+  signal slice0winner2_best_last_0_0, slice0winner2_best_last_0_1 : natural range 0 to 304;
+  signal slice0winner2_best_late_cost_0_0, slice0winner2_best_late_cost_0_1 : natural range 0 to 304;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 5;
+  signal slice0winner2_best_place_0_0, slice0winner2_best_at_start_0_0, slice0winner2_best_at_end_0_0 : boolean;
+  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_output_column : boolean;
+  signal slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_second_0_0, slice0winner2_best_but_first_0_1 : natural range 0 to 511;
+  signal slice0winner2_best_but_last_0_0, slice0winner2_best_but_last_0_1 : natural range 0 to 511;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_below_0_0 : natural range 0 to 304;
+  signal slice0winner3_best_above_0_0, slice0winner3_best_last_0_0 : natural range 0 to 304;
+  signal slice0winner3_best_late_cost_0_0 : natural range 0 to 304;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 5;
+  signal slice0winner3_best_place_0_0, slice0winner3_best_at_start_0_0, slice0winner3_best_at_end_0_0 : boolean;
+  signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_output_column : boolean;
+  signal slice0winner3_tag_start_of_frame, slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_second_0_0, slice0winner3_best_but_last_0_0 : natural range 0 to 511;
+  -- slice0
+  signal slice0_best_index_0_0 : natural range 0 to 5;
+  signal slice0_best_below_0_0, slice0_best_above_0_0, slice0_best_last_0_0 : natural range 0 to 304;
+  signal slice0_best_late_cost_0_0 : natural range 0 to 304;
+  signal slice0_best_second_0_0, slice0_best_but_last_0_0 : natural range 0 to 511;
+  signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_output_column : boolean;
+  signal slice0_best_tag_start_of_frame, slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 4095;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 4095;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 4095;
+  signal slice1shift_search_1_3, slice1shift_search_1_4, slice1shift_search_1_5 : natural range 0 to 4095;
+  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 4095;
+  signal slice1shift_search_2_3, slice1shift_search_2_4, slice1shift_search_2_5 : natural range 0 to 4095;
+  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 4095;
+  signal slice1shift_search_3_3, slice1shift_search_3_4, slice1shift_search_3_5 : natural range 0 to 4095;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 4095;
+  signal slice1shift_reference_3 : natural range 0 to 4095;
+  -- slice1cost
+  signal slice1cost_pixels_first_0_0, slice1cost_pixels_first_0_1, slice1cost_pixels_first_0_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_0_3, slice1cost_pixels_first_0_4, slice1cost_pixels_first_0_5 : natural range 0 to 255;
+  signal slice1cost_pixels_first_1_0, slice1cost_pixels_first_1_1, slice1cost_pixels_first_1_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_1_3, slice1cost_pixels_first_1_4, slice1cost_pixels_first_1_5 : natural range 0 to 255;
+  signal slice1cost_pixels_first_2_0, slice1cost_pixels_first_2_1, slice1cost_pixels_first_2_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_2_3, slice1cost_pixels_first_2_4, slice1cost_pixels_first_2_5 : natural range 0 to 255;
+  signal slice1cost_pixels_first_3_0, slice1cost_pixels_first_3_1, slice1cost_pixels_first_3_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_3_3, slice1cost_pixels_first_3_4, slice1cost_pixels_first_3_5 : natural range 0 to 255;
+  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_1_5 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1, slice1cost_pixels_cost_2_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4, slice1cost_pixels_cost_2_5 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_3_0, slice1cost_pixels_cost_3_1, slice1cost_pixels_cost_3_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_3_3, slice1cost_pixels_cost_3_4, slice1cost_pixels_cost_3_5 : natural range 0 to 19;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 19;
+  signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 19;
+  signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 19;
+  signal slice1cost_single_3_3, slice1cost_single_3_4, slice1cost_single_3_5 : natural range 0 to 19;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 38;
+  signal slice1cost_pair_0_4, slice1cost_pair_0_5 : natural range 0 to 38;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 76;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 76;
+  signal slice1cost_tag_output_column, slice1cost_tag_first_column : boolean;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 76;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 76;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 152;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 152;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 228;
+  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 228;
+  signal slice1window_centre_map_column_0, slice1window_centre_output_column_0 : boolean;
+  signal slice1window_centre_output_column_1, slice1window_centre_first_column_0 : boolean;
+  signal slice1window_centre_first_column_1, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 304;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 304;
+  -- slice1other
+  signal slice1other_cost_0_0, slice1other_cost_0_1, slice1other_cost_0_2 : natural range 0 to 304;
+  signal slice1other_cost_0_3, slice1other_cost_0_4 : natural range 0 to 304;
+  signal slice1other_winner_0_0 : natural range 0 to 6;
+  signal slice1other_winner_0_1 : natural range 0 to 7;
+  signal slice1other_winner_0_2 : natural range 0 to 8;
+  signal slice1other_winner_0_3 : natural range 0 to 9;
+  signal slice1other_winner_0_4 : natural range 0 to 10;
+  signal slice1other_winner_0_5, slice1other_winner_out_0 : natural range 0 to 11;
+  -- slice1winner1
+  signal slice1winner1_held_0_0, slice1winner1_held_0_1, slice1winner1_held_0_2 : natural range 0 to 304;
+  signal slice1winner1_held_0_3, slice1winner1_held_0_4, slice1winner1_held_0_5 : natural range 0 to 304;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 304;
+  signal slice1winner1_best_below_0_0, slice1winner1_best_below_0_1 : natural range 0 to 304;
+  signal slice1winner1_best_below_0_2, slice1winner1_best_above_0_0 : natural range 0 to 304;
+  signal slice1winner1_best_above_0_1, slice1winner1_best_above_0_2 : natural range 0 to 304;
+  signal slice1winner1_best_late_cost_0_0, slice1winner1_best_late_cost_0_1 : natural range 0 to 304;
+  signal slice1winner1_best_late_cost_0_2 : natural range 0 to 304;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_best_but_first_0_0, slice1winner1_best_but_first_0_1 : natural range 0 to 511;
+  signal slice1winner1_best_but_first_0_2, slice1winner1_best_but_last_0_0 : natural range 0 to 511;
+  signal slice1winner1_best_but_last_0_1 : natural range 0 to 511;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_below_0_0 : natural range 0 to 304;
+  signal slice1winner2_best_below_0_1, slice1winner2_best_above_0_0 : natural range 0 to 304;
+  signal slice1winner2_best_above_0_1, slice1winner2_best_first_0_0 : natural range 0 to 304;
+  signal slice1winner2_best_first_0_1, slice1winner2_best_last_0_0 : natural range 0 to 304;
+  signal slice1winner2_best_late_cost_0_0, slice1winner2_best_late_cost_0_1 : natural range 0 to 304;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 5;
+  signal slice1winner2_best_place_0_0, slice1winner2_best_at_start_0_0, slice1winner2_best_at_end_0_0 : boolean;
+  signal slice1winner2_best_second_0_0, slice1winner2_best_but_first_0_0 : natural range 0 to 511;
+  signal slice1winner2_best_but_first_0_1, slice1winner2_best_but_last_0_0 : natural range 0 to 511;
+  -- slice1winner3
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_below_0_0 : natural range 0 to 304;
+  signal slice1winner3_best_above_0_0, slice1winner3_best_first_0_0 : natural range 0 to 304;
+  signal slice1winner3_best_late_cost_0_0 : natural range 0 to 304;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 5;
+  signal slice1winner3_best_place_0_0, slice1winner3_best_at_start_0_0, slice1winner3_best_at_end_0_0 : boolean;
+  signal slice1winner3_best_second_0_0, slice1winner3_best_but_first_0_0 : natural range 0 to 511;
+  -- slice1
+  signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 304;
+  signal slice1_best_late_cost_0_0 : natural range 0 to 304;
+  signal slice1_best_index_0_0 : natural range 0 to 11;
+  signal slice1_best_place_0_0, slice1_best_at_start_0_0, slice1_best_at_end_0_0, slice1_best_tag_valid : boolean;
+  signal slice1_best_tag_map_column, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_second_0_0 : natural range 0 to 511;
+  -- refinement
+  signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 11;
+  signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 11;
+  signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 11;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 11;
+  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
+  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
+  signal refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0, refinement_passed_11_0 : boolean;
+  signal refinement_tag_0_valid, refinement_tag_0_map_column, refinement_tag_0_output_column : boolean;
+  signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
+  signal refinement_tag_1_map_column, refinement_tag_1_output_column, refinement_tag_1_start_of_frame : boolean;
+  signal refinement_tag_1_end_of_line, refinement_tag_2_valid, refinement_tag_2_map_column : boolean;
+  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
+  signal refinement_tag_3_valid, refinement_tag_3_map_column, refinement_tag_3_output_column : boolean;
+  signal refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line, refinement_tag_4_valid : boolean;
+  signal refinement_tag_4_map_column, refinement_tag_4_output_column, refinement_tag_4_start_of_frame : boolean;
+  signal refinement_tag_4_end_of_line, refinement_tag_5_valid, refinement_tag_5_map_column : boolean;
+  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
+  signal refinement_tag_6_valid, refinement_tag_6_map_column, refinement_tag_6_output_column : boolean;
+  signal refinement_tag_6_start_of_frame, refinement_tag_6_end_of_line, refinement_tag_7_valid : boolean;
+  signal refinement_tag_7_map_column, refinement_tag_7_output_column, refinement_tag_7_start_of_frame : boolean;
+  signal refinement_tag_7_end_of_line, refinement_tag_8_valid, refinement_tag_8_map_column : boolean;
+  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
+  signal refinement_tag_9_valid, refinement_tag_9_map_column, refinement_tag_9_output_column : boolean;
+  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_tag_10_valid : boolean;
+  signal refinement_tag_10_map_column, refinement_tag_10_output_column, refinement_tag_10_start_of_frame : boolean;
+  signal refinement_tag_10_end_of_line, refinement_tag_11_valid, refinement_tag_11_map_column : boolean;
+  signal refinement_tag_11_output_column, refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line : boolean;
+  signal refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0, refinement_negative_1_0 : boolean;
+  signal refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0, refinement_negative_5_0 : boolean;
+  signal refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
+  signal refinement_gap_0, refinement_u_0, refinement_v_0, refinement_remainder_1_0 : natural range 0 to 511;
+  signal refinement_remainder_2_0, refinement_remainder_3_0, refinement_remainder_4_0 : natural range 0 to 511;
+  signal refinement_remainder_5_0, refinement_remainder_6_0, refinement_remainder_7_0 : natural range 0 to 511;
+  signal refinement_divisor_0_0, refinement_divisor_1_0, refinement_divisor_2_0 : natural range 0 to 511;
+  signal refinement_divisor_3_0, refinement_divisor_4_0, refinement_divisor_5_0 : natural range 0 to 511;
+  signal refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 511;
+  signal refinement_lowest_0, refinement_below_0, refinement_above_0, refinement_remainder_0_0 : natural range 0 to 304;
+  signal refinement_scaled_gap_0 : natural range 0 to 51100;
+  signal refinement_scaled_cost_0 : natural range 0 to 77520;
+  signal refinement_percent, refinement_quotient_8_0 : natural range 0 to 255;
+  signal refinement_difference_0 : integer range -304 to 304;
+  signal refinement_fraction_0 : natural range 0 to 31;
+  -- leftright
+  signal leftright_other_1_0, leftright_other_2_0, leftright_other_3_0, leftright_other_4_0 : natural range 0 to 11;
+  signal leftright_other_5_0, leftright_other_6_0, leftright_other_7_0, leftright_other_8_0 : natural range 0 to 11;
+  signal leftright_other_9_0, leftright_other_10_0, leftright_other_11_0, leftright_other_12_0 : natural range 0 to 11;
+  signal leftright_other_13_0, leftright_other_14_0 : natural range 0 to 11;
+  signal leftright_ring_read_address, leftright_ring_write_address, leftright_position : natural range 0 to 15;
+  signal leftright_held_position, leftright_address_0, leftright_asking_disparity_0 : natural range 0 to 15;
+  signal leftright_answered_disparity_0, leftright_checked_disparity_0 : natural range 0 to 15;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
+  signal leftright_asking_tag_map_column, leftright_asking_tag_output_column : boolean;
+  signal leftright_asking_tag_start_of_frame, leftright_asking_tag_end_of_line, leftright_answered_passed_0 : boolean;
+  signal leftright_answered_tag_valid, leftright_answered_tag_map_column : boolean;
+  signal leftright_answered_tag_start_of_frame, leftright_answered_tag_end_of_line : boolean;
+  signal leftright_checked_passed_0, leftright_checked_tag_valid, leftright_checked_tag_row_start : boolean;
+  signal leftright_checked_tag_map_column, leftright_checked_tag_start_of_frame : boolean;
+  signal leftright_checked_tag_end_of_line : boolean;
+  signal leftright_held_0 : unsigned(17 downto 0);
+  signal leftright_asking_fraction_0, leftright_answered_fraction_0 : natural range 0 to 31;
+  signal leftright_checked_fraction_0 : natural range 0 to 31;
+  signal leftright_found_0 : unsigned(3 downto 0);
+  signal leftright_threshold : natural range 0 to 255;
+  -- map
+  signal map_counter_column, map_counter_group, map_write_column, map_at_column : natural range 0 to 31;
+  signal map_comparing_column, map_sorted_column : natural range 0 to 31;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
+  signal map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
+  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
+  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
+  signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
+  signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
+  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
+  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
+  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
+  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
+  signal map_rows_read_words_0 : unsigned(25 downto 0);
+  signal map_rows_ready_words_0 : natural range 0 to 67108863;
+  signal map_rows_write_words_0 : natural range 0 to 536870911;
+  signal map_column_1 : natural range 0 to 8191;
+  signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
+  signal map_low_0_0, map_low_1_0, map_low_2_0, map_middle_0_0, map_middle_1_0 : natural range 0 to 32767;
+  signal map_middle_2_0, map_high_0_0, map_high_1_0, map_high_2_0, map_of_low_0_a : natural range 0 to 32767;
+  signal map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b : natural range 0 to 32767;
+  signal map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c : natural range 0 to 32767;
+  signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
+  signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
+  -- other
+  signal other_0, other_1, other_16, other_17 : natural range 0 to 8192;
+  signal other_2, other_18 : natural range 0 to 2042;
+  signal other_3, other_4 : natural range 0 to 257;
+  signal other_5 : natural range 0 to 8190;
+  signal other_6, other_7 : unsigned(48 downto 0);
+  signal other_8 : natural range 0 to 254;
+  signal other_9 : natural range 0 to 252;
+  signal other_10 : natural range 0 to 248;
+  signal other_11 : natural range 0 to 240;
+  signal other_12 : natural range 0 to 224;
+  signal other_13 : natural range 0 to 192;
+  signal other_14 : natural range 0 to 128;
+  signal other_15, other_19 : natural range 0 to 65534;
+  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
+  signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+
+begin
+  in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
+  in_uniqueness_percent <= to_integer(unsigned(uniqueness_percent));
+  disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
+  disparity_valid <= as_bit(map_out_valid);
+  disparity_start_of_frame <= as_bit(map_out_start_of_frame);
+  disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  map_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 26, width => 26)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => map_rows_read_words_0,
+      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_14_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 12);
+  rows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 12)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 12);
+  rows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 12)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_search_0, 12);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 3, width => 12)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
+  transform_left_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 40, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_2,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_2_memory_write_data);
+
+  transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words_1;
+  transform_left_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
+  transform_right_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 40, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_2,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_2_memory_write_data);
+
+  transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words_1;
+  transform_right_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  process (clock)
+    variable settings_uniqueness_percent_any, transform_counter_group_is_equal : boolean;
+    variable transform_counter_group_is_equal_2, transform_counter_group_all : boolean;
+    variable transform_counter_group_choice_2, transform_counter_group_is_equal_3 : boolean;
+    variable transform_centre_column_any, transform_from_first_1_differs, transform_up_to_last_0_is_equal : boolean;
+    variable transform_up_to_last_0_choice, transform_up_to_last_1_choice, transform_up_to_last_1_choice_2 : boolean;
+    variable transform_counter_next_frame_choice, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
+    variable raster_place_group_all, raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, raster_place_next_frame_choice_4 : boolean;
+    variable delay_row_inside_2_is_not_less, delay_row_inside_2_is_less, delay_tag_map_column_is_less : boolean;
+    variable delay_tag_first_column_is_equal, slice0cost_pixels_first_0_0_value : boolean;
+    variable slice0cost_pixels_first_0_0_value_2, slice0cost_pixels_first_0_0_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_value_4, slice0cost_pixels_first_0_0_value_5 : boolean;
+    variable slice0cost_pixels_first_0_0_value_6, slice0cost_pixels_first_0_0_value_7 : boolean;
+    variable slice0cost_pixels_first_0_0_value_8, slice0cost_pixels_first_0_0_value_9 : boolean;
+    variable slice0cost_pixels_first_0_0_value_10, slice0cost_pixels_first_1_0_value : boolean;
+    variable slice0cost_pixels_first_1_0_value_2, slice0cost_pixels_first_1_0_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_value_4, slice0cost_pixels_first_1_0_value_5 : boolean;
+    variable slice0cost_pixels_first_1_0_value_6, slice0cost_pixels_first_1_0_value_7 : boolean;
+    variable slice0cost_pixels_first_1_0_value_8, slice0cost_pixels_first_1_0_value_9 : boolean;
+    variable slice0cost_pixels_first_1_0_value_10, slice0cost_pixels_first_2_0_value : boolean;
+    variable slice0cost_pixels_first_2_0_value_2, slice0cost_pixels_first_2_0_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_value_4, slice0cost_pixels_first_2_0_value_5 : boolean;
+    variable slice0cost_pixels_first_2_0_value_6, slice0cost_pixels_first_2_0_value_7 : boolean;
+    variable slice0cost_pixels_first_2_0_value_8, slice0cost_pixels_first_2_0_value_9 : boolean;
+    variable slice0cost_pixels_first_2_0_value_10, slice0cost_pixels_first_3_0_value : boolean;
+    variable slice0cost_pixels_first_3_0_value_2, slice0cost_pixels_first_3_0_value_3 : boolean;
+    variable slice0cost_pixels_first_3_0_value_4, slice0cost_pixels_first_3_0_value_5 : boolean;
+    variable slice0cost_pixels_first_3_0_value_6, slice0cost_pixels_first_3_0_value_7 : boolean;
+    variable slice0cost_pixels_first_3_0_value_8, slice0cost_pixels_first_3_0_value_9 : boolean;
+    variable slice0cost_pixels_first_3_0_value_10, slice0other_cost_0_1_all, slice0other_cost_0_1_choice : boolean;
+    variable slice0other_cost_0_2_choice, slice0other_cost_0_3_choice, slice0other_cost_0_4_choice : boolean;
+    variable slice0other_cost_0_5_all, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_below_0_0_is_equal : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_above_0_0_is_equal : boolean;
+    variable slice1cost_pixels_first_0_0_value, slice1cost_pixels_first_0_0_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_value_3, slice1cost_pixels_first_0_0_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_value_5, slice1cost_pixels_first_0_0_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_value_7, slice1cost_pixels_first_0_0_value_8 : boolean;
+    variable slice1cost_pixels_first_0_0_value_9, slice1cost_pixels_first_0_0_value_10 : boolean;
+    variable slice1cost_pixels_first_1_0_value, slice1cost_pixels_first_1_0_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_value_3, slice1cost_pixels_first_1_0_value_4 : boolean;
+    variable slice1cost_pixels_first_1_0_value_5, slice1cost_pixels_first_1_0_value_6 : boolean;
+    variable slice1cost_pixels_first_1_0_value_7, slice1cost_pixels_first_1_0_value_8 : boolean;
+    variable slice1cost_pixels_first_1_0_value_9, slice1cost_pixels_first_1_0_value_10 : boolean;
+    variable slice1cost_pixels_first_2_0_value, slice1cost_pixels_first_2_0_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_value_3, slice1cost_pixels_first_2_0_value_4 : boolean;
+    variable slice1cost_pixels_first_2_0_value_5, slice1cost_pixels_first_2_0_value_6 : boolean;
+    variable slice1cost_pixels_first_2_0_value_7, slice1cost_pixels_first_2_0_value_8 : boolean;
+    variable slice1cost_pixels_first_2_0_value_9, slice1cost_pixels_first_2_0_value_10 : boolean;
+    variable slice1cost_pixels_first_3_0_value, slice1cost_pixels_first_3_0_value_2 : boolean;
+    variable slice1cost_pixels_first_3_0_value_3, slice1cost_pixels_first_3_0_value_4 : boolean;
+    variable slice1cost_pixels_first_3_0_value_5, slice1cost_pixels_first_3_0_value_6 : boolean;
+    variable slice1cost_pixels_first_3_0_value_7, slice1cost_pixels_first_3_0_value_8 : boolean;
+    variable slice1cost_pixels_first_3_0_value_9, slice1cost_pixels_first_3_0_value_10 : boolean;
+    variable slice1other_cost_0_0_any, slice1other_cost_0_0_choice, slice1other_cost_0_1_choice : boolean;
+    variable slice1other_cost_0_2_choice, slice1other_cost_0_3_choice, slice1other_cost_0_4_choice : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_1_is_less : boolean;
+    variable slice1winner1_best_cost_0_2_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_below_0_0_is_equal, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_above_0_0_is_equal, slice1_best_cost_0_0_is_less : boolean;
+    variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal, refinement_divisor_0_0_is_less : boolean;
+    variable leftright_holds_winners_all, leftright_checked_tag_row_start_is_equal : boolean;
+    variable leftright_checked_tag_row_start_any, leftright_checked_tag_row_start_choice : boolean;
+    variable leftright_checked_tag_row_start_is_equal_2, leftright_checked_tag_row_start_all : boolean;
+    variable leftright_checked_tag_row_start_choice_2, leftright_checked_tag_row_start_all_2 : boolean;
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value, map_window_complete_all : boolean;
+    variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 9;
+    variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 31;
+    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 31;
+    variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 31;
+    variable transform_centre_column_choice : natural range 35 to 59;
+    variable slice0winner2_best_below_0_0_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 304;
+    variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 304;
+    variable slice1winner2_best_below_0_0_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 304;
+    variable slice1winner3_best_below_0_0_choice, slice1winner3_best_above_0_0_choice : natural range 0 to 304;
+    variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 304;
+    variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 511;
+    variable slice0winner2_best_second_0_0_choice_3, slice0winner2_best_second_0_0_choice_4 : natural range 0 to 511;
+    variable slice0winner3_best_second_0_0_choice, slice0winner3_best_second_0_0_choice_2 : natural range 0 to 511;
+    variable slice0winner3_best_second_0_0_choice_3, slice0winner3_best_second_0_0_choice_4 : natural range 0 to 511;
+    variable slice1winner2_best_second_0_0_choice, slice1winner2_best_second_0_0_choice_2 : natural range 0 to 511;
+    variable slice1winner2_best_second_0_0_choice_3, slice1winner2_best_second_0_0_choice_4 : natural range 0 to 511;
+    variable slice1winner3_best_second_0_0_choice, slice1winner3_best_second_0_0_choice_2 : natural range 0 to 511;
+    variable slice1winner3_best_second_0_0_choice_3, slice1winner3_best_second_0_0_choice_4 : natural range 0 to 511;
+    variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_2 : natural range 0 to 511;
+    variable slice1_best_second_0_0_choice_3, slice1_best_second_0_0_choice_4 : natural range 0 to 511;
+    variable refinement_divisor_0_0_choice : natural range 0 to 511;
+    variable refinement_remainder_1_0_difference : natural range 513 to 1328;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 513 to 2046;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 513 to 2046;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 513 to 2046;
+    variable refinement_fraction_0_difference : integer range -15 to 0;
+    variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
+    variable refinement_fraction_0_choice_2 : natural range 0 to 7;
+    variable leftright_checked_passed_0_difference : integer range -15 to 15;
+    variable map_of_column_0_a_choice : natural range 0 to 4095;
+    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
+    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
+    variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 32767;
+    variable map_median_middle_0_choice_4, map_smallest_high_0_choice : natural range 0 to 32767;
+    variable map_smallest_high_0_choice_2, map_out_disparity_0_choice : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 32767;
+    variable map_high_0_0_choice : natural range 0 to 32767;
+  begin
+    if rising_edge(clock) then
+      -- settings
+      settings_uniqueness_percent_any := (not in_valid) or (not in_start_of_frame);
+      if not settings_uniqueness_percent_any then
+        settings_uniqueness_percent <= in_uniqueness_percent;
+        settings_left_right_threshold <= in_left_right_threshold;
+      end if;
+      -- transform
+      transform_counter_group_is_equal := transform_counter_column = 39;
+      transform_counter_group_is_equal_2 := transform_counter_group = 17;
+      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
+      transform_counter_group_choice := 9 when transform_counter_group_all else 0;
+      transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and ((transform_counter_group
+        mod 2) = 1) when (transform_counter_group / 2) = 11 else transform_counter_group_is_equal and in_valid;
+      transform_counter_group_is_equal_3 := transform_counter_group = 21;
+      transform_counter_group_choice_3 := 4 when transform_counter_next_frame and transform_counter_group_is_equal_3
+        else (transform_counter_group + 1) mod 32;
+      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
+        transform_counter_group;
+      transform_centre_column_any := (not ((not (((transform_counter_column / 8) mod 2) = 1)) and ((not
+        (((transform_counter_column / 4) mod 2) = 1)) or ((transform_counter_column mod 4) = 0)))) or
+        ((transform_counter_column / 32) = 1) or (((transform_counter_column / 16) mod 2) = 1);
+      transform_centre_column_choice := 59 when transform_centre_column_any else 35;
+      transform_from_first_1_differs := (transform_centre_column / 4) /= 0;
+      transform_up_to_last_0_is_equal := (transform_centre_group / 16) = 0;
+      transform_up_to_last_0_choice := not ((transform_centre_group / 32) = 1) when (not (((transform_centre_group / 8)
+        mod 2) = 1)) and ((not (((transform_centre_group / 4) mod 2) = 1)) or ((transform_centre_group mod 4) = 0))
+        else transform_up_to_last_0_is_equal;
+      transform_up_to_last_1_choice := ((transform_centre_column / 2) mod 8) = 0 when (transform_centre_column mod 2) =
+        1 else ((transform_centre_column / 4) mod 4) = 0;
+      transform_up_to_last_1_choice_2 := not ((transform_centre_group / 32) = 1) when ((not (((transform_centre_group /
+        2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and (((transform_centre_group / 4) mod 4) = 0)
+        else transform_up_to_last_0_is_equal;
+      transform_left_0 <= in_left_pixel;
+      transform_right_0 <= in_right_pixel;
+      transform_valid <= in_valid;
+      transform_counter_group <= transform_counter_group_choice * 2 when in_valid and in_start_of_frame else
+        transform_counter_group_choice_4;
+      transform_left_rows_read_newest_0 <= transform_left_0;
+      transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
+      transform_left_rows_ready_words_1 <= transform_left_rows_read_words_1;
+      transform_left_rows_ready_words_2 <= to_integer(transform_left_rows_read_words_2);
+      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+      transform_right_rows_read_newest_0 <= transform_right_0;
+      transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
+      transform_right_rows_ready_words_1 <= transform_right_rows_read_words_1;
+      transform_right_rows_ready_words_2 <= to_integer(transform_right_rows_read_words_2);
+      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+      transform_read_column <= transform_counter_column;
+      transform_ready_column <= transform_read_column;
+      transform_centre_column <= (transform_centre_column_choice + transform_counter_column) mod 64;
+      transform_centre_group <= transform_counter_group + as_number(transform_centre_column_any);
+      transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+        (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+        ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1) when ((transform_centre_column /
+        2) mod 16) = 0 else not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not (((transform_centre_group /
+        2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and ((transform_centre_group / 8) = 0));
+      transform_from_first_1 <= transform_from_first_1_differs and ((transform_centre_group / 32) = 1) when (not
+        (((transform_centre_group / 16) mod 2) = 1)) and ((not (((transform_centre_group / 8) mod 2) = 1)) or
+        (((transform_centre_group / 2) mod 4) = 0)) else transform_from_first_1_differs;
+      transform_up_to_last_0 <= transform_up_to_last_0_choice when ((not (((transform_centre_column / 4) mod 2) = 1))
+        or (not (((transform_centre_column / 2) mod 2) = 1))) and (((transform_centre_column / 8) mod 4) = 0) else
+        transform_up_to_last_0_choice and (not ((transform_centre_column / 32) = 1));
+      transform_up_to_last_1 <= transform_up_to_last_1_choice_2 and ((not ((transform_centre_column / 32) = 1)) or (not
+        (((transform_centre_column / 16) mod 2) = 1))) when transform_up_to_last_1_choice else
+        transform_up_to_last_1_choice_2 and (not ((transform_centre_column / 32) = 1));
+      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
+      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column_3 <= to_integer(transform_left_rows_ready_words_0(31 downto 24));
+      transform_left_column_4 <= to_integer(transform_left_rows_ready_words_1(7 downto 0));
+      transform_left_column_5 <= to_integer(transform_left_rows_ready_words_1(15 downto 8));
+      transform_left_column_6 <= to_integer(transform_left_rows_ready_words_1(23 downto 16));
+      transform_left_column_7 <= to_integer(transform_left_rows_ready_words_1(31 downto 24));
+      transform_left_column_8 <= transform_left_rows_ready_words_2;
+      transform_left_column_9 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column_1 <= to_integer(transform_right_rows_ready_words_0(15 downto 8));
+      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column_3 <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
+      transform_right_column_4 <= to_integer(transform_right_rows_ready_words_1(7 downto 0));
+      transform_right_column_5 <= to_integer(transform_right_rows_ready_words_1(15 downto 8));
+      transform_right_column_6 <= to_integer(transform_right_rows_ready_words_1(23 downto 16));
+      transform_right_column_7 <= to_integer(transform_right_rows_ready_words_1(31 downto 24));
+      transform_right_column_8 <= transform_right_rows_ready_words_2;
+      transform_right_column_9 <= transform_right_rows_ready_newest_0;
+      transform_columns_inside_0 <= transform_up_to_last_0 and transform_from_first_0;
+      transform_columns_inside_1 <= transform_up_to_last_1 and transform_from_first_1;
+      transform_columns_start_of_frame <= (other_3 mod 2) = 1;
+      transform_columns_valid <= (other_3 / 256) = 1;
+      transform_left_code_column_box_0_0_0 <= transform_left_column_3;
+      transform_left_code_column_box_0_1_0 <= transform_left_column_4;
+      transform_left_code_column_box_0_2_0 <= transform_left_column_5;
+      transform_left_code_column_box_0_3_0 <= transform_left_column_6;
+      transform_left_code_column_box_0_4_0 <= transform_left_column_7;
+      transform_left_code_column_centre <= transform_left_code_column_box_0_2_0;
+      transform_left_code_column_near <= transform_left_code_column_box_0_1_0 + transform_left_code_column_box_0_3_0;
+      transform_left_code_column_outer <= (510 - transform_left_code_column_box_0_4_0) -
+        transform_left_code_column_box_0_0_0;
+      transform_left_code_column_upper <= 765 - (((transform_left_code_column_box_0_1_0 +
+        (transform_left_code_column_box_0_0_0 / 2)) * 2) + (transform_left_code_column_box_0_0_0 mod 2));
+      transform_left_code_column_lower <= ((transform_left_code_column_box_0_3_0 +
+        (transform_left_code_column_box_0_4_0 / 2)) * 2) + (transform_left_code_column_box_0_4_0 mod 2);
+      transform_left_code_column_response_0 <= ((transform_left_code_column_centre + (transform_left_code_column_near /
+        2)) * 2) + (transform_left_code_column_near mod 2);
+      transform_left_code_column_response_1 <= ((transform_left_code_column_centre + (transform_left_code_column_outer
+        / 2)) * 2) + (transform_left_code_column_outer mod 2);
+      transform_left_code_column_response_2 <= transform_left_code_column_upper + transform_left_code_column_lower;
+      transform_left_code_row_box_0_0 <= transform_left_code_column_response_0;
+      transform_left_code_row_box_0_1 <= transform_left_code_column_response_1;
+      transform_left_code_row_box_0_2 <= transform_left_code_column_response_2;
+      transform_left_code_row_centre_0 <= transform_left_code_row_column_0_1;
+      transform_left_code_row_centre_1 <= transform_left_code_row_column_1_1;
+      transform_left_code_row_centre_2 <= transform_left_code_row_column_2_1;
+      transform_left_code_row_outer_1 <= transform_left_code_row_box_0_1 + transform_left_code_row_column_1_3;
+      transform_left_code_row_outer_2 <= transform_left_code_row_box_0_2 + transform_left_code_row_column_2_3;
+      transform_left_code_row_before_0 <= ((transform_left_code_row_column_0_2 + (transform_left_code_row_column_0_3 /
+        2)) * 2) + (transform_left_code_row_column_0_3 mod 2);
+      transform_left_code_row_before_1 <= ((transform_left_code_row_column_1_2 + (transform_left_code_row_column_1_3 /
+        2)) * 2) + (transform_left_code_row_column_1_3 mod 2);
+      transform_left_code_row_before_2 <= ((transform_left_code_row_column_2_2 + (transform_left_code_row_column_2_3 /
+        2)) * 2) + (transform_left_code_row_column_2_3 mod 2);
+      transform_left_code_row_after_0 <= (((transform_left_code_row_box_0_0 / 2) + transform_left_code_row_column_0_0)
+        * 2) + (transform_left_code_row_box_0_0 mod 2);
+      transform_left_code_row_after_1 <= (((transform_left_code_row_box_0_1 / 2) + transform_left_code_row_column_1_0)
+        * 2) + (transform_left_code_row_box_0_1 mod 2);
+      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0_2 / 2) + transform_left_code_row_column_2_0)
+        * 2) + (transform_left_code_row_box_0_2 mod 2);
+      transform_left_code_row_even_1 <= ((((transform_left_code_row_outer_1 / 2) - transform_left_code_row_centre_1)
+        mod 8192) * 2) + (transform_left_code_row_outer_1 mod 2);
+      transform_left_code_row_even_2 <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre_2)
+        mod 8192) * 2) + (transform_left_code_row_outer_2 mod 2);
+      transform_left_code_row_odd_1 <= (transform_left_code_row_after_1 - transform_left_code_row_before_1) mod 16384;
+      transform_left_code_row_odd_2 <= (transform_left_code_row_after_2 - transform_left_code_row_before_2) mod 16384;
+      transform_left_code_row_signs <= ((other_0 / 8192) * 2) + (other_1 / 8192) + ((((transform_left_code_row_even_2 +
+        transform_left_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_left_code_row_odd_1 -
+        transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
+        transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
+        transform_left_code_row_odd_2) mod 16384) / 8192) * 16);
+      transform_left_code_bits <= transform_left_code_earlier_2 when transform_filtering_6_inside_0 else 0;
+      transform_left_code_next_column_box_0_0_0 <= transform_left_column_0 + transform_left_column_1;
+      transform_left_code_next_column_box_0_1_0 <= transform_left_column_2 + transform_left_column_3;
+      transform_left_code_next_column_box_0_2_0 <= transform_left_column_4 + transform_left_column_5;
+      transform_left_code_next_column_box_0_3_0 <= transform_left_column_6 + transform_left_column_7;
+      transform_left_code_next_column_box_0_4_0 <= transform_left_column_8 + transform_left_column_9;
+      transform_left_code_next_column_centre <= transform_left_code_next_column_box_0_2_0;
+      transform_left_code_next_column_near <= transform_left_code_next_column_box_0_1_0 +
+        transform_left_code_next_column_box_0_3_0;
+      transform_left_code_next_column_outer <= (1020 - transform_left_code_next_column_box_0_4_0) -
+        transform_left_code_next_column_box_0_0_0;
+      transform_left_code_next_column_upper <= (1530 - (((transform_left_code_next_column_box_0_1_0 +
+        (transform_left_code_next_column_box_0_0_0 / 2)) * 2) + (transform_left_code_next_column_box_0_0_0 mod 2))) mod
+        65536;
+      transform_left_code_next_column_lower <= ((transform_left_code_next_column_box_0_3_0 +
+        (transform_left_code_next_column_box_0_4_0 / 2)) * 2) + (transform_left_code_next_column_box_0_4_0 mod 2);
+      transform_left_code_next_column_response_0 <= ((transform_left_code_next_column_centre +
+        (transform_left_code_next_column_near / 2)) * 2) + (transform_left_code_next_column_near mod 2);
+      transform_left_code_next_column_response_1 <= ((transform_left_code_next_column_centre +
+        (transform_left_code_next_column_outer / 2)) * 2) + (transform_left_code_next_column_outer mod 2);
+      transform_left_code_next_column_response_2 <= (transform_left_code_next_column_upper +
+        transform_left_code_next_column_lower) mod 65536;
+      transform_left_code_next_row_box_0_0 <= transform_left_code_next_column_response_0 +
+        transform_left_code_next_row_earlier_0_0_0;
+      transform_left_code_next_row_box_0_1 <= transform_left_code_next_column_response_1 +
+        transform_left_code_next_row_earlier_0_1_0;
+      transform_left_code_next_row_box_0_2 <= (transform_left_code_next_column_response_2 +
+        transform_left_code_next_row_earlier_0_2_0) mod 65536;
+      transform_left_code_next_row_centre_0 <= transform_left_code_next_row_column_0_3;
+      transform_left_code_next_row_centre_1 <= transform_left_code_next_row_column_1_3;
+      transform_left_code_next_row_centre_2 <= transform_left_code_next_row_column_2_3 mod 32768;
+      transform_left_code_next_row_outer_0 <= transform_left_code_next_row_box_0_0 +
+        transform_left_code_next_row_column_0_7;
+      transform_left_code_next_row_outer_1 <= transform_left_code_next_row_box_0_1 +
+        transform_left_code_next_row_column_1_7;
+      transform_left_code_next_row_outer_2 <= (transform_left_code_next_row_box_0_2 +
+        transform_left_code_next_row_column_2_7) mod 65536;
+      transform_left_code_next_row_before_0 <= ((transform_left_code_next_row_column_0_5 +
+        (transform_left_code_next_row_column_0_7 / 2)) * 2) + (transform_left_code_next_row_column_0_7 mod 2);
+      transform_left_code_next_row_before_1 <= ((transform_left_code_next_row_column_1_5 +
+        (transform_left_code_next_row_column_1_7 / 2)) * 2) + (transform_left_code_next_row_column_1_7 mod 2);
+      transform_left_code_next_row_before_2 <= (((transform_left_code_next_row_column_2_5 +
+        (transform_left_code_next_row_column_2_7 / 2)) mod 32768) * 2) + (transform_left_code_next_row_column_2_7 mod
+        2);
+      transform_left_code_next_row_after_0 <= (((transform_left_code_next_row_box_0_0 / 2) +
+        transform_left_code_next_row_column_0_1) * 2) + (transform_left_code_next_row_box_0_0 mod 2);
+      transform_left_code_next_row_after_1 <= (((transform_left_code_next_row_box_0_1 / 2) +
+        transform_left_code_next_row_column_1_1) * 2) + (transform_left_code_next_row_box_0_1 mod 2);
+      transform_left_code_next_row_after_2 <= ((((transform_left_code_next_row_box_0_2 / 2) +
+        transform_left_code_next_row_column_2_1) mod 32768) * 2) + (transform_left_code_next_row_box_0_2 mod 2);
+      transform_left_code_next_row_even_1 <= ((((transform_left_code_next_row_outer_1 / 2) -
+        transform_left_code_next_row_centre_1) mod 32768) * 2) + (transform_left_code_next_row_outer_1 mod 2);
+      transform_left_code_next_row_even_2 <= ((((transform_left_code_next_row_outer_2 / 2) -
+        transform_left_code_next_row_centre_2) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
+      transform_left_code_next_row_odd_0 <= (transform_left_code_next_row_after_0 -
+        transform_left_code_next_row_before_0) mod 65536;
+      transform_left_code_next_row_odd_1 <= (transform_left_code_next_row_after_1 -
+        transform_left_code_next_row_before_1) mod 65536;
+      transform_left_code_next_row_odd_2 <= (transform_left_code_next_row_after_2 -
+        transform_left_code_next_row_before_2) mod 65536;
+      transform_left_code_next_row_signs <= (other_19 / 32768) + ((transform_left_code_next_row_odd_0 / 32768) * 2) +
+        ((((transform_left_code_next_row_even_2 + transform_left_code_next_row_odd_1) mod 65536) / 32768) * 8) +
+        ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
+        ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
+        ((((transform_left_code_next_row_even_1 + transform_left_code_next_row_odd_2) mod 65536) / 32768) * 16);
+      transform_left_code_next_bits <= transform_left_code_next_row_signs when transform_filtering_6_inside_1 else 0;
+      transform_right_code_column_box_0_0_0 <= transform_right_column_3;
+      transform_right_code_column_box_0_1_0 <= transform_right_column_4;
+      transform_right_code_column_box_0_2_0 <= transform_right_column_5;
+      transform_right_code_column_box_0_3_0 <= transform_right_column_6;
+      transform_right_code_column_box_0_4_0 <= transform_right_column_7;
+      transform_right_code_column_centre <= transform_right_code_column_box_0_2_0;
+      transform_right_code_column_near <= transform_right_code_column_box_0_1_0 + transform_right_code_column_box_0_3_0;
+      transform_right_code_column_outer <= (510 - transform_right_code_column_box_0_4_0) -
+        transform_right_code_column_box_0_0_0;
+      transform_right_code_column_upper <= 765 - (((transform_right_code_column_box_0_1_0 +
+        (transform_right_code_column_box_0_0_0 / 2)) * 2) + (transform_right_code_column_box_0_0_0 mod 2));
+      transform_right_code_column_lower <= ((transform_right_code_column_box_0_3_0 +
+        (transform_right_code_column_box_0_4_0 / 2)) * 2) + (transform_right_code_column_box_0_4_0 mod 2);
+      transform_right_code_column_response_0 <= ((transform_right_code_column_centre +
+        (transform_right_code_column_near / 2)) * 2) + (transform_right_code_column_near mod 2);
+      transform_right_code_column_response_1 <= ((transform_right_code_column_centre +
+        (transform_right_code_column_outer / 2)) * 2) + (transform_right_code_column_outer mod 2);
+      transform_right_code_column_response_2 <= transform_right_code_column_upper + transform_right_code_column_lower;
+      transform_right_code_row_box_0_0 <= transform_right_code_column_response_0;
+      transform_right_code_row_box_0_1 <= transform_right_code_column_response_1;
+      transform_right_code_row_box_0_2 <= transform_right_code_column_response_2;
+      transform_right_code_row_centre_0 <= transform_right_code_row_column_0_1;
+      transform_right_code_row_centre_1 <= transform_right_code_row_column_1_1;
+      transform_right_code_row_centre_2 <= transform_right_code_row_column_2_1;
+      transform_right_code_row_outer_1 <= transform_right_code_row_box_0_1 + transform_right_code_row_column_1_3;
+      transform_right_code_row_outer_2 <= transform_right_code_row_box_0_2 + transform_right_code_row_column_2_3;
+      transform_right_code_row_before_0 <= ((transform_right_code_row_column_0_2 + (transform_right_code_row_column_0_3
+        / 2)) * 2) + (transform_right_code_row_column_0_3 mod 2);
+      transform_right_code_row_before_1 <= ((transform_right_code_row_column_1_2 + (transform_right_code_row_column_1_3
+        / 2)) * 2) + (transform_right_code_row_column_1_3 mod 2);
+      transform_right_code_row_before_2 <= ((transform_right_code_row_column_2_2 + (transform_right_code_row_column_2_3
+        / 2)) * 2) + (transform_right_code_row_column_2_3 mod 2);
+      transform_right_code_row_after_0 <= (((transform_right_code_row_box_0_0 / 2) +
+        transform_right_code_row_column_0_0) * 2) + (transform_right_code_row_box_0_0 mod 2);
+      transform_right_code_row_after_1 <= (((transform_right_code_row_box_0_1 / 2) +
+        transform_right_code_row_column_1_0) * 2) + (transform_right_code_row_box_0_1 mod 2);
+      transform_right_code_row_after_2 <= (((transform_right_code_row_box_0_2 / 2) +
+        transform_right_code_row_column_2_0) * 2) + (transform_right_code_row_box_0_2 mod 2);
+      transform_right_code_row_even_1 <= ((((transform_right_code_row_outer_1 / 2) - transform_right_code_row_centre_1)
+        mod 8192) * 2) + (transform_right_code_row_outer_1 mod 2);
+      transform_right_code_row_even_2 <= ((((transform_right_code_row_outer_2 / 2) - transform_right_code_row_centre_2)
+        mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
+      transform_right_code_row_odd_1 <= (transform_right_code_row_after_1 - transform_right_code_row_before_1) mod
+        16384;
+      transform_right_code_row_odd_2 <= (transform_right_code_row_after_2 - transform_right_code_row_before_2) mod
+        16384;
+      transform_right_code_row_signs <= ((other_16 / 8192) * 2) + (other_17 / 8192) +
+        ((((transform_right_code_row_even_2 + transform_right_code_row_odd_1) mod 16384) / 8192) * 8) +
+        ((((transform_right_code_row_odd_1 - transform_right_code_row_even_2) mod 16384) / 8192) * 32) +
+        ((((transform_right_code_row_even_1 - transform_right_code_row_odd_2) mod 16384) / 8192) * 4) +
+        ((((transform_right_code_row_even_1 + transform_right_code_row_odd_2) mod 16384) / 8192) * 16);
+      transform_right_code_bits <= transform_right_code_earlier_2 when transform_filtering_6_inside_0 else 0;
+      transform_right_code_next_column_box_0_0_0 <= transform_right_column_0 + transform_right_column_1;
+      transform_right_code_next_column_box_0_1_0 <= transform_right_column_2 + transform_right_column_3;
+      transform_right_code_next_column_box_0_2_0 <= transform_right_column_4 + transform_right_column_5;
+      transform_right_code_next_column_box_0_3_0 <= transform_right_column_6 + transform_right_column_7;
+      transform_right_code_next_column_box_0_4_0 <= transform_right_column_8 + transform_right_column_9;
+      transform_right_code_next_column_centre <= transform_right_code_next_column_box_0_2_0;
+      transform_right_code_next_column_near <= transform_right_code_next_column_box_0_1_0 +
+        transform_right_code_next_column_box_0_3_0;
+      transform_right_code_next_column_outer <= (1020 - transform_right_code_next_column_box_0_4_0) -
+        transform_right_code_next_column_box_0_0_0;
+      transform_right_code_next_column_upper <= (1530 - (((transform_right_code_next_column_box_0_1_0 +
+        (transform_right_code_next_column_box_0_0_0 / 2)) * 2) + (transform_right_code_next_column_box_0_0_0 mod 2)))
+        mod 65536;
+      transform_right_code_next_column_lower <= ((transform_right_code_next_column_box_0_3_0 +
+        (transform_right_code_next_column_box_0_4_0 / 2)) * 2) + (transform_right_code_next_column_box_0_4_0 mod 2);
+      transform_right_code_next_column_response_0 <= ((transform_right_code_next_column_centre +
+        (transform_right_code_next_column_near / 2)) * 2) + (transform_right_code_next_column_near mod 2);
+      transform_right_code_next_column_response_1 <= ((transform_right_code_next_column_centre +
+        (transform_right_code_next_column_outer / 2)) * 2) + (transform_right_code_next_column_outer mod 2);
+      transform_right_code_next_column_response_2 <= (transform_right_code_next_column_upper +
+        transform_right_code_next_column_lower) mod 65536;
+      transform_right_code_next_row_box_0_0 <= transform_right_code_next_column_response_0 +
+        transform_right_code_next_row_earlier_0_0_0;
+      transform_right_code_next_row_box_0_1 <= transform_right_code_next_column_response_1 +
+        transform_right_code_next_row_earlier_0_1_0;
+      transform_right_code_next_row_box_0_2 <= (transform_right_code_next_column_response_2 +
+        transform_right_code_next_row_earlier_0_2_0) mod 65536;
+      transform_right_code_next_row_centre_0 <= transform_right_code_next_row_column_0_3;
+      transform_right_code_next_row_centre_1 <= transform_right_code_next_row_column_1_3;
+      transform_right_code_next_row_centre_2 <= transform_right_code_next_row_column_2_3 mod 32768;
+      transform_right_code_next_row_outer_0 <= transform_right_code_next_row_box_0_0 +
+        transform_right_code_next_row_column_0_7;
+      transform_right_code_next_row_outer_1 <= transform_right_code_next_row_box_0_1 +
+        transform_right_code_next_row_column_1_7;
+      transform_right_code_next_row_outer_2 <= (transform_right_code_next_row_box_0_2 +
+        transform_right_code_next_row_column_2_7) mod 65536;
+      transform_right_code_next_row_before_0 <= ((transform_right_code_next_row_column_0_5 +
+        (transform_right_code_next_row_column_0_7 / 2)) * 2) + (transform_right_code_next_row_column_0_7 mod 2);
+      transform_right_code_next_row_before_1 <= ((transform_right_code_next_row_column_1_5 +
+        (transform_right_code_next_row_column_1_7 / 2)) * 2) + (transform_right_code_next_row_column_1_7 mod 2);
+      transform_right_code_next_row_before_2 <= (((transform_right_code_next_row_column_2_5 +
+        (transform_right_code_next_row_column_2_7 / 2)) mod 32768) * 2) + (transform_right_code_next_row_column_2_7 mod
+        2);
+      transform_right_code_next_row_after_0 <= (((transform_right_code_next_row_box_0_0 / 2) +
+        transform_right_code_next_row_column_0_1) * 2) + (transform_right_code_next_row_box_0_0 mod 2);
+      transform_right_code_next_row_after_1 <= (((transform_right_code_next_row_box_0_1 / 2) +
+        transform_right_code_next_row_column_1_1) * 2) + (transform_right_code_next_row_box_0_1 mod 2);
+      transform_right_code_next_row_after_2 <= ((((transform_right_code_next_row_box_0_2 / 2) +
+        transform_right_code_next_row_column_2_1) mod 32768) * 2) + (transform_right_code_next_row_box_0_2 mod 2);
+      transform_right_code_next_row_even_1 <= ((((transform_right_code_next_row_outer_1 / 2) -
+        transform_right_code_next_row_centre_1) mod 32768) * 2) + (transform_right_code_next_row_outer_1 mod 2);
+      transform_right_code_next_row_even_2 <= ((((transform_right_code_next_row_outer_2 / 2) -
+        transform_right_code_next_row_centre_2) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
+      transform_right_code_next_row_odd_0 <= (transform_right_code_next_row_after_0 -
+        transform_right_code_next_row_before_0) mod 65536;
+      transform_right_code_next_row_odd_1 <= (transform_right_code_next_row_after_1 -
+        transform_right_code_next_row_before_1) mod 65536;
+      transform_right_code_next_row_odd_2 <= (transform_right_code_next_row_after_2 -
+        transform_right_code_next_row_before_2) mod 65536;
+      transform_right_code_next_row_signs <= (other_15 / 32768) + ((transform_right_code_next_row_odd_0 / 32768) * 2) +
+        ((((transform_right_code_next_row_even_2 + transform_right_code_next_row_odd_1) mod 65536) / 32768) * 8) +
+        ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
+        ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
+        ((((transform_right_code_next_row_even_1 + transform_right_code_next_row_odd_2) mod 65536) / 32768) * 16);
+      transform_right_code_next_bits <= transform_right_code_next_row_signs when transform_filtering_6_inside_1 else 0;
+      transform_filtering_0_inside_0 <= transform_columns_inside_0;
+      transform_filtering_0_inside_1 <= transform_columns_inside_1;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_inside_0 <= transform_filtering_0_inside_0;
+      transform_filtering_1_inside_1 <= transform_filtering_0_inside_1;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_2_inside_0 <= transform_filtering_1_inside_0;
+      transform_filtering_2_inside_1 <= transform_filtering_1_inside_1;
+      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
+      transform_filtering_2_valid <= transform_filtering_1_valid;
+      transform_filtering_3_inside_0 <= transform_filtering_2_inside_0;
+      transform_filtering_3_inside_1 <= transform_filtering_2_inside_1;
+      transform_filtering_3_start_of_frame <= transform_filtering_2_start_of_frame;
+      transform_filtering_3_valid <= transform_filtering_2_valid;
+      transform_filtering_4_inside_0 <= transform_filtering_3_inside_0;
+      transform_filtering_4_inside_1 <= transform_filtering_3_inside_1;
+      transform_filtering_4_start_of_frame <= transform_filtering_3_start_of_frame;
+      transform_filtering_4_valid <= transform_filtering_3_valid;
+      transform_filtering_5_inside_0 <= transform_filtering_4_inside_0;
+      transform_filtering_5_inside_1 <= transform_filtering_4_inside_1;
+      transform_filtering_5_start_of_frame <= transform_filtering_4_start_of_frame;
+      transform_filtering_5_valid <= transform_filtering_4_valid;
+      transform_filtering_6_inside_0 <= transform_filtering_5_inside_0;
+      transform_filtering_6_inside_1 <= transform_filtering_5_inside_1;
+      transform_filtering_6_start_of_frame <= transform_filtering_5_start_of_frame;
+      transform_filtering_6_valid <= transform_filtering_5_valid;
+      transform_filtering_7_start_of_frame <= transform_filtering_6_start_of_frame;
+      transform_filtering_7_valid <= transform_filtering_6_valid;
+      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
+        transform_counter_next_frame;
+      if in_valid then
+        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
+          (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
+          transform_counter_next_frame_choice;
+      end if;
+      if (other_3 / 256) = 1 then
+        transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
+          transform_left_rows_ready_words_0(31 downto 8);
+        transform_left_rows_write_words_1 <= to_unsigned(transform_left_rows_ready_words_2, 8) &
+          transform_left_rows_ready_words_1(31 downto 8);
+        transform_left_rows_write_words_2 <= transform_left_rows_ready_newest_0;
+        transform_right_rows_write_words_0 <= transform_right_rows_ready_words_1(7 downto 0) &
+          transform_right_rows_ready_words_0(31 downto 8);
+        transform_right_rows_write_words_1 <= to_unsigned(transform_right_rows_ready_words_2, 8) &
+          transform_right_rows_ready_words_1(31 downto 8);
+        transform_right_rows_write_words_2 <= transform_right_rows_ready_newest_0;
+        transform_write_column <= transform_ready_column;
+      end if;
+      if transform_filtering_3_valid then
+        transform_left_code_row_column_0_0 <= transform_left_code_row_box_0_0;
+        transform_left_code_row_column_0_1 <= transform_left_code_row_column_0_0;
+        transform_left_code_row_column_0_2 <= transform_left_code_row_column_0_1;
+        transform_left_code_row_column_0_3 <= transform_left_code_row_column_0_2;
+        transform_left_code_row_column_1_0 <= transform_left_code_row_box_0_1;
+        transform_left_code_row_column_1_1 <= transform_left_code_row_column_1_0;
+        transform_left_code_row_column_1_2 <= transform_left_code_row_column_1_1;
+        transform_left_code_row_column_1_3 <= transform_left_code_row_column_1_2;
+        transform_left_code_row_column_2_0 <= transform_left_code_row_box_0_2;
+        transform_left_code_row_column_2_1 <= transform_left_code_row_column_2_0;
+        transform_left_code_row_column_2_2 <= transform_left_code_row_column_2_1;
+        transform_left_code_row_column_2_3 <= transform_left_code_row_column_2_2;
+        transform_left_code_next_row_column_0_0 <= transform_left_code_next_row_box_0_0;
+        transform_left_code_next_row_column_0_1 <= transform_left_code_next_row_column_0_0;
+        transform_left_code_next_row_column_0_2 <= transform_left_code_next_row_column_0_1;
+        transform_left_code_next_row_column_0_3 <= transform_left_code_next_row_column_0_2;
+        transform_left_code_next_row_column_0_4 <= transform_left_code_next_row_column_0_3;
+        transform_left_code_next_row_column_0_5 <= transform_left_code_next_row_column_0_4;
+        transform_left_code_next_row_column_0_6 <= transform_left_code_next_row_column_0_5;
+        transform_left_code_next_row_column_0_7 <= transform_left_code_next_row_column_0_6;
+        transform_left_code_next_row_column_1_0 <= transform_left_code_next_row_box_0_1;
+        transform_left_code_next_row_column_1_1 <= transform_left_code_next_row_column_1_0;
+        transform_left_code_next_row_column_1_2 <= transform_left_code_next_row_column_1_1;
+        transform_left_code_next_row_column_1_3 <= transform_left_code_next_row_column_1_2;
+        transform_left_code_next_row_column_1_4 <= transform_left_code_next_row_column_1_3;
+        transform_left_code_next_row_column_1_5 <= transform_left_code_next_row_column_1_4;
+        transform_left_code_next_row_column_1_6 <= transform_left_code_next_row_column_1_5;
+        transform_left_code_next_row_column_1_7 <= transform_left_code_next_row_column_1_6;
+        transform_left_code_next_row_column_2_0 <= transform_left_code_next_row_box_0_2;
+        transform_left_code_next_row_column_2_1 <= transform_left_code_next_row_column_2_0;
+        transform_left_code_next_row_column_2_2 <= transform_left_code_next_row_column_2_1;
+        transform_left_code_next_row_column_2_3 <= transform_left_code_next_row_column_2_2;
+        transform_left_code_next_row_column_2_4 <= transform_left_code_next_row_column_2_3;
+        transform_left_code_next_row_column_2_5 <= transform_left_code_next_row_column_2_4;
+        transform_left_code_next_row_column_2_6 <= transform_left_code_next_row_column_2_5;
+        transform_left_code_next_row_column_2_7 <= transform_left_code_next_row_column_2_6;
+        transform_right_code_row_column_0_0 <= transform_right_code_row_box_0_0;
+        transform_right_code_row_column_0_1 <= transform_right_code_row_column_0_0;
+        transform_right_code_row_column_0_2 <= transform_right_code_row_column_0_1;
+        transform_right_code_row_column_0_3 <= transform_right_code_row_column_0_2;
+        transform_right_code_row_column_1_0 <= transform_right_code_row_box_0_1;
+        transform_right_code_row_column_1_1 <= transform_right_code_row_column_1_0;
+        transform_right_code_row_column_1_2 <= transform_right_code_row_column_1_1;
+        transform_right_code_row_column_1_3 <= transform_right_code_row_column_1_2;
+        transform_right_code_row_column_2_0 <= transform_right_code_row_box_0_2;
+        transform_right_code_row_column_2_1 <= transform_right_code_row_column_2_0;
+        transform_right_code_row_column_2_2 <= transform_right_code_row_column_2_1;
+        transform_right_code_row_column_2_3 <= transform_right_code_row_column_2_2;
+        transform_right_code_next_row_column_0_0 <= transform_right_code_next_row_box_0_0;
+        transform_right_code_next_row_column_0_1 <= transform_right_code_next_row_column_0_0;
+        transform_right_code_next_row_column_0_2 <= transform_right_code_next_row_column_0_1;
+        transform_right_code_next_row_column_0_3 <= transform_right_code_next_row_column_0_2;
+        transform_right_code_next_row_column_0_4 <= transform_right_code_next_row_column_0_3;
+        transform_right_code_next_row_column_0_5 <= transform_right_code_next_row_column_0_4;
+        transform_right_code_next_row_column_0_6 <= transform_right_code_next_row_column_0_5;
+        transform_right_code_next_row_column_0_7 <= transform_right_code_next_row_column_0_6;
+        transform_right_code_next_row_column_1_0 <= transform_right_code_next_row_box_0_1;
+        transform_right_code_next_row_column_1_1 <= transform_right_code_next_row_column_1_0;
+        transform_right_code_next_row_column_1_2 <= transform_right_code_next_row_column_1_1;
+        transform_right_code_next_row_column_1_3 <= transform_right_code_next_row_column_1_2;
+        transform_right_code_next_row_column_1_4 <= transform_right_code_next_row_column_1_3;
+        transform_right_code_next_row_column_1_5 <= transform_right_code_next_row_column_1_4;
+        transform_right_code_next_row_column_1_6 <= transform_right_code_next_row_column_1_5;
+        transform_right_code_next_row_column_1_7 <= transform_right_code_next_row_column_1_6;
+        transform_right_code_next_row_column_2_0 <= transform_right_code_next_row_box_0_2;
+        transform_right_code_next_row_column_2_1 <= transform_right_code_next_row_column_2_0;
+        transform_right_code_next_row_column_2_2 <= transform_right_code_next_row_column_2_1;
+        transform_right_code_next_row_column_2_3 <= transform_right_code_next_row_column_2_2;
+        transform_right_code_next_row_column_2_4 <= transform_right_code_next_row_column_2_3;
+        transform_right_code_next_row_column_2_5 <= transform_right_code_next_row_column_2_4;
+        transform_right_code_next_row_column_2_6 <= transform_right_code_next_row_column_2_5;
+        transform_right_code_next_row_column_2_7 <= transform_right_code_next_row_column_2_6;
+      end if;
+      if transform_filtering_6_valid then
+        transform_left_code_earlier_0 <= transform_left_code_row_signs;
+        transform_left_code_earlier_1 <= transform_left_code_earlier_0;
+        transform_left_code_earlier_2 <= transform_left_code_earlier_1;
+        transform_right_code_earlier_0 <= transform_right_code_row_signs;
+        transform_right_code_earlier_1 <= transform_right_code_earlier_0;
+        transform_right_code_earlier_2 <= transform_right_code_earlier_1;
+      end if;
+      if transform_filtering_2_valid then
+        transform_left_code_next_row_earlier_0_0_0 <= transform_left_code_next_column_response_0;
+        transform_left_code_next_row_earlier_0_1_0 <= transform_left_code_next_column_response_1;
+        transform_left_code_next_row_earlier_0_2_0 <= transform_left_code_next_column_response_2;
+        transform_right_code_next_row_earlier_0_0_0 <= transform_right_code_next_column_response_0;
+        transform_right_code_next_row_earlier_0_1_0 <= transform_right_code_next_column_response_1;
+        transform_right_code_next_row_earlier_0_2_0 <= transform_right_code_next_column_response_2;
+      end if;
+      -- raster
+      raster_place_group_is_equal := raster_place_column = 39;
+      raster_place_group_is_equal_2 := raster_place_group = 17;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_choice := 9 when raster_place_group_all else 0;
+      raster_place_group_is_equal_3 := (raster_place_group / 2) = 9;
+      raster_place_group_choice_2 := raster_place_group_is_equal and transform_filtering_7_valid and (not
+        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal and
+        transform_filtering_7_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 18) else
+        (raster_place_group + 1) mod 32;
+      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
+        raster_place_group;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := transform_filtering_7_valid when raster_place_group_all else
+        transform_filtering_7_valid and (not transform_filtering_7_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_7_valid and
+        transform_filtering_7_start_of_frame;
+      raster_features_search_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
+      raster_features_reference_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
+      raster_features_valid <= transform_filtering_7_valid;
+      raster_place_group <= raster_place_group_choice * 2 when transform_filtering_7_valid and
+        transform_filtering_7_start_of_frame else raster_place_group_choice_4;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_7_valid) and
+        raster_place_next_frame);
+      if transform_filtering_7_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_7_start_of_frame else
+          (raster_place_column + 1) mod 64;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 2 else (delay_ring_read_address + 1) mod 4;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_2_is_not_less := raster_place_group >= 1;
+      delay_row_inside_2_is_less := raster_place_group < 19;
+      delay_tag_map_column_is_less := (((((raster_place_column / 2) + 32761) mod 32768) * 2) + (raster_place_column mod
+        2)) < 26;
+      delay_tag_first_column_is_equal := raster_place_column = 14;
+      delay_ahead_0 <= raster_features_reference_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= (raster_place_group >= 3) and (raster_place_group < 21);
+      delay_row_inside_1 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 18;
+      delay_row_inside_2 <= delay_row_inside_2_is_not_less and delay_row_inside_2_is_less;
+      delay_row_inside_3 <= (not ((raster_place_group / 16) = 1)) or (((raster_place_group / 2) mod 8) = 0);
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= (not (((((raster_place_column / 2) mod 2) = 1) or ((raster_place_column mod 2) = 1))
+        and (((raster_place_column / 4) mod 4) = 3))) and ((raster_place_column / 16) = 0);
+      delay_tag_map_column <= delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_row_inside_2_is_not_less and delay_row_inside_2_is_less and
+        delay_tag_map_column_is_less;
+      delay_tag_first_column <= delay_tag_first_column_is_equal;
+      delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
+      delay_tag_end_of_line <= raster_place_group_is_equal;
+      -- rows
+      rows_search_rows_read_newest_0 <= to_integer(delay_delayed_0);
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= delay_ahead_0;
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_inside_3 <= delay_row_inside_3;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_map_column <= delay_tag_map_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_first_column <= delay_tag_first_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_inside_3 <= rows_read_inside_3;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_map_column <= rows_read_tag_map_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_first_column <= rows_read_tag_first_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_words_1 when rows_ready_inside_2 else 0;
+      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_words_1 when rows_ready_inside_2 else 0;
+      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_map_column <= rows_ready_tag_map_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_first_column <= rows_ready_tag_first_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + (rows_search_rows_ready_words_1 *
+          4096);
+        rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 4096) +
+          (rows_reference_rows_ready_words_1 * 4096);
+        rows_reference_rows_write_words_1 <= rows_reference_rows_ready_newest_0;
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= rows_search_0;
+        slice0shift_search_0_1 <= slice0shift_search_0_0;
+        slice0shift_search_0_2 <= slice0shift_search_0_1;
+        slice0shift_search_0_3 <= slice0shift_search_0_2;
+        slice0shift_search_0_4 <= slice0shift_search_0_3;
+        slice0shift_search_0_5 <= slice0shift_search_0_4;
+        slice0shift_search_1_0 <= rows_search_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_0;
+        slice0shift_search_1_2 <= slice0shift_search_1_1;
+        slice0shift_search_1_3 <= slice0shift_search_1_2;
+        slice0shift_search_1_4 <= slice0shift_search_1_3;
+        slice0shift_search_1_5 <= slice0shift_search_1_4;
+        slice0shift_search_2_0 <= rows_search_2;
+        slice0shift_search_2_1 <= slice0shift_search_2_0;
+        slice0shift_search_2_2 <= slice0shift_search_2_1;
+        slice0shift_search_2_3 <= slice0shift_search_2_2;
+        slice0shift_search_2_4 <= slice0shift_search_2_3;
+        slice0shift_search_2_5 <= slice0shift_search_2_4;
+        slice0shift_search_3_0 <= rows_search_3;
+        slice0shift_search_3_1 <= slice0shift_search_3_0;
+        slice0shift_search_3_2 <= slice0shift_search_3_1;
+        slice0shift_search_3_3 <= slice0shift_search_3_2;
+        slice0shift_search_3_4 <= slice0shift_search_3_3;
+        slice0shift_search_3_5 <= slice0shift_search_3_4;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_reference_3 <= rows_reference_3;
+      slice0shift_search_out_0 <= slice0shift_search_0_5;
+      slice0shift_search_out_1 <= slice0shift_search_1_5;
+      slice0shift_search_out_2 <= slice0shift_search_2_5;
+      slice0shift_search_out_3 <= slice0shift_search_3_5;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_map_column <= rows_tag_map_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_first_column <= rows_tag_first_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pixels_first_0_0_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_4 := ((slice0shift_reference_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_5 := ((slice0shift_reference_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_6 := ((slice0shift_reference_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_7 := ((slice0shift_reference_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_8 := ((slice0shift_reference_0 / 128) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_9 := ((slice0shift_reference_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_10 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_4 := ((slice0shift_reference_1 / 4) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_5 := ((slice0shift_reference_1 / 2) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_6 := ((slice0shift_reference_1 / 64) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_7 := ((slice0shift_reference_1 / 256) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_8 := ((slice0shift_reference_1 / 128) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_9 := ((slice0shift_reference_1 / 512) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_10 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_4 := ((slice0shift_reference_2 / 4) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_5 := ((slice0shift_reference_2 / 2) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_6 := ((slice0shift_reference_2 / 64) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_7 := ((slice0shift_reference_2 / 256) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_8 := ((slice0shift_reference_2 / 128) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_9 := ((slice0shift_reference_2 / 512) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_10 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value := ((slice0shift_reference_3 / 8) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_2 := ((slice0shift_reference_3 / 32) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_3 := ((slice0shift_reference_3 / 16) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_4 := ((slice0shift_reference_3 / 4) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_5 := ((slice0shift_reference_3 / 2) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_6 := ((slice0shift_reference_3 / 64) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_7 := ((slice0shift_reference_3 / 256) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_8 := ((slice0shift_reference_3 / 128) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_9 := ((slice0shift_reference_3 / 512) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_10 := ((slice0shift_reference_3 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_0_0 <= ((as_number((slice0cost_pixels_first_0_0_value /= (((slice0shift_search_0_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_value_2 /= (((slice0shift_search_0_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_0_0_value_3 /= (((slice0shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_0 mod 2) = 1) /= ((slice0shift_search_0_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_4 /= (((slice0shift_search_0_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_5 /= (((slice0shift_search_0_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_0_0_value_6 /= (((slice0shift_search_0_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_7 /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_8 /= (((slice0shift_search_0_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_0_0_value_9 /= (((slice0shift_search_0_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_0 / 2048) = 1) /= ((slice0shift_search_0_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_10 /= (((slice0shift_search_0_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_0_1 <= ((as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_1 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_1 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_2 <= ((as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_2 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_2 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_3 <= ((as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_3 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_3 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_4 <= ((as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_4 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_4 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_5 <= ((as_number(((((slice0shift_search_0_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_5 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_5 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_1_0 <= ((as_number((slice0cost_pixels_first_1_0_value /= (((slice0shift_search_1_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_value_2 /= (((slice0shift_search_1_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_1_0_value_3 /= (((slice0shift_search_1_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_1 mod 2) = 1) /= ((slice0shift_search_1_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_4 /= (((slice0shift_search_1_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_5 /= (((slice0shift_search_1_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_1_0_value_6 /= (((slice0shift_search_1_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_7 /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_8 /= (((slice0shift_search_1_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_1_0_value_9 /= (((slice0shift_search_1_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_1 / 2048) = 1) /= ((slice0shift_search_1_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_10 /= (((slice0shift_search_1_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_1_1 <= ((as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_1 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_1 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_2 <= ((as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_2 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_2 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_3 <= ((as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_3 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_3 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_4 <= ((as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_4 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_4 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_5 <= ((as_number(((((slice0shift_search_1_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_5 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_5 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_2_0 <= ((as_number((slice0cost_pixels_first_2_0_value /= (((slice0shift_search_2_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_value_2 /= (((slice0shift_search_2_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_2_0_value_3 /= (((slice0shift_search_2_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_2 mod 2) = 1) /= ((slice0shift_search_2_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_4 /= (((slice0shift_search_2_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_5 /= (((slice0shift_search_2_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_2_0_value_6 /= (((slice0shift_search_2_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_7 /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_8 /= (((slice0shift_search_2_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_2_0_value_9 /= (((slice0shift_search_2_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_2 / 2048) = 1) /= ((slice0shift_search_2_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_10 /= (((slice0shift_search_2_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_2_1 <= ((as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_1 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_1 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_2_2 <= ((as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_2 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_2 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_2_3 <= ((as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_3 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_3 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_2_4 <= ((as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_4 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_4 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_2_5 <= ((as_number(((((slice0shift_search_2_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_5 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_5 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_3_0 <= ((as_number((slice0cost_pixels_first_3_0_value /= (((slice0shift_search_3_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_3_0_value_2 /= (((slice0shift_search_3_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_3_0_value_3 /= (((slice0shift_search_3_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_3 mod 2) = 1) /= ((slice0shift_search_3_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_4 /= (((slice0shift_search_3_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_5 /= (((slice0shift_search_3_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_3_0_value_6 /= (((slice0shift_search_3_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_7 /= (((slice0shift_search_3_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_8 /= (((slice0shift_search_3_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_3_0_value_9 /= (((slice0shift_search_3_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_3 / 2048) = 1) /= ((slice0shift_search_3_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_10 /= (((slice0shift_search_3_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_3_1 <= ((as_number(((((slice0shift_search_3_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_1 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_1 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_3_2 <= ((as_number(((((slice0shift_search_3_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_2 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_2 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_3_3 <= ((as_number(((((slice0shift_search_3_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_3 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_3 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_3_4 <= ((as_number(((((slice0shift_search_3_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_4 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_4 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_3_5 <= ((as_number(((((slice0shift_search_3_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_5 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_5 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
+      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_pixels_first_tag_first_column <= slice0shift_tag_first_column;
+      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_cost_0_0 <= (((slice0cost_pixels_first_0_0 mod 4) + (((slice0cost_pixels_first_0_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_0 / 16) mod 4) + (slice0cost_pixels_first_0_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_0 / 16) + (slice0cost_pixels_first_0_0 / 64)) mod 2);
+      slice0cost_pixels_cost_0_1 <= (((slice0cost_pixels_first_0_1 mod 4) + (((slice0cost_pixels_first_0_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_1 / 16) mod 4) + (slice0cost_pixels_first_0_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_1 / 16) + (slice0cost_pixels_first_0_1 / 64)) mod 2);
+      slice0cost_pixels_cost_0_2 <= (((slice0cost_pixels_first_0_2 mod 4) + (((slice0cost_pixels_first_0_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_2 / 16) mod 4) + (slice0cost_pixels_first_0_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_2 / 16) + (slice0cost_pixels_first_0_2 / 64)) mod 2);
+      slice0cost_pixels_cost_0_3 <= (((slice0cost_pixels_first_0_3 mod 4) + (((slice0cost_pixels_first_0_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_3 / 16) mod 4) + (slice0cost_pixels_first_0_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_3 / 16) + (slice0cost_pixels_first_0_3 / 64)) mod 2);
+      slice0cost_pixels_cost_0_4 <= (((slice0cost_pixels_first_0_4 mod 4) + (((slice0cost_pixels_first_0_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_4 / 16) mod 4) + (slice0cost_pixels_first_0_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_4 / 16) + (slice0cost_pixels_first_0_4 / 64)) mod 2);
+      slice0cost_pixels_cost_0_5 <= (((slice0cost_pixels_first_0_5 mod 4) + (((slice0cost_pixels_first_0_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_5 / 16) mod 4) + (slice0cost_pixels_first_0_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_5 / 16) + (slice0cost_pixels_first_0_5 / 64)) mod 2);
+      slice0cost_pixels_cost_1_0 <= (((slice0cost_pixels_first_1_0 mod 4) + (((slice0cost_pixels_first_1_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_0 / 16) mod 4) + (slice0cost_pixels_first_1_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_0 / 16) + (slice0cost_pixels_first_1_0 / 64)) mod 2);
+      slice0cost_pixels_cost_1_1 <= (((slice0cost_pixels_first_1_1 mod 4) + (((slice0cost_pixels_first_1_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_1 / 16) mod 4) + (slice0cost_pixels_first_1_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_1 / 16) + (slice0cost_pixels_first_1_1 / 64)) mod 2);
+      slice0cost_pixels_cost_1_2 <= (((slice0cost_pixels_first_1_2 mod 4) + (((slice0cost_pixels_first_1_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_2 / 16) mod 4) + (slice0cost_pixels_first_1_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_2 / 16) + (slice0cost_pixels_first_1_2 / 64)) mod 2);
+      slice0cost_pixels_cost_1_3 <= (((slice0cost_pixels_first_1_3 mod 4) + (((slice0cost_pixels_first_1_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_3 / 16) mod 4) + (slice0cost_pixels_first_1_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_3 / 16) + (slice0cost_pixels_first_1_3 / 64)) mod 2);
+      slice0cost_pixels_cost_1_4 <= (((slice0cost_pixels_first_1_4 mod 4) + (((slice0cost_pixels_first_1_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_4 / 16) mod 4) + (slice0cost_pixels_first_1_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_4 / 16) + (slice0cost_pixels_first_1_4 / 64)) mod 2);
+      slice0cost_pixels_cost_1_5 <= (((slice0cost_pixels_first_1_5 mod 4) + (((slice0cost_pixels_first_1_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_5 / 16) mod 4) + (slice0cost_pixels_first_1_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_5 / 16) + (slice0cost_pixels_first_1_5 / 64)) mod 2);
+      slice0cost_pixels_cost_2_0 <= (((slice0cost_pixels_first_2_0 mod 4) + (((slice0cost_pixels_first_2_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_0 / 16) mod 4) + (slice0cost_pixels_first_2_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_0 / 16) + (slice0cost_pixels_first_2_0 / 64)) mod 2);
+      slice0cost_pixels_cost_2_1 <= (((slice0cost_pixels_first_2_1 mod 4) + (((slice0cost_pixels_first_2_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_1 / 16) mod 4) + (slice0cost_pixels_first_2_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_1 / 16) + (slice0cost_pixels_first_2_1 / 64)) mod 2);
+      slice0cost_pixels_cost_2_2 <= (((slice0cost_pixels_first_2_2 mod 4) + (((slice0cost_pixels_first_2_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_2 / 16) mod 4) + (slice0cost_pixels_first_2_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_2 / 16) + (slice0cost_pixels_first_2_2 / 64)) mod 2);
+      slice0cost_pixels_cost_2_3 <= (((slice0cost_pixels_first_2_3 mod 4) + (((slice0cost_pixels_first_2_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_3 / 16) mod 4) + (slice0cost_pixels_first_2_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_3 / 16) + (slice0cost_pixels_first_2_3 / 64)) mod 2);
+      slice0cost_pixels_cost_2_4 <= (((slice0cost_pixels_first_2_4 mod 4) + (((slice0cost_pixels_first_2_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_4 / 16) mod 4) + (slice0cost_pixels_first_2_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_4 / 16) + (slice0cost_pixels_first_2_4 / 64)) mod 2);
+      slice0cost_pixels_cost_2_5 <= (((slice0cost_pixels_first_2_5 mod 4) + (((slice0cost_pixels_first_2_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_5 / 16) mod 4) + (slice0cost_pixels_first_2_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_5 / 16) + (slice0cost_pixels_first_2_5 / 64)) mod 2);
+      slice0cost_pixels_cost_3_0 <= (((slice0cost_pixels_first_3_0 mod 4) + (((slice0cost_pixels_first_3_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_0 / 16) mod 4) + (slice0cost_pixels_first_3_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_0 / 16) + (slice0cost_pixels_first_3_0 / 64)) mod 2);
+      slice0cost_pixels_cost_3_1 <= (((slice0cost_pixels_first_3_1 mod 4) + (((slice0cost_pixels_first_3_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_1 / 16) mod 4) + (slice0cost_pixels_first_3_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_1 / 16) + (slice0cost_pixels_first_3_1 / 64)) mod 2);
+      slice0cost_pixels_cost_3_2 <= (((slice0cost_pixels_first_3_2 mod 4) + (((slice0cost_pixels_first_3_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_2 / 16) mod 4) + (slice0cost_pixels_first_3_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_2 / 16) + (slice0cost_pixels_first_3_2 / 64)) mod 2);
+      slice0cost_pixels_cost_3_3 <= (((slice0cost_pixels_first_3_3 mod 4) + (((slice0cost_pixels_first_3_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_3 / 16) mod 4) + (slice0cost_pixels_first_3_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_3 / 16) + (slice0cost_pixels_first_3_3 / 64)) mod 2);
+      slice0cost_pixels_cost_3_4 <= (((slice0cost_pixels_first_3_4 mod 4) + (((slice0cost_pixels_first_3_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_4 / 16) mod 4) + (slice0cost_pixels_first_3_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_4 / 16) + (slice0cost_pixels_first_3_4 / 64)) mod 2);
+      slice0cost_pixels_cost_3_5 <= (((slice0cost_pixels_first_3_5 mod 4) + (((slice0cost_pixels_first_3_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_5 / 16) mod 4) + (slice0cost_pixels_first_3_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_5 / 16) + (slice0cost_pixels_first_3_5 / 64)) mod 2);
+      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
+      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
+      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
+      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
+      slice0cost_pixels_tag_first_column <= slice0cost_pixels_first_tag_first_column;
+      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
+      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
+      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
+      slice0cost_pair_0_5 <= slice0cost_pixels_cost_1_5 + slice0cost_pixels_cost_2_5;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_single_0_5 <= slice0cost_pixels_cost_0_5;
+      slice0cost_single_3_0 <= slice0cost_pixels_cost_3_0;
+      slice0cost_single_3_1 <= slice0cost_pixels_cost_3_1;
+      slice0cost_single_3_2 <= slice0cost_pixels_cost_3_2;
+      slice0cost_single_3_3 <= slice0cost_pixels_cost_3_3;
+      slice0cost_single_3_4 <= slice0cost_pixels_cost_3_4;
+      slice0cost_single_3_5 <= slice0cost_pixels_cost_3_5;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_first_column <= slice0cost_pixels_tag_first_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_0 +
+        slice0cost_pair_0_0 + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_1 +
+        slice0cost_pair_0_1 + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_2 +
+        slice0cost_pair_0_2 + slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_3 +
+        slice0cost_pair_0_3 + slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_4 +
+        slice0cost_pair_0_4 + slice0cost_single_0_4;
+      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_5 +
+        slice0cost_pair_0_5 + slice0cost_single_0_5;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_first_column <= slice0cost_pair_tag_first_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
+        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
+        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
+        slice0window_partial_0_1_0 <= slice0window_partial_0_0_0 + slice0cost_column_0_0;
+        slice0window_partial_0_1_1 <= slice0window_partial_0_0_1 + slice0cost_column_0_1;
+        slice0window_partial_0_1_2 <= slice0window_partial_0_0_2 + slice0cost_column_0_2;
+        slice0window_partial_0_1_3 <= slice0window_partial_0_0_3 + slice0cost_column_0_3;
+        slice0window_partial_0_1_4 <= slice0window_partial_0_0_4 + slice0cost_column_0_4;
+        slice0window_partial_0_1_5 <= slice0window_partial_0_0_5 + slice0cost_column_0_5;
+        slice0window_partial_0_2_0 <= slice0window_partial_0_1_0 + slice0cost_column_0_0;
+        slice0window_partial_0_2_1 <= slice0window_partial_0_1_1 + slice0cost_column_0_1;
+        slice0window_partial_0_2_2 <= slice0window_partial_0_1_2 + slice0cost_column_0_2;
+        slice0window_partial_0_2_3 <= slice0window_partial_0_1_3 + slice0cost_column_0_3;
+        slice0window_partial_0_2_4 <= slice0window_partial_0_1_4 + slice0cost_column_0_4;
+        slice0window_partial_0_2_5 <= slice0window_partial_0_1_5 + slice0cost_column_0_5;
+        slice0window_centre_output_column_1 <= slice1cost_tag_output_column;
+        slice0window_centre_first_column_1 <= slice1cost_tag_first_column;
+      end if;
+      slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0window_partial_0_2_0 + slice0cost_column_0_0;
+      slice0window_sum_0_1 <= slice0window_partial_0_2_1 + slice0cost_column_0_1;
+      slice0window_sum_0_2 <= slice0window_partial_0_2_2 + slice0cost_column_0_2;
+      slice0window_sum_0_3 <= slice0window_partial_0_2_3 + slice0cost_column_0_3;
+      slice0window_sum_0_4 <= slice0window_partial_0_2_4 + slice0cost_column_0_4;
+      slice0window_sum_0_5 <= slice0window_partial_0_2_5 + slice0cost_column_0_5;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_output_column_1;
+      slice0window_tag_first_column <= slice0window_centre_first_column_1;
+      if slice0window_tag_valid then
+        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
+        slice0window_tag_map_column <= slice1window_centre_map_column_0;
+        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
+        slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
+      end if;
+      -- slice0other
+      slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
+      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0window_sum_0_1 - slice0other_cost_0_0)
+        < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_2_choice := slice0window_tag_output_column when (slice0window_sum_0_2 - slice0other_cost_0_1)
+        < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_3_choice := slice0window_tag_output_column when (slice0window_sum_0_3 - slice0other_cost_0_2)
+        < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_4_choice := slice0window_tag_output_column when (slice0window_sum_0_4 - slice0other_cost_0_3)
+        < 0 else slice0other_cost_0_1_all;
+      slice0other_cost_0_5_all := slice0window_tag_output_column and (((slice0window_sum_0_5 - slice0other_cost_0_4) <
+        0) or slice0window_tag_first_column);
+      if slice0window_tag_valid then
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column else 0;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
+        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_1;
+        slice0other_cost_0_3 <= slice0window_sum_0_3 when slice0other_cost_0_3_choice else slice0other_cost_0_2;
+        slice0other_cost_0_4 <= slice0window_sum_0_4 when slice0other_cost_0_4_choice else slice0other_cost_0_3;
+        slice0other_cost_0_5 <= slice0window_sum_0_5 when slice0other_cost_0_5_all else slice0other_cost_0_4;
+        slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
+        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_choice else as_number(slice0other_winner_0_1);
+        slice0other_winner_0_3 <= 3 when slice0other_cost_0_3_choice else slice0other_winner_0_2;
+        slice0other_winner_0_4 <= 4 when slice0other_cost_0_4_choice else slice0other_winner_0_3;
+        slice0other_winner_0_5 <= 5 when slice0other_cost_0_5_all else slice0other_winner_0_4;
+      end if;
+      slice0other_cost_out_0 <= slice0other_cost_0_5;
+      slice0other_winner_out_0 <= slice0other_winner_0_5;
+      -- slice0winner1
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_held_0_0 <= slice0window_sum_0_0;
+      slice0winner1_held_0_1 <= slice0window_sum_0_1;
+      slice0winner1_held_0_2 <= slice0window_sum_0_2;
+      slice0winner1_held_0_3 <= slice0window_sum_0_3;
+      slice0winner1_held_0_4 <= slice0window_sum_0_4;
+      slice0winner1_held_0_5 <= slice0window_sum_0_5;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
+      slice0winner1_best_below_0_1 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_1_is_less else 0;
+      slice0winner1_best_below_0_2 <= slice0window_sum_0_4 when slice0winner1_best_cost_0_2_is_less else 0;
+      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
+      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0window_sum_0_3;
+      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0window_sum_0_5;
+      slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0winner1_best_late_cost_0_1 <= slice0winner1_best_cost_0_1;
+      slice0winner1_best_late_cost_0_2 <= slice0winner1_best_cost_0_2;
+      slice0winner1_best_but_first_0_1 <= slice0winner1_held_0_3;
+      slice0winner1_best_but_first_0_2 <= slice0winner1_held_0_5;
+      slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
+      slice0winner1_best_but_last_0_1 <= slice0winner1_held_0_2;
+      slice0winner1_best_but_last_0_2 <= slice0winner1_held_0_4;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_map_column <= slice0window_tag_map_column;
+      slice0winner1_tag_output_column <= slice1window_centre_output_column_1;
+      slice0winner1_tag_first_column <= slice1window_centre_first_column_1;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_below_0_0_is_equal := slice0winner1_best_index_0_1 = 2;
+      slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1 when slice0winner2_best_below_0_0_is_equal else
+        slice0winner1_best_below_0_1;
+      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
+        slice0winner1_best_above_0_0;
+      slice0winner2_best_second_0_0_choice := 511 when slice0winner2_best_place_0_0 else
+        slice0winner1_best_late_cost_0_1;
+      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1 when slice0winner2_best_at_end_0_0
+        else slice0winner2_best_second_0_0_choice;
+      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
+        511;
+      slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
+        else slice0winner2_best_second_0_0_choice_3;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_below_0_0;
+      slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
+      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner2_best_above_0_0_choice;
+      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_2;
+      slice0winner2_best_first_0_1 <= slice0winner1_held_0_4;
+      slice0winner2_best_last_0_0 <= slice0winner1_held_0_3;
+      slice0winner2_best_last_0_1 <= slice0winner1_held_0_5;
+      slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less;
+      slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less and slice0winner2_best_below_0_0_is_equal;
+      slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_best_cost_0_1 -
+        slice0winner1_best_cost_0_0) >= 0);
+      slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0winner2_best_late_cost_0_1 <= slice0winner1_best_late_cost_0_2;
+      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2 when
+        (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 else
+        slice0winner2_best_second_0_0_choice_4;
+      slice0winner2_best_but_first_0_1 <= slice0winner1_best_but_first_0_2;
+      slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1 when (slice0winner1_best_but_last_0_1 -
+        slice0winner1_best_late_cost_0_0) < 0 else slice0winner1_best_late_cost_0_0;
+      slice0winner2_best_but_last_0_1 <= slice0winner1_best_but_last_0_2;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := (slice0winner1_best_late_cost_0_2 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when ((slice0winner2_best_index_0_1 / 4) = 1)
+        and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) else slice0winner2_best_below_0_1;
+      slice0winner3_best_above_0_0_is_equal := slice0winner2_best_index_0_0 = 3;
+      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner3_best_above_0_0_is_equal
+        else slice0winner2_best_above_0_0;
+      slice0winner3_best_second_0_0_choice := 511 when slice0winner3_best_place_0_0 else
+        slice0winner2_best_late_cost_0_1;
+      slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1 when slice0winner3_best_at_end_0_0
+        else slice0winner3_best_second_0_0_choice;
+      slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0 when slice0winner3_best_place_0_0 else
+        slice0winner2_best_second_0_0;
+      slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0 when slice0winner3_best_at_start_0_0
+        else slice0winner3_best_second_0_0_choice_3;
+      slice0winner3_best_cost_0_0 <= slice0winner1_best_late_cost_0_2 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_cost_0_0;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_below_0_0;
+      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner3_best_above_0_0_choice;
+      slice0winner3_best_last_0_0 <= slice0winner2_best_last_0_1;
+      slice0winner3_best_place_0_0 <= slice0winner3_best_cost_0_0_is_less;
+      slice0winner3_best_at_start_0_0 <= slice0winner3_best_cost_0_0_is_less and ((slice0winner2_best_index_0_1 / 4) =
+        1) and (not ((slice0winner2_best_index_0_1 mod 2) = 1));
+      slice0winner3_best_at_end_0_0 <= ((slice0winner1_best_late_cost_0_2 - slice0winner2_best_cost_0_0) >= 0) and
+        slice0winner3_best_above_0_0_is_equal;
+      slice0winner3_best_late_cost_0_0 <= slice0winner3_best_cost_0_0;
+      slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2 when
+        (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 else
+        slice0winner3_best_second_0_0_choice_4;
+      slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1 when (slice0winner2_best_but_last_0_1 -
+        slice0winner2_best_late_cost_0_0) < 0 else slice0winner2_best_late_cost_0_0;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0
+      slice0_best_index_0_0 <= slice0winner3_best_index_0_0;
+      slice0_best_below_0_0 <= slice0winner3_best_below_0_0;
+      slice0_best_above_0_0 <= slice0winner3_best_above_0_0;
+      slice0_best_last_0_0 <= slice0winner3_best_last_0_0;
+      slice0_best_late_cost_0_0 <= slice0winner3_best_late_cost_0_0;
+      slice0_best_second_0_0 <= slice0winner3_best_second_0_0;
+      slice0_best_but_last_0_0 <= slice0winner3_best_but_last_0_0;
+      slice0_best_tag_valid <= slice0winner3_tag_valid;
+      slice0_best_tag_map_column <= slice0winner3_tag_map_column;
+      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice0shift_search_out_0;
+        slice1shift_search_0_1 <= slice1shift_search_0_0;
+        slice1shift_search_0_2 <= slice1shift_search_0_1;
+        slice1shift_search_0_3 <= slice1shift_search_0_2;
+        slice1shift_search_0_4 <= slice1shift_search_0_3;
+        slice1shift_search_0_5 <= slice1shift_search_0_4;
+        slice1shift_search_1_0 <= slice0shift_search_out_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_0;
+        slice1shift_search_1_2 <= slice1shift_search_1_1;
+        slice1shift_search_1_3 <= slice1shift_search_1_2;
+        slice1shift_search_1_4 <= slice1shift_search_1_3;
+        slice1shift_search_1_5 <= slice1shift_search_1_4;
+        slice1shift_search_2_0 <= slice0shift_search_out_2;
+        slice1shift_search_2_1 <= slice1shift_search_2_0;
+        slice1shift_search_2_2 <= slice1shift_search_2_1;
+        slice1shift_search_2_3 <= slice1shift_search_2_2;
+        slice1shift_search_2_4 <= slice1shift_search_2_3;
+        slice1shift_search_2_5 <= slice1shift_search_2_4;
+        slice1shift_search_3_0 <= slice0shift_search_out_3;
+        slice1shift_search_3_1 <= slice1shift_search_3_0;
+        slice1shift_search_3_2 <= slice1shift_search_3_1;
+        slice1shift_search_3_3 <= slice1shift_search_3_2;
+        slice1shift_search_3_4 <= slice1shift_search_3_3;
+        slice1shift_search_3_5 <= slice1shift_search_3_4;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_reference_3 <= slice0shift_reference_3;
+      -- slice1cost
+      slice1cost_pixels_first_0_0_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_4 := ((slice1shift_reference_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_5 := ((slice1shift_reference_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_6 := ((slice1shift_reference_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_7 := ((slice1shift_reference_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_8 := ((slice1shift_reference_0 / 128) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_9 := ((slice1shift_reference_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_10 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_4 := ((slice1shift_reference_1 / 4) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_5 := ((slice1shift_reference_1 / 2) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_6 := ((slice1shift_reference_1 / 64) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_7 := ((slice1shift_reference_1 / 256) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_8 := ((slice1shift_reference_1 / 128) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_9 := ((slice1shift_reference_1 / 512) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_10 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_4 := ((slice1shift_reference_2 / 4) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_5 := ((slice1shift_reference_2 / 2) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_6 := ((slice1shift_reference_2 / 64) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_7 := ((slice1shift_reference_2 / 256) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_8 := ((slice1shift_reference_2 / 128) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_9 := ((slice1shift_reference_2 / 512) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_10 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value := ((slice1shift_reference_3 / 8) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_2 := ((slice1shift_reference_3 / 32) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_3 := ((slice1shift_reference_3 / 16) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_4 := ((slice1shift_reference_3 / 4) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_5 := ((slice1shift_reference_3 / 2) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_6 := ((slice1shift_reference_3 / 64) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_7 := ((slice1shift_reference_3 / 256) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_8 := ((slice1shift_reference_3 / 128) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_9 := ((slice1shift_reference_3 / 512) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_10 := ((slice1shift_reference_3 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_0_0 <= ((as_number((slice1cost_pixels_first_0_0_value /= (((slice1shift_search_0_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_value_2 /= (((slice1shift_search_0_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_0_0_value_3 /= (((slice1shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_0 mod 2) = 1) /= ((slice1shift_search_0_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_4 /= (((slice1shift_search_0_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_5 /= (((slice1shift_search_0_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_0_0_value_6 /= (((slice1shift_search_0_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_7 /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_8 /= (((slice1shift_search_0_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_0_0_value_9 /= (((slice1shift_search_0_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_0 / 2048) = 1) /= ((slice1shift_search_0_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_10 /= (((slice1shift_search_0_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_0_1 <= ((as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_1 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_1 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_2 <= ((as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_2 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_2 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_3 <= ((as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_3 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_3 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_4 <= ((as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_4 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_4 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_5 <= ((as_number(((((slice1shift_search_0_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_5 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_5 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_1_0 <= ((as_number((slice1cost_pixels_first_1_0_value /= (((slice1shift_search_1_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_value_2 /= (((slice1shift_search_1_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_1_0_value_3 /= (((slice1shift_search_1_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_1 mod 2) = 1) /= ((slice1shift_search_1_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_4 /= (((slice1shift_search_1_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_5 /= (((slice1shift_search_1_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_1_0_value_6 /= (((slice1shift_search_1_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_7 /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_8 /= (((slice1shift_search_1_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_1_0_value_9 /= (((slice1shift_search_1_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_1 / 2048) = 1) /= ((slice1shift_search_1_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_10 /= (((slice1shift_search_1_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_1_1 <= ((as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_1 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_1 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_2 <= ((as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_2 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_2 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_3 <= ((as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_3 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_3 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_4 <= ((as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_4 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_4 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_5 <= ((as_number(((((slice1shift_search_1_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_5 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_5 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_2_0 <= ((as_number((slice1cost_pixels_first_2_0_value /= (((slice1shift_search_2_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_value_2 /= (((slice1shift_search_2_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_2_0_value_3 /= (((slice1shift_search_2_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_2 mod 2) = 1) /= ((slice1shift_search_2_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_4 /= (((slice1shift_search_2_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_5 /= (((slice1shift_search_2_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_2_0_value_6 /= (((slice1shift_search_2_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_7 /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_8 /= (((slice1shift_search_2_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_2_0_value_9 /= (((slice1shift_search_2_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_2 / 2048) = 1) /= ((slice1shift_search_2_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_10 /= (((slice1shift_search_2_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_2_1 <= ((as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_1 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_1 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_2_2 <= ((as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_2 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_2 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_2_3 <= ((as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_3 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_3 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_2_4 <= ((as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_4 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_4 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_2_5 <= ((as_number(((((slice1shift_search_2_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_5 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_5 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_3_0 <= ((as_number((slice1cost_pixels_first_3_0_value /= (((slice1shift_search_3_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_3_0_value_2 /= (((slice1shift_search_3_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_3_0_value_3 /= (((slice1shift_search_3_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_3 mod 2) = 1) /= ((slice1shift_search_3_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_4 /= (((slice1shift_search_3_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_5 /= (((slice1shift_search_3_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_3_0_value_6 /= (((slice1shift_search_3_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_7 /= (((slice1shift_search_3_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_8 /= (((slice1shift_search_3_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_3_0_value_9 /= (((slice1shift_search_3_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_3 / 2048) = 1) /= ((slice1shift_search_3_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_10 /= (((slice1shift_search_3_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_3_1 <= ((as_number(((((slice1shift_search_3_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_1 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_1 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_first_3_2 <= ((as_number(((((slice1shift_search_3_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_2 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_2 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_first_3_3 <= ((as_number(((((slice1shift_search_3_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_3 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_3 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_first_3_4 <= ((as_number(((((slice1shift_search_3_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_4 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_4 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_first_3_5 <= ((as_number(((((slice1shift_search_3_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_5 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_5 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_cost_0_0 <= (((slice1cost_pixels_first_0_0 mod 4) + (((slice1cost_pixels_first_0_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_0 / 16) mod 4) + (slice1cost_pixels_first_0_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_0 / 16) + (slice1cost_pixels_first_0_0 / 64)) mod 2);
+      slice1cost_pixels_cost_0_1 <= (((slice1cost_pixels_first_0_1 mod 4) + (((slice1cost_pixels_first_0_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_1 / 16) mod 4) + (slice1cost_pixels_first_0_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_1 / 16) + (slice1cost_pixels_first_0_1 / 64)) mod 2);
+      slice1cost_pixels_cost_0_2 <= (((slice1cost_pixels_first_0_2 mod 4) + (((slice1cost_pixels_first_0_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_2 / 16) mod 4) + (slice1cost_pixels_first_0_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_2 / 16) + (slice1cost_pixels_first_0_2 / 64)) mod 2);
+      slice1cost_pixels_cost_0_3 <= (((slice1cost_pixels_first_0_3 mod 4) + (((slice1cost_pixels_first_0_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_3 / 16) mod 4) + (slice1cost_pixels_first_0_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_3 / 16) + (slice1cost_pixels_first_0_3 / 64)) mod 2);
+      slice1cost_pixels_cost_0_4 <= (((slice1cost_pixels_first_0_4 mod 4) + (((slice1cost_pixels_first_0_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_4 / 16) mod 4) + (slice1cost_pixels_first_0_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_4 / 16) + (slice1cost_pixels_first_0_4 / 64)) mod 2);
+      slice1cost_pixels_cost_0_5 <= (((slice1cost_pixels_first_0_5 mod 4) + (((slice1cost_pixels_first_0_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_5 / 16) mod 4) + (slice1cost_pixels_first_0_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_5 / 16) + (slice1cost_pixels_first_0_5 / 64)) mod 2);
+      slice1cost_pixels_cost_1_0 <= (((slice1cost_pixels_first_1_0 mod 4) + (((slice1cost_pixels_first_1_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_0 / 16) mod 4) + (slice1cost_pixels_first_1_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_0 / 16) + (slice1cost_pixels_first_1_0 / 64)) mod 2);
+      slice1cost_pixels_cost_1_1 <= (((slice1cost_pixels_first_1_1 mod 4) + (((slice1cost_pixels_first_1_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_1 / 16) mod 4) + (slice1cost_pixels_first_1_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_1 / 16) + (slice1cost_pixels_first_1_1 / 64)) mod 2);
+      slice1cost_pixels_cost_1_2 <= (((slice1cost_pixels_first_1_2 mod 4) + (((slice1cost_pixels_first_1_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_2 / 16) mod 4) + (slice1cost_pixels_first_1_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_2 / 16) + (slice1cost_pixels_first_1_2 / 64)) mod 2);
+      slice1cost_pixels_cost_1_3 <= (((slice1cost_pixels_first_1_3 mod 4) + (((slice1cost_pixels_first_1_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_3 / 16) mod 4) + (slice1cost_pixels_first_1_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_3 / 16) + (slice1cost_pixels_first_1_3 / 64)) mod 2);
+      slice1cost_pixels_cost_1_4 <= (((slice1cost_pixels_first_1_4 mod 4) + (((slice1cost_pixels_first_1_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_4 / 16) mod 4) + (slice1cost_pixels_first_1_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_4 / 16) + (slice1cost_pixels_first_1_4 / 64)) mod 2);
+      slice1cost_pixels_cost_1_5 <= (((slice1cost_pixels_first_1_5 mod 4) + (((slice1cost_pixels_first_1_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_5 / 16) mod 4) + (slice1cost_pixels_first_1_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_5 / 16) + (slice1cost_pixels_first_1_5 / 64)) mod 2);
+      slice1cost_pixels_cost_2_0 <= (((slice1cost_pixels_first_2_0 mod 4) + (((slice1cost_pixels_first_2_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_0 / 16) mod 4) + (slice1cost_pixels_first_2_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_0 / 16) + (slice1cost_pixels_first_2_0 / 64)) mod 2);
+      slice1cost_pixels_cost_2_1 <= (((slice1cost_pixels_first_2_1 mod 4) + (((slice1cost_pixels_first_2_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_1 / 16) mod 4) + (slice1cost_pixels_first_2_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_1 / 16) + (slice1cost_pixels_first_2_1 / 64)) mod 2);
+      slice1cost_pixels_cost_2_2 <= (((slice1cost_pixels_first_2_2 mod 4) + (((slice1cost_pixels_first_2_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_2 / 16) mod 4) + (slice1cost_pixels_first_2_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_2 / 16) + (slice1cost_pixels_first_2_2 / 64)) mod 2);
+      slice1cost_pixels_cost_2_3 <= (((slice1cost_pixels_first_2_3 mod 4) + (((slice1cost_pixels_first_2_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_3 / 16) mod 4) + (slice1cost_pixels_first_2_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_3 / 16) + (slice1cost_pixels_first_2_3 / 64)) mod 2);
+      slice1cost_pixels_cost_2_4 <= (((slice1cost_pixels_first_2_4 mod 4) + (((slice1cost_pixels_first_2_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_4 / 16) mod 4) + (slice1cost_pixels_first_2_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_4 / 16) + (slice1cost_pixels_first_2_4 / 64)) mod 2);
+      slice1cost_pixels_cost_2_5 <= (((slice1cost_pixels_first_2_5 mod 4) + (((slice1cost_pixels_first_2_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_5 / 16) mod 4) + (slice1cost_pixels_first_2_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_5 / 16) + (slice1cost_pixels_first_2_5 / 64)) mod 2);
+      slice1cost_pixels_cost_3_0 <= (((slice1cost_pixels_first_3_0 mod 4) + (((slice1cost_pixels_first_3_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_0 / 16) mod 4) + (slice1cost_pixels_first_3_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_0 / 16) + (slice1cost_pixels_first_3_0 / 64)) mod 2);
+      slice1cost_pixels_cost_3_1 <= (((slice1cost_pixels_first_3_1 mod 4) + (((slice1cost_pixels_first_3_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_1 / 16) mod 4) + (slice1cost_pixels_first_3_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_1 / 16) + (slice1cost_pixels_first_3_1 / 64)) mod 2);
+      slice1cost_pixels_cost_3_2 <= (((slice1cost_pixels_first_3_2 mod 4) + (((slice1cost_pixels_first_3_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_2 / 16) mod 4) + (slice1cost_pixels_first_3_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_2 / 16) + (slice1cost_pixels_first_3_2 / 64)) mod 2);
+      slice1cost_pixels_cost_3_3 <= (((slice1cost_pixels_first_3_3 mod 4) + (((slice1cost_pixels_first_3_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_3 / 16) mod 4) + (slice1cost_pixels_first_3_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_3 / 16) + (slice1cost_pixels_first_3_3 / 64)) mod 2);
+      slice1cost_pixels_cost_3_4 <= (((slice1cost_pixels_first_3_4 mod 4) + (((slice1cost_pixels_first_3_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_4 / 16) mod 4) + (slice1cost_pixels_first_3_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_4 / 16) + (slice1cost_pixels_first_3_4 / 64)) mod 2);
+      slice1cost_pixels_cost_3_5 <= (((slice1cost_pixels_first_3_5 mod 4) + (((slice1cost_pixels_first_3_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_5 / 16) mod 4) + (slice1cost_pixels_first_3_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_5 / 16) + (slice1cost_pixels_first_3_5 / 64)) mod 2);
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
+      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
+      slice1cost_pair_0_5 <= slice1cost_pixels_cost_1_5 + slice1cost_pixels_cost_2_5;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
+      slice1cost_single_0_5 <= slice1cost_pixels_cost_0_5;
+      slice1cost_single_3_0 <= slice1cost_pixels_cost_3_0;
+      slice1cost_single_3_1 <= slice1cost_pixels_cost_3_1;
+      slice1cost_single_3_2 <= slice1cost_pixels_cost_3_2;
+      slice1cost_single_3_3 <= slice1cost_pixels_cost_3_3;
+      slice1cost_single_3_4 <= slice1cost_pixels_cost_3_4;
+      slice1cost_single_3_5 <= slice1cost_pixels_cost_3_5;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_0 + slice1cost_pair_0_0 +
+        slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_1 + slice1cost_pair_0_1 +
+        slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_2 + slice1cost_pair_0_2 +
+        slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_3 + slice1cost_pair_0_3 +
+        slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_4 + slice1cost_pair_0_4 +
+        slice1cost_single_0_4;
+      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_5 + slice1cost_pair_0_5 +
+        slice1cost_single_0_5;
+      if slice0cost_tag_valid then
+        slice1cost_tag_output_column <= slice0cost_tag_output_column;
+        slice1cost_tag_first_column <= slice0cost_tag_first_column;
+      end if;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
+        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
+        slice1window_partial_0_0_5 <= slice1cost_column_0_5;
+        slice1window_partial_0_1_0 <= slice1window_partial_0_0_0 + slice1cost_column_0_0;
+        slice1window_partial_0_1_1 <= slice1window_partial_0_0_1 + slice1cost_column_0_1;
+        slice1window_partial_0_1_2 <= slice1window_partial_0_0_2 + slice1cost_column_0_2;
+        slice1window_partial_0_1_3 <= slice1window_partial_0_0_3 + slice1cost_column_0_3;
+        slice1window_partial_0_1_4 <= slice1window_partial_0_0_4 + slice1cost_column_0_4;
+        slice1window_partial_0_1_5 <= slice1window_partial_0_0_5 + slice1cost_column_0_5;
+        slice1window_partial_0_2_0 <= slice1window_partial_0_1_0 + slice1cost_column_0_0;
+        slice1window_partial_0_2_1 <= slice1window_partial_0_1_1 + slice1cost_column_0_1;
+        slice1window_partial_0_2_2 <= slice1window_partial_0_1_2 + slice1cost_column_0_2;
+        slice1window_partial_0_2_3 <= slice1window_partial_0_1_3 + slice1cost_column_0_3;
+        slice1window_partial_0_2_4 <= slice1window_partial_0_1_4 + slice1cost_column_0_4;
+        slice1window_partial_0_2_5 <= slice1window_partial_0_1_5 + slice1cost_column_0_5;
+        slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
+        slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+        slice1window_centre_output_column_1 <= slice1window_centre_output_column_0;
+        slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
+        slice1window_centre_first_column_1 <= slice1window_centre_first_column_0;
+        slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
+      end if;
+      slice1window_sum_0_0 <= slice1window_partial_0_2_0 + slice1cost_column_0_0;
+      slice1window_sum_0_1 <= slice1window_partial_0_2_1 + slice1cost_column_0_1;
+      slice1window_sum_0_2 <= slice1window_partial_0_2_2 + slice1cost_column_0_2;
+      slice1window_sum_0_3 <= slice1window_partial_0_2_3 + slice1cost_column_0_3;
+      slice1window_sum_0_4 <= slice1window_partial_0_2_4 + slice1cost_column_0_4;
+      slice1window_sum_0_5 <= slice1window_partial_0_2_5 + slice1cost_column_0_5;
+      -- slice1other
+      slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
+      slice1other_cost_0_0_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_0 -
+        slice0other_cost_out_0) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_1 -
+        slice1other_cost_0_0) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_2_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_2 -
+        slice1other_cost_0_1) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_3_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_3 -
+        slice1other_cost_0_2) < 0 else slice1other_cost_0_0_any;
+      slice1other_cost_0_4_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_4 -
+        slice1other_cost_0_3) < 0 else slice1other_cost_0_0_any;
+      if slice0winner1_tag_valid then
+        slice1other_cost_0_0 <= slice0other_cost_out_0 when slice1other_cost_0_0_choice else slice1window_sum_0_0;
+        slice1other_cost_0_1 <= slice1other_cost_0_0 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
+        slice1other_cost_0_2 <= slice1other_cost_0_1 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
+        slice1other_cost_0_3 <= slice1other_cost_0_2 when slice1other_cost_0_3_choice else slice1window_sum_0_3;
+        slice1other_cost_0_4 <= slice1other_cost_0_3 when slice1other_cost_0_4_choice else slice1window_sum_0_4;
+        slice1other_winner_0_0 <= slice0other_winner_out_0 when slice1other_cost_0_0_choice else 6;
+        slice1other_winner_0_1 <= slice1other_winner_0_0 when slice1other_cost_0_1_choice else 7;
+        slice1other_winner_0_2 <= slice1other_winner_0_1 when slice1other_cost_0_2_choice else 8;
+        slice1other_winner_0_3 <= slice1other_winner_0_2 when slice1other_cost_0_3_choice else 9;
+        slice1other_winner_0_4 <= slice1other_winner_0_3 when slice1other_cost_0_4_choice else 10;
+        slice1other_winner_0_5 <= slice1other_winner_0_4 when (not slice0winner1_tag_output_column) or ((not
+          slice0winner1_tag_first_column) and ((slice1window_sum_0_5 - slice1other_cost_0_4) >= 0)) else 11;
+      end if;
+      slice1other_winner_out_0 <= slice1other_winner_0_5;
+      -- slice1winner1
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_held_0_0 <= slice1window_sum_0_0;
+      slice1winner1_held_0_1 <= slice1window_sum_0_1;
+      slice1winner1_held_0_2 <= slice1window_sum_0_2;
+      slice1winner1_held_0_3 <= slice1window_sum_0_3;
+      slice1winner1_held_0_4 <= slice1window_sum_0_4;
+      slice1winner1_held_0_5 <= slice1window_sum_0_5;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
+      slice1winner1_best_below_0_1 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_1_is_less else 0;
+      slice1winner1_best_below_0_2 <= slice1window_sum_0_4 when slice1winner1_best_cost_0_2_is_less else 0;
+      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
+      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1window_sum_0_3;
+      slice1winner1_best_above_0_2 <= 0 when slice1winner1_best_cost_0_2_is_less else slice1window_sum_0_5;
+      slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
+      slice1winner1_best_late_cost_0_1 <= slice1winner1_best_cost_0_1;
+      slice1winner1_best_late_cost_0_2 <= slice1winner1_best_cost_0_2;
+      slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_1;
+      slice1winner1_best_but_first_0_1 <= slice1winner1_held_0_3;
+      slice1winner1_best_but_first_0_2 <= slice1winner1_held_0_5;
+      slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
+      slice1winner1_best_but_last_0_1 <= slice1winner1_held_0_2;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_below_0_0_is_equal := slice1winner1_best_index_0_1 = 2;
+      slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1 when slice1winner2_best_below_0_0_is_equal else
+        slice1winner1_best_below_0_1;
+      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
+        slice1winner1_best_above_0_0;
+      slice1winner2_best_second_0_0_choice := 511 when slice1winner2_best_place_0_0 else
+        slice1winner1_best_late_cost_0_1;
+      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1 when slice1winner2_best_at_end_0_0
+        else slice1winner2_best_second_0_0_choice;
+      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
+        511;
+      slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
+        else slice1winner2_best_second_0_0_choice_3;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_below_0_0;
+      slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
+      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner2_best_above_0_0_choice;
+      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_2;
+      slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
+      slice1winner2_best_first_0_1 <= slice1winner1_held_0_4;
+      slice1winner2_best_last_0_0 <= slice1winner1_held_0_3;
+      slice1winner2_best_place_0_0 <= slice1winner2_best_cost_0_0_is_less;
+      slice1winner2_best_at_start_0_0 <= slice1winner2_best_cost_0_0_is_less and slice1winner2_best_below_0_0_is_equal;
+      slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_best_cost_0_1 -
+        slice1winner1_best_cost_0_0) >= 0);
+      slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
+      slice1winner2_best_late_cost_0_1 <= slice1winner1_best_late_cost_0_2;
+      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2 when
+        (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 else
+        slice1winner2_best_second_0_0_choice_4;
+      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
+        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
+      slice1winner2_best_but_first_0_1 <= slice1winner1_best_but_first_0_2;
+      slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1 when (slice1winner1_best_but_last_0_1 -
+        slice1winner1_best_late_cost_0_0) < 0 else slice1winner1_best_late_cost_0_0;
+      -- slice1winner3
+      slice1winner3_best_cost_0_0_is_less := (slice1winner1_best_late_cost_0_2 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when ((slice1winner2_best_index_0_1 / 4) = 1)
+        and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) else slice1winner2_best_below_0_1;
+      slice1winner3_best_above_0_0_is_equal := slice1winner2_best_index_0_0 = 3;
+      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner3_best_above_0_0_is_equal
+        else slice1winner2_best_above_0_0;
+      slice1winner3_best_second_0_0_choice := 511 when slice1winner3_best_place_0_0 else
+        slice1winner2_best_late_cost_0_1;
+      slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1 when slice1winner3_best_at_end_0_0
+        else slice1winner3_best_second_0_0_choice;
+      slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0 when slice1winner3_best_place_0_0 else
+        slice1winner2_best_second_0_0;
+      slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0 when slice1winner3_best_at_start_0_0
+        else slice1winner3_best_second_0_0_choice_3;
+      slice1winner3_best_cost_0_0 <= slice1winner1_best_late_cost_0_2 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_cost_0_0;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_index_0_0;
+      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_below_0_0;
+      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner3_best_above_0_0_choice;
+      slice1winner3_best_first_0_0 <= slice1winner2_best_first_0_0;
+      slice1winner3_best_place_0_0 <= slice1winner3_best_cost_0_0_is_less;
+      slice1winner3_best_at_start_0_0 <= slice1winner3_best_cost_0_0_is_less and ((slice1winner2_best_index_0_1 / 4) =
+        1) and (not ((slice1winner2_best_index_0_1 mod 2) = 1));
+      slice1winner3_best_at_end_0_0 <= ((slice1winner1_best_late_cost_0_2 - slice1winner2_best_cost_0_0) >= 0) and
+        slice1winner3_best_above_0_0_is_equal;
+      slice1winner3_best_late_cost_0_0 <= slice1winner3_best_cost_0_0;
+      slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2 when
+        (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 else
+        slice1winner3_best_second_0_0_choice_4;
+      slice1winner3_best_but_first_0_0 <= slice1winner2_best_late_cost_0_1 when (slice1winner2_best_late_cost_0_1 -
+        slice1winner2_best_but_first_0_0) < 0 else slice1winner2_best_but_first_0_0;
+      -- slice1
+      slice1_best_cost_0_0_is_less := (slice1winner3_best_cost_0_0 - slice0winner3_best_late_cost_0_0) < 0;
+      slice1_best_below_0_0_is_equal := slice1winner3_best_index_0_0 = 0;
+      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1_best_below_0_0_is_equal else
+        slice1winner3_best_below_0_0;
+      slice1_best_above_0_0_is_equal := slice0_best_index_0_0 = 5;
+      slice1_best_above_0_0_choice := slice1winner3_best_first_0_0 when slice1_best_above_0_0_is_equal else
+        slice0_best_above_0_0;
+      slice1_best_second_0_0_choice := slice1winner3_best_second_0_0 when slice1_best_place_0_0 else
+        slice1winner3_best_late_cost_0_0;
+      slice1_best_second_0_0_choice_2 := slice1winner3_best_but_first_0_0 when slice1_best_at_end_0_0 else
+        slice1_best_second_0_0_choice;
+      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
+        slice0_best_second_0_0;
+      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
+        slice1_best_second_0_0_choice_3;
+      slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0 when slice1_best_cost_0_0_is_less else
+        slice0winner3_best_late_cost_0_0;
+      slice1_best_index_0_0 <= (((slice1winner3_best_index_0_0 / 2) + 3) * 2) + (slice1winner3_best_index_0_0 mod 2)
+        when slice1_best_cost_0_0_is_less else slice0_best_index_0_0;
+      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
+        slice0_best_below_0_0;
+      slice1_best_above_0_0 <= slice1winner3_best_above_0_0 when slice1_best_cost_0_0_is_less else
+        slice1_best_above_0_0_choice;
+      slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
+      slice1_best_at_start_0_0 <= slice1_best_cost_0_0_is_less and slice1_best_below_0_0_is_equal;
+      slice1_best_at_end_0_0 <= ((slice1winner3_best_cost_0_0 - slice0winner3_best_late_cost_0_0) >= 0) and
+        slice1_best_above_0_0_is_equal;
+      slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
+      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
+        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_map_column <= slice0_best_tag_map_column;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- refinement
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 1024) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 1024) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 1024) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 1024) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 1024) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 1024) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 1024) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
+      refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
+      refinement_disparity_0_0 <= slice1_best_index_0_0;
+      refinement_disparity_1_0 <= refinement_disparity_0_0;
+      refinement_disparity_2_0 <= refinement_disparity_1_0;
+      refinement_disparity_3_0 <= refinement_disparity_2_0;
+      refinement_disparity_4_0 <= refinement_disparity_3_0;
+      refinement_disparity_5_0 <= refinement_disparity_4_0;
+      refinement_disparity_6_0 <= refinement_disparity_5_0;
+      refinement_disparity_7_0 <= refinement_disparity_6_0;
+      refinement_disparity_8_0 <= refinement_disparity_7_0;
+      refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
+      refinement_passed_0_0 <= true;
+      refinement_passed_1_0 <= refinement_passed_0_0;
+      refinement_passed_2_0 <= refinement_passed_1_0;
+      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
+        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      refinement_passed_4_0 <= refinement_passed_3_0;
+      refinement_passed_5_0 <= refinement_passed_4_0;
+      refinement_passed_6_0 <= refinement_passed_5_0;
+      refinement_passed_7_0 <= refinement_passed_6_0;
+      refinement_passed_8_0 <= refinement_passed_7_0;
+      refinement_passed_9_0 <= refinement_passed_8_0;
+      refinement_passed_10_0 <= refinement_passed_9_0;
+      refinement_passed_11_0 <= refinement_passed_10_0;
+      refinement_tag_0_valid <= slice1_best_tag_valid;
+      refinement_tag_0_map_column <= slice1_best_tag_map_column;
+      refinement_tag_0_output_column <= slice1_best_tag_output_column;
+      refinement_tag_0_start_of_frame <= slice1_best_tag_start_of_frame;
+      refinement_tag_0_end_of_line <= slice1_best_tag_end_of_line;
+      refinement_tag_1_valid <= refinement_tag_0_valid;
+      refinement_tag_1_map_column <= refinement_tag_0_map_column;
+      refinement_tag_1_output_column <= refinement_tag_0_output_column;
+      refinement_tag_1_start_of_frame <= refinement_tag_0_start_of_frame;
+      refinement_tag_1_end_of_line <= refinement_tag_0_end_of_line;
+      refinement_tag_2_valid <= refinement_tag_1_valid;
+      refinement_tag_2_map_column <= refinement_tag_1_map_column;
+      refinement_tag_2_output_column <= refinement_tag_1_output_column;
+      refinement_tag_2_start_of_frame <= refinement_tag_1_start_of_frame;
+      refinement_tag_2_end_of_line <= refinement_tag_1_end_of_line;
+      refinement_tag_3_valid <= refinement_tag_2_valid;
+      refinement_tag_3_map_column <= refinement_tag_2_map_column;
+      refinement_tag_3_output_column <= refinement_tag_2_output_column;
+      refinement_tag_3_start_of_frame <= refinement_tag_2_start_of_frame;
+      refinement_tag_3_end_of_line <= refinement_tag_2_end_of_line;
+      refinement_tag_4_valid <= refinement_tag_3_valid;
+      refinement_tag_4_map_column <= refinement_tag_3_map_column;
+      refinement_tag_4_output_column <= refinement_tag_3_output_column;
+      refinement_tag_4_start_of_frame <= refinement_tag_3_start_of_frame;
+      refinement_tag_4_end_of_line <= refinement_tag_3_end_of_line;
+      refinement_tag_5_valid <= refinement_tag_4_valid;
+      refinement_tag_5_map_column <= refinement_tag_4_map_column;
+      refinement_tag_5_output_column <= refinement_tag_4_output_column;
+      refinement_tag_5_start_of_frame <= refinement_tag_4_start_of_frame;
+      refinement_tag_5_end_of_line <= refinement_tag_4_end_of_line;
+      refinement_tag_6_valid <= refinement_tag_5_valid;
+      refinement_tag_6_map_column <= refinement_tag_5_map_column;
+      refinement_tag_6_output_column <= refinement_tag_5_output_column;
+      refinement_tag_6_start_of_frame <= refinement_tag_5_start_of_frame;
+      refinement_tag_6_end_of_line <= refinement_tag_5_end_of_line;
+      refinement_tag_7_valid <= refinement_tag_6_valid;
+      refinement_tag_7_map_column <= refinement_tag_6_map_column;
+      refinement_tag_7_output_column <= refinement_tag_6_output_column;
+      refinement_tag_7_start_of_frame <= refinement_tag_6_start_of_frame;
+      refinement_tag_7_end_of_line <= refinement_tag_6_end_of_line;
+      refinement_tag_8_valid <= refinement_tag_7_valid;
+      refinement_tag_8_map_column <= refinement_tag_7_map_column;
+      refinement_tag_8_output_column <= refinement_tag_7_output_column;
+      refinement_tag_8_start_of_frame <= refinement_tag_7_start_of_frame;
+      refinement_tag_8_end_of_line <= refinement_tag_7_end_of_line;
+      refinement_tag_9_valid <= refinement_tag_8_valid;
+      refinement_tag_9_map_column <= refinement_tag_8_map_column;
+      refinement_tag_9_output_column <= refinement_tag_8_output_column;
+      refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
+      refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_map_column <= refinement_tag_9_map_column;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_map_column <= refinement_tag_10_map_column;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_alone_0_0 <= slice1_best_second_0_0 = 511;
+      refinement_alone_1_0 <= ((refinement_percent mod 16) = 0) or refinement_alone_0_0 when (refinement_percent / 16)
+        = 0 else refinement_alone_0_0;
+      refinement_gap_0 <= (slice1_best_second_0_0 - slice1_best_late_cost_0_0) mod 512;
+      refinement_lowest_0 <= slice1_best_late_cost_0_0;
+      refinement_scaled_gap_0 <= (refinement_gap_0 * 25) * 4;
+      refinement_scaled_cost_0 <= refinement_lowest_0 * refinement_percent;
+      refinement_below_0 <= slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else slice1_best_below_0_0;
+      refinement_above_0 <= slice1_best_below_0_0 when slice1_best_index_0_0 = 11 else slice1_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - slice1_best_late_cost_0_0) mod 512;
+      refinement_v_0 <= (refinement_above_0 - slice1_best_late_cost_0_0) mod 512;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 512 when (refinement_remainder_1_0_difference
+        / 1024) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 512 when (refinement_remainder_2_0_difference
+        / 1024) = 1 else (refinement_remainder_1_0 mod 256) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 512 when (refinement_remainder_3_0_difference
+        / 1024) = 1 else (refinement_remainder_2_0 mod 256) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 512 when (refinement_remainder_4_0_difference
+        / 1024) = 1 else (refinement_remainder_3_0 mod 256) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 512 when (refinement_remainder_5_0_difference
+        / 1024) = 1 else (refinement_remainder_4_0 mod 256) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 512 when (refinement_remainder_6_0_difference
+        / 1024) = 1 else (refinement_remainder_5_0 mod 256) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 512 when (refinement_remainder_7_0_difference
+        / 1024) = 1 else (refinement_remainder_6_0 mod 256) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 9)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 9))));
+      refinement_divisor_1_0 <= refinement_divisor_0_0;
+      refinement_divisor_2_0 <= refinement_divisor_1_0;
+      refinement_divisor_3_0 <= refinement_divisor_2_0;
+      refinement_divisor_4_0 <= refinement_divisor_3_0;
+      refinement_divisor_5_0 <= refinement_divisor_4_0;
+      refinement_divisor_6_0 <= refinement_divisor_5_0;
+      refinement_divisor_7_0 <= refinement_divisor_6_0;
+      refinement_quotient_8_0 <= ((((1024 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 512) + ((other_8
+        / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
+      refinement_negative_1_0 <= refinement_negative_0_0;
+      refinement_negative_2_0 <= refinement_negative_1_0;
+      refinement_negative_3_0 <= refinement_negative_2_0;
+      refinement_negative_4_0 <= refinement_negative_3_0;
+      refinement_negative_5_0 <= refinement_negative_4_0;
+      refinement_negative_6_0 <= refinement_negative_5_0;
+      refinement_negative_7_0 <= refinement_negative_6_0;
+      refinement_negative_8_0 <= refinement_negative_7_0;
+      refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if not ((not refinement_tag_0_valid) or (not refinement_tag_0_start_of_frame) or (not refinement_tag_0_output_column)) then
+        refinement_percent <= settings_uniqueness_percent;
+      end if;
+      -- leftright
+      leftright_holds_winners_all := (leftright_ring_read_address /= 0) and (not leftright_holds_winners);
+      leftright_checked_passed_0_difference := leftright_answered_disparity_0 - to_integer(leftright_found_0);
+      leftright_checked_tag_row_start_is_equal := map_counter_column = 25;
+      leftright_checked_tag_row_start_any := ((map_counter_group / 4) /= 4) or (not (((map_counter_group / 2) mod 2) =
+        1)) or (not ((map_counter_group mod 2) = 1));
+      leftright_checked_tag_row_start_choice := (map_counter_group /= 18) and leftright_checked_tag_row_start when
+        leftright_checked_tag_row_start_is_equal and leftright_checked_tag_row_start_any else
+        leftright_checked_tag_row_start;
+      leftright_checked_tag_row_start_is_equal_2 := map_counter_group = 17;
+      leftright_checked_tag_row_start_all := leftright_checked_tag_row_start_is_equal and
+        leftright_checked_tag_row_start_is_equal_2;
+      leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_all or (not
+        leftright_checked_tag_start_of_frame) when leftright_checked_tag_row_start_choice else
+        leftright_checked_tag_row_start_is_equal and leftright_checked_tag_row_start_is_equal_2 and
+        leftright_checked_tag_start_of_frame;
+      leftright_checked_tag_row_start_all_2 := leftright_checked_tag_valid and leftright_checked_tag_map_column;
+      leftright_other_1_0 <= slice1other_winner_out_0;
+      leftright_other_2_0 <= leftright_other_1_0;
+      leftright_other_3_0 <= leftright_other_2_0;
+      leftright_other_4_0 <= leftright_other_3_0;
+      leftright_other_5_0 <= leftright_other_4_0;
+      leftright_other_6_0 <= leftright_other_5_0;
+      leftright_other_7_0 <= leftright_other_6_0;
+      leftright_other_8_0 <= leftright_other_7_0;
+      leftright_other_9_0 <= leftright_other_8_0;
+      leftright_other_10_0 <= leftright_other_9_0;
+      leftright_other_11_0 <= leftright_other_10_0;
+      leftright_other_12_0 <= leftright_other_11_0;
+      leftright_other_13_0 <= leftright_other_12_0;
+      leftright_other_14_0 <= leftright_other_13_0;
+      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
+        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
+      leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
+      leftright_held_position <= leftright_position;
+      leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
+      leftright_address_0 <= (leftright_held_position - to_integer(leftright_held_0(17 downto 4))) mod 16;
+      leftright_asking_disparity_0 <= to_integer(leftright_held_0(7 downto 4));
+      leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
+      leftright_asking_passed_0 <= to_integer(leftright_held_0(12 downto 12)) = 1;
+      leftright_asking_tag_valid <= leftright_held_valid;
+      leftright_asking_tag_map_column <= to_integer(leftright_held_0(0 downto 0)) = 1;
+      leftright_asking_tag_output_column <= to_integer(leftright_held_0(1 downto 1)) = 1;
+      leftright_asking_tag_start_of_frame <= to_integer(leftright_held_0(2 downto 2)) = 1;
+      leftright_asking_tag_end_of_line <= to_integer(leftright_held_0(3 downto 3)) = 1;
+      leftright_answered_disparity_0 <= leftright_asking_disparity_0;
+      leftright_answered_fraction_0 <= leftright_asking_fraction_0;
+      leftright_answered_passed_0 <= leftright_asking_passed_0;
+      leftright_answered_tag_valid <= leftright_asking_tag_valid;
+      leftright_answered_tag_map_column <= leftright_asking_tag_map_column;
+      leftright_answered_tag_start_of_frame <= leftright_asking_tag_start_of_frame;
+      leftright_answered_tag_end_of_line <= leftright_asking_tag_end_of_line;
+      leftright_checked_disparity_0 <= leftright_answered_disparity_0;
+      leftright_checked_fraction_0 <= leftright_answered_fraction_0;
+      leftright_checked_passed_0 <= leftright_answered_passed_0 and ((leftright_checked_passed_0_difference - (0 -
+        leftright_threshold)) >= 0) and ((leftright_threshold - leftright_checked_passed_0_difference) >= 0);
+      leftright_checked_tag_valid <= leftright_answered_tag_valid;
+      leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_2 when
+        leftright_checked_tag_row_start_choice_2 else leftright_checked_tag_row_start and ((not
+        leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
+      leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
+      leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
+      leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if refinement_tag_11_valid then
+        leftright_ring_read_address <= 0 when leftright_ring_read_address = 11 else (leftright_ring_read_address + 1)
+          mod 16;
+        leftright_ring_write_address <= leftright_ring_read_address;
+      end if;
+      if not ((not leftright_asking_tag_valid) or (not leftright_asking_tag_start_of_frame) or (not leftright_asking_tag_output_column)) then
+        leftright_threshold <= settings_left_right_threshold;
+      end if;
+      -- map
+      if leftright_checked_tag_row_start_all_2 then
+        map_counter_column <= 0 when leftright_checked_tag_row_start_is_equal or leftright_checked_tag_start_of_frame
+          else (map_counter_column + 1) mod 32;
+      end if;
+      map_counter_group_choice := 9 when leftright_checked_tag_row_start_all else 0;
+      map_counter_group_is_equal := map_counter_group = 18;
+      map_counter_group_choice_2 := 1 when leftright_checked_tag_row_start and map_counter_group_is_equal else
+        (map_counter_group + 1) mod 32;
+      map_counter_group_choice_3 := map_counter_group_choice_2 when leftright_checked_tag_row_start_is_equal and
+        leftright_checked_tag_row_start_any and leftright_checked_tag_valid and leftright_checked_tag_map_column else
+        map_counter_group;
+      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      map_at_arrives_value := to_integer(other_6(16 downto 16)) = 1;
+      if map_at_top then
+        map_of_column_0_a_choice := map_column_1 / 2;
+      else
+        map_of_column_0_a_choice := other_5 / 2;
+      end if;
+      if map_counter_next_frame then
+        map_of_column_0_c_choice := map_column_1 / 2;
+      else
+        map_of_column_0_c_choice := map_column_2 / 2;
+      end if;
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
+      map_window_complete_all := (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete_choice := map_window_complete_all when (map_sorted_column mod 2) = 1 else not
+        map_sorted_behind;
+      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 2) = 0 else
+        map_window_complete_all;
+      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
+        map_median_middle_0_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
+      map_counter_group <= map_counter_group_choice * 2 when leftright_checked_tag_start_of_frame and
+        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_3;
+      map_counter_next_frame <= to_integer(other_6(40 downto 40)) = 1;
+      map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
+        + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
+      map_arrives <= leftright_checked_tag_row_start_all_2;
+      map_behind <= map_line_ended and leftright_checked_tag_valid;
+      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
+        leftright_checked_tag_valid);
+      map_rows_read_newest_0 <= map_newest_0;
+      map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
+      map_rows_ready_newest_0 <= map_rows_read_newest_0;
+      map_write_column <= to_integer(other_6(4 downto 0));
+      map_column_1 <= map_rows_ready_words_0 / 8192;
+      map_column_2 <= map_rows_ready_newest_0;
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_6(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_6(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_6(48 downto 48)) = 1;
+      map_of_column_0_a <= map_of_column_0_a_choice;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_of_column_0_c_choice;
+      map_of_column_0_b_below_a <= ((map_column_1 / 2) - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_a <= (map_of_column_0_c_choice - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_b <= (map_of_column_0_c_choice - (map_column_1 / 2)) < 0;
+      map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_comparing_column <= map_write_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
+        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete <= (not map_window_complete_choice_2) and map_sorted_output;
+      map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= (map_low_1_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_a <= (map_low_2_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_b <= (map_low_2_0 - map_low_1_0) < 0;
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= (map_middle_1_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_a <= (map_middle_2_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_b <= (map_middle_2_0 - map_middle_1_0) < 0;
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
+        map_median_middle_0_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= (map_median_middle_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_a <= (map_smallest_high_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_b <= (map_smallest_high_0 - map_median_middle_0) < 0;
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
+        map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
+        map_at_column <= to_integer(other_6(4 downto 0));
+      end if;
+      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
+      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if not map_window_complete_all then
+        map_low_0_0 <= map_low_0_0_choice;
+        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
+        map_low_2_0 <= map_low_1_0;
+        map_middle_0_0 <= map_middle_0_0_choice;
+        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
+        map_middle_2_0 <= map_middle_1_0;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
+        map_high_2_0 <= map_high_1_0;
+      end if;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
+      end if;
+      -- other
+      other_0 <= as_number(((transform_left_code_row_after_0 - transform_left_code_row_before_0) < 0)) * 8192;
+      other_1 <= as_number((((other_2 / 2) - transform_left_code_row_centre_0) < 0)) * 8192;
+      other_2 <= ((transform_left_code_row_box_0_0 + transform_left_code_row_column_0_3) / 2) * 2;
+      other_3 <= other_4;
+      other_4 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 5) and
+        (transform_counter_group = 4)));
+      other_5 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
+      other_6 <= other_7;
+      other_7 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 19))), 1) &
+        to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
+      other_8 <= ((refinement_remainder_7_0_difference / 1024) * 2) + ((other_9 / 4) * 4);
+      other_9 <= ((refinement_remainder_6_0_difference / 1024) * 4) + ((other_10 / 8) * 8);
+      other_10 <= ((refinement_remainder_5_0_difference / 1024) * 8) + ((other_11 / 16) * 16);
+      other_11 <= ((refinement_remainder_4_0_difference / 1024) * 16) + ((other_12 / 32) * 32);
+      other_12 <= ((refinement_remainder_3_0_difference / 1024) * 32) + ((other_13 / 64) * 64);
+      other_13 <= ((refinement_remainder_2_0_difference / 1024) * 64) + ((other_14 / 128) * 128);
+      other_14 <= (refinement_remainder_1_0_difference / 1024) * 128;
+      other_15 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) *
+        2;
+      other_16 <= as_number(((transform_right_code_row_after_0 - transform_right_code_row_before_0) < 0)) * 8192;
+      other_17 <= as_number((((other_18 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
+      other_18 <= ((transform_right_code_row_box_0_0 + transform_right_code_row_column_0_3) / 2) * 2;
+      other_19 <= (((transform_left_code_next_row_outer_0 / 2) - transform_left_code_next_row_centre_0) mod 32768) * 2;
+      if reset = '1' then
+        transform_valid <= false;
+        transform_counter_column <= 0;
+        transform_counter_group <= 22;
+        transform_counter_next_frame <= false;
+        transform_read_column <= 0;
+        transform_ready_column <= 0;
+        transform_write_column <= 0;
+        transform_columns_start_of_frame <= false;
+        transform_columns_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        transform_filtering_2_start_of_frame <= false;
+        transform_filtering_2_valid <= false;
+        transform_filtering_3_start_of_frame <= false;
+        transform_filtering_3_valid <= false;
+        transform_filtering_4_start_of_frame <= false;
+        transform_filtering_4_valid <= false;
+        transform_filtering_5_start_of_frame <= false;
+        transform_filtering_5_valid <= false;
+        transform_filtering_6_start_of_frame <= false;
+        transform_filtering_6_valid <= false;
+        transform_filtering_7_start_of_frame <= false;
+        transform_filtering_7_valid <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 19;
+        raster_place_next_frame <= false;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_map_column <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_map_column <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_map_column <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_map_column <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_map_column <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_pixels_first_tag_valid <= false;
+        slice0cost_pixels_first_tag_map_column <= false;
+        slice0cost_pixels_first_tag_output_column <= false;
+        slice0cost_pixels_first_tag_start_of_frame <= false;
+        slice0cost_pixels_first_tag_end_of_line <= false;
+        slice0cost_pixels_tag_valid <= false;
+        slice0cost_pixels_tag_map_column <= false;
+        slice0cost_pixels_tag_output_column <= false;
+        slice0cost_pixels_tag_start_of_frame <= false;
+        slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_map_column <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_map_column_0 <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_map_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_map_column <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_map_column <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_map_column <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_map_column <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1window_centre_map_column_0 <= false;
+        slice1window_centre_output_column_0 <= false;
+        slice1window_centre_output_column_1 <= false;
+        slice1window_centre_end_of_line_0 <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_map_column <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        refinement_tag_0_valid <= false;
+        refinement_tag_0_map_column <= false;
+        refinement_tag_0_output_column <= false;
+        refinement_tag_0_start_of_frame <= false;
+        refinement_tag_0_end_of_line <= false;
+        refinement_tag_1_valid <= false;
+        refinement_tag_1_map_column <= false;
+        refinement_tag_1_output_column <= false;
+        refinement_tag_1_start_of_frame <= false;
+        refinement_tag_1_end_of_line <= false;
+        refinement_tag_2_valid <= false;
+        refinement_tag_2_map_column <= false;
+        refinement_tag_2_output_column <= false;
+        refinement_tag_2_start_of_frame <= false;
+        refinement_tag_2_end_of_line <= false;
+        refinement_tag_3_valid <= false;
+        refinement_tag_3_map_column <= false;
+        refinement_tag_3_output_column <= false;
+        refinement_tag_3_start_of_frame <= false;
+        refinement_tag_3_end_of_line <= false;
+        refinement_tag_4_valid <= false;
+        refinement_tag_4_map_column <= false;
+        refinement_tag_4_output_column <= false;
+        refinement_tag_4_start_of_frame <= false;
+        refinement_tag_4_end_of_line <= false;
+        refinement_tag_5_valid <= false;
+        refinement_tag_5_map_column <= false;
+        refinement_tag_5_output_column <= false;
+        refinement_tag_5_start_of_frame <= false;
+        refinement_tag_5_end_of_line <= false;
+        refinement_tag_6_valid <= false;
+        refinement_tag_6_map_column <= false;
+        refinement_tag_6_output_column <= false;
+        refinement_tag_6_start_of_frame <= false;
+        refinement_tag_6_end_of_line <= false;
+        refinement_tag_7_valid <= false;
+        refinement_tag_7_map_column <= false;
+        refinement_tag_7_output_column <= false;
+        refinement_tag_7_start_of_frame <= false;
+        refinement_tag_7_end_of_line <= false;
+        refinement_tag_8_valid <= false;
+        refinement_tag_8_map_column <= false;
+        refinement_tag_8_output_column <= false;
+        refinement_tag_8_start_of_frame <= false;
+        refinement_tag_8_end_of_line <= false;
+        refinement_tag_9_valid <= false;
+        refinement_tag_9_map_column <= false;
+        refinement_tag_9_output_column <= false;
+        refinement_tag_9_start_of_frame <= false;
+        refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_map_column <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_map_column <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
+        leftright_ring_read_address <= 1;
+        leftright_ring_write_address <= 0;
+        leftright_holds_winners <= false;
+        leftright_position <= 0;
+        leftright_held_valid <= false;
+        leftright_asking_tag_valid <= false;
+        leftright_asking_tag_map_column <= false;
+        leftright_asking_tag_output_column <= false;
+        leftright_asking_tag_start_of_frame <= false;
+        leftright_asking_tag_end_of_line <= false;
+        leftright_answered_tag_valid <= false;
+        leftright_answered_tag_map_column <= false;
+        leftright_answered_tag_start_of_frame <= false;
+        leftright_answered_tag_end_of_line <= false;
+        leftright_checked_tag_valid <= false;
+        leftright_checked_tag_row_start <= false;
+        leftright_checked_tag_map_column <= false;
+        leftright_checked_tag_start_of_frame <= false;
+        leftright_checked_tag_end_of_line <= false;
+        map_counter_column <= 0;
+        map_counter_group <= 19;
+        map_arrives <= false;
+        map_behind <= false;
+        map_line_ended <= false;
+        map_write_column <= 0;
+        map_at_arrives <= false;
+        map_at_behind <= false;
+        map_at_top <= false;
+        map_at_output <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
+        map_out_valid <= false;
+        map_out_start_of_frame <= false;
+        map_out_end_of_line <= false;
+        other_3 <= 0;
+        other_4 <= 0;
+        other_6 <= to_unsigned(0, 49);
+        other_7 <= to_unsigned(0, 49);
+      end if;
+    end if;
+  end process;
+end architecture;

@@ -1,0 +1,3351 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, phase correlation, configuration tiny_phase_size: 40x24, 12 disparities, window 5x5, phase of 2 scales, 1 pixel pair a clock.
+-- Options: disparities 12, window_px 5, subpixel true, slice_disparities 6, run_time_size true.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_phase_size
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_phase_size is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 40;
+    height_px : positive := 24;
+    disparities : positive := 12;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 16;
+    output_width_px : positive := 28;
+    latency_clocks : positive := 41;
+    flush_groups : positive := 245;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    uniqueness_percent : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    left_right_threshold : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    first_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    last_disparity : in std_logic_vector(7 downto 0);  -- 0 ... 0, taken over with start_of_frame
+    image_width : in std_logic_vector(15 downto 0);  -- 16 ... 40, changes in a reset only
+    image_height : in std_logic_vector(15 downto 0);  -- 5 ... 24, changes in a reset only
+    disparity : out std_logic_vector(15 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 40 report "stereo_core_tiny_phase_size: width_px is " & integer'image(width_px) & " but this core has 40" severity failure;
+  assert height_px = 24 report "stereo_core_tiny_phase_size: height_px is " & integer'image(height_px) & " but this core has 24" severity failure;
+  assert disparities = 12 report "stereo_core_tiny_phase_size: disparities is " & integer'image(disparities) & " but this core has 12" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_phase_size: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 16 report "stereo_core_tiny_phase_size: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
+  assert output_width_px = 28 report "stereo_core_tiny_phase_size: output_width_px is " & integer'image(output_width_px) & " but this core has 28" severity failure;
+  assert latency_clocks = 41 report "stereo_core_tiny_phase_size: latency_clocks is " & integer'image(latency_clocks) & " but this core has 41" severity failure;
+  assert flush_groups = 245 report "stereo_core_tiny_phase_size: flush_groups is " & integer'image(flush_groups) & " but this core has 245" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_phase_size: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_phase_size is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_left_pixel : natural range 0 to 255;
+  signal in_image_width : natural range 0 to 65535;
+  signal in_image_height : natural range 0 to 65535;
+  -- size
+  signal size_windows_last_column, size_last_map_column : natural range 0 to 63;
+  signal size_windows_last_group, size_windows_groups, size_windows_last_counted : natural range 0 to 31;
+  signal size_windows_idle, size_transform_last_counted, size_transform_idle : natural range 0 to 31;
+  -- transform
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_ready_words_2, transform_left_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_write_words_2, transform_right_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_ready_words_2, transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_write_words_2, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
+  signal transform_left_column_2, transform_left_column_3, transform_left_column_4 : natural range 0 to 255;
+  signal transform_left_column_5, transform_left_column_6, transform_left_column_7 : natural range 0 to 255;
+  signal transform_left_column_8, transform_left_column_9, transform_right_column_0 : natural range 0 to 255;
+  signal transform_right_column_1, transform_right_column_2, transform_right_column_3 : natural range 0 to 255;
+  signal transform_right_column_4, transform_right_column_5, transform_right_column_6 : natural range 0 to 255;
+  signal transform_right_column_7, transform_right_column_8, transform_right_column_9 : natural range 0 to 255;
+  signal transform_left_code_column_box_0_0_0, transform_left_code_column_box_0_1_0 : natural range 0 to 255;
+  signal transform_left_code_column_box_0_2_0, transform_left_code_column_box_0_3_0 : natural range 0 to 255;
+  signal transform_left_code_column_box_0_4_0, transform_left_code_column_centre : natural range 0 to 255;
+  signal transform_right_code_column_box_0_0_0, transform_right_code_column_box_0_1_0 : natural range 0 to 255;
+  signal transform_right_code_column_box_0_2_0, transform_right_code_column_box_0_3_0 : natural range 0 to 255;
+  signal transform_right_code_column_box_0_4_0, transform_right_code_column_centre : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame, transform_from_first_0, transform_from_first_1 : boolean;
+  signal transform_up_to_last_0, transform_up_to_last_1, transform_columns_inside_0 : boolean;
+  signal transform_columns_inside_1, transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_inside_0, transform_filtering_0_inside_1, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_inside_0, transform_filtering_1_inside_1 : boolean;
+  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid, transform_filtering_2_inside_0 : boolean;
+  signal transform_filtering_2_inside_1, transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
+  signal transform_filtering_3_inside_0, transform_filtering_3_inside_1, transform_filtering_3_start_of_frame : boolean;
+  signal transform_filtering_3_valid, transform_filtering_4_inside_0, transform_filtering_4_inside_1 : boolean;
+  signal transform_filtering_4_start_of_frame, transform_filtering_4_valid, transform_filtering_5_inside_0 : boolean;
+  signal transform_filtering_5_inside_1, transform_filtering_5_start_of_frame, transform_filtering_5_valid : boolean;
+  signal transform_filtering_6_inside_0, transform_filtering_6_inside_1, transform_filtering_6_start_of_frame : boolean;
+  signal transform_filtering_6_valid, transform_filtering_7_start_of_frame, transform_filtering_7_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
+  signal transform_write_column, transform_columns_up_value, transform_centre_column : natural range 0 to 63;
+  signal transform_left_code_row_signs, transform_left_code_earlier_0 : natural range 0 to 63;
+  signal transform_left_code_earlier_1, transform_left_code_bits : natural range 0 to 63;
+  signal transform_left_code_next_row_signs, transform_left_code_next_bits : natural range 0 to 63;
+  signal transform_right_code_row_signs, transform_right_code_earlier_0 : natural range 0 to 63;
+  signal transform_right_code_earlier_1, transform_right_code_bits : natural range 0 to 63;
+  signal transform_right_code_next_row_signs, transform_right_code_next_bits : natural range 0 to 63;
+  signal transform_counter_group : natural range 0 to 31;
+  signal transform_left_rows_read_words_0, transform_left_rows_read_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_ready_words_0, transform_left_rows_ready_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_write_words_0, transform_left_rows_write_words_1 : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0, transform_right_rows_read_words_1 : unsigned(31 downto 0);
+  signal transform_right_rows_ready_words_0, transform_right_rows_ready_words_1 : unsigned(31 downto 0);
+  signal transform_right_rows_write_words_0, transform_right_rows_write_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_2, transform_right_rows_read_words_2 : unsigned(7 downto 0);
+  signal transform_centre_group : natural range 0 to 32;
+  signal transform_left_code_column_near, transform_left_code_column_outer : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_0_0, transform_left_code_next_column_box_0_1_0 : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_2_0, transform_left_code_next_column_box_0_3_0 : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_4_0, transform_left_code_next_column_centre : natural range 0 to 510;
+  signal transform_right_code_column_near, transform_right_code_column_outer : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_0_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_1_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_2_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_3_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_4_0, transform_right_code_next_column_centre : natural range 0 to 510;
+  signal transform_left_code_column_upper, transform_left_code_column_lower : natural range 0 to 765;
+  signal transform_right_code_column_upper, transform_right_code_column_lower : natural range 0 to 765;
+  signal transform_left_code_column_response_0, transform_left_code_column_response_1 : natural range 0 to 1021;
+  signal transform_left_code_row_box_0_0, transform_left_code_row_box_0_1 : natural range 0 to 1021;
+  signal transform_left_code_row_column_0_0, transform_left_code_row_column_0_1 : natural range 0 to 1021;
+  signal transform_left_code_row_column_0_2, transform_left_code_row_column_0_3 : natural range 0 to 1021;
+  signal transform_left_code_row_column_1_0, transform_left_code_row_column_1_1 : natural range 0 to 1021;
+  signal transform_left_code_row_column_1_2, transform_left_code_row_column_1_3 : natural range 0 to 1021;
+  signal transform_left_code_row_centre_0, transform_left_code_row_centre_1 : natural range 0 to 1021;
+  signal transform_right_code_column_response_0, transform_right_code_column_response_1 : natural range 0 to 1021;
+  signal transform_right_code_row_box_0_0, transform_right_code_row_box_0_1 : natural range 0 to 1021;
+  signal transform_right_code_row_column_0_0, transform_right_code_row_column_0_1 : natural range 0 to 1021;
+  signal transform_right_code_row_column_0_2, transform_right_code_row_column_0_3 : natural range 0 to 1021;
+  signal transform_right_code_row_column_1_0, transform_right_code_row_column_1_1 : natural range 0 to 1021;
+  signal transform_right_code_row_column_1_2, transform_right_code_row_column_1_3 : natural range 0 to 1021;
+  signal transform_right_code_row_centre_0, transform_right_code_row_centre_1 : natural range 0 to 1021;
+  signal transform_left_code_column_response_2, transform_left_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_left_code_row_column_2_0, transform_left_code_row_column_2_1 : natural range 0 to 1530;
+  signal transform_left_code_row_column_2_2, transform_left_code_row_column_2_3 : natural range 0 to 1530;
+  signal transform_left_code_row_centre_2, transform_right_code_column_response_2 : natural range 0 to 1530;
+  signal transform_right_code_row_box_0_2, transform_right_code_row_column_2_0 : natural range 0 to 1530;
+  signal transform_right_code_row_column_2_1, transform_right_code_row_column_2_2 : natural range 0 to 1530;
+  signal transform_right_code_row_column_2_3, transform_right_code_row_centre_2 : natural range 0 to 1530;
+  signal transform_left_code_row_outer_1, transform_right_code_row_outer_1 : natural range 0 to 2042;
+  signal transform_left_code_row_outer_2, transform_right_code_row_outer_2 : natural range 0 to 3060;
+  signal transform_left_code_row_before_0, transform_left_code_row_before_1 : natural range 0 to 3063;
+  signal transform_left_code_row_after_0, transform_left_code_row_after_1 : natural range 0 to 3063;
+  signal transform_right_code_row_before_0, transform_right_code_row_before_1 : natural range 0 to 3063;
+  signal transform_right_code_row_after_0, transform_right_code_row_after_1 : natural range 0 to 3063;
+  signal transform_left_code_row_before_2, transform_left_code_row_after_2 : natural range 0 to 4591;
+  signal transform_right_code_row_before_2, transform_right_code_row_after_2 : natural range 0 to 4591;
+  signal transform_left_code_row_even_1, transform_left_code_row_even_2 : natural range 0 to 16383;
+  signal transform_left_code_row_odd_1, transform_left_code_row_odd_2 : natural range 0 to 16383;
+  signal transform_right_code_row_even_1, transform_right_code_row_even_2 : natural range 0 to 16383;
+  signal transform_right_code_row_odd_1, transform_right_code_row_odd_2 : natural range 0 to 16383;
+  signal transform_left_code_next_column_near, transform_left_code_next_column_outer : natural range 0 to 1020;
+  signal transform_right_code_next_column_near, transform_right_code_next_column_outer : natural range 0 to 1020;
+  signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_earlier_0_2_0, transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_0, transform_left_code_next_row_column_2_1 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_2, transform_left_code_next_row_column_2_3 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_4, transform_left_code_next_row_column_2_5 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_6, transform_left_code_next_row_column_2_7 : natural range 0 to 65535;
+  signal transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_after_2, transform_left_code_next_row_even_1 : natural range 0 to 65535;
+  signal transform_left_code_next_row_even_2, transform_left_code_next_row_odd_0 : natural range 0 to 65535;
+  signal transform_left_code_next_row_odd_1, transform_left_code_next_row_odd_2 : natural range 0 to 65535;
+  signal transform_right_code_next_column_upper, transform_right_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_earlier_0_2_0, transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_0, transform_right_code_next_row_column_2_1 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_2, transform_right_code_next_row_column_2_3 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_4, transform_right_code_next_row_column_2_5 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_6, transform_right_code_next_row_column_2_7 : natural range 0 to 65535;
+  signal transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_after_2, transform_right_code_next_row_even_1 : natural range 0 to 65535;
+  signal transform_right_code_next_row_even_2, transform_right_code_next_row_odd_0 : natural range 0 to 65535;
+  signal transform_right_code_next_row_odd_1, transform_right_code_next_row_odd_2 : natural range 0 to 65535;
+  signal transform_left_code_next_column_lower, transform_right_code_next_column_lower : natural range 0 to 1531;
+  signal transform_left_code_next_column_response_0 : natural range 0 to 2041;
+  signal transform_left_code_next_column_response_1 : natural range 0 to 2041;
+  signal transform_left_code_next_row_earlier_0_0_0 : natural range 0 to 2041;
+  signal transform_left_code_next_row_earlier_0_1_0 : natural range 0 to 2041;
+  signal transform_right_code_next_column_response_0 : natural range 0 to 2041;
+  signal transform_right_code_next_column_response_1 : natural range 0 to 2041;
+  signal transform_right_code_next_row_earlier_0_0_0 : natural range 0 to 2041;
+  signal transform_right_code_next_row_earlier_0_1_0 : natural range 0 to 2041;
+  signal transform_left_code_next_row_box_0_0, transform_left_code_next_row_box_0_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_0, transform_left_code_next_row_column_0_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_2, transform_left_code_next_row_column_0_3 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_4, transform_left_code_next_row_column_0_5 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_6, transform_left_code_next_row_column_0_7 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_0, transform_left_code_next_row_column_1_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_2, transform_left_code_next_row_column_1_3 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_4, transform_left_code_next_row_column_1_5 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_6, transform_left_code_next_row_column_1_7 : natural range 0 to 4082;
+  signal transform_left_code_next_row_centre_0, transform_left_code_next_row_centre_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_box_0_0, transform_right_code_next_row_box_0_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_0, transform_right_code_next_row_column_0_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_2, transform_right_code_next_row_column_0_3 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_4, transform_right_code_next_row_column_0_5 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_6, transform_right_code_next_row_column_0_7 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_0, transform_right_code_next_row_column_1_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_2, transform_right_code_next_row_column_1_3 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_4, transform_right_code_next_row_column_1_5 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_6, transform_right_code_next_row_column_1_7 : natural range 0 to 4082;
+  signal transform_right_code_next_row_centre_0, transform_right_code_next_row_centre_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_centre_2, transform_right_code_next_row_centre_2 : natural range 0 to 32767;
+  signal transform_left_code_next_row_outer_0, transform_left_code_next_row_outer_1 : natural range 0 to 8164;
+  signal transform_right_code_next_row_outer_0, transform_right_code_next_row_outer_1 : natural range 0 to 8164;
+  signal transform_left_code_next_row_before_0, transform_left_code_next_row_before_1 : natural range 0 to 12247;
+  signal transform_left_code_next_row_after_0, transform_left_code_next_row_after_1 : natural range 0 to 12247;
+  signal transform_right_code_next_row_before_0, transform_right_code_next_row_before_1 : natural range 0 to 12247;
+  signal transform_right_code_next_row_after_0, transform_right_code_next_row_after_1 : natural range 0 to 12247;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 4095;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 63;
+  signal raster_place_group : natural range 0 to 31;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
+  signal delay_ahead_0 : natural range 0 to 4095;
+  signal delay_delayed_0 : unsigned(11 downto 0);
+  signal delay_column : natural range 0 to 63;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_row_inside_4 : boolean;
+  signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 4095;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 4095;
+  signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_reference_0 : natural range 0 to 4095;
+  signal rows_reference_1, rows_reference_2, rows_reference_3, rows_reference_4 : natural range 0 to 4095;
+  signal rows_search_rows_ready_words_0, rows_search_rows_ready_words_1 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words_0, rows_search_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_ready_words_1 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words_0, rows_reference_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_inside_4 : boolean;
+  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
+  signal rows_ready_inside_2, rows_ready_inside_3, rows_ready_inside_4, rows_ready_tag_valid : boolean;
+  signal rows_ready_tag_border_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
+  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_output_column : boolean;
+  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 4095;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 4095;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 4095;
+  signal slice0shift_search_1_3, slice0shift_search_1_4, slice0shift_search_1_5 : natural range 0 to 4095;
+  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 4095;
+  signal slice0shift_search_2_3, slice0shift_search_2_4, slice0shift_search_2_5 : natural range 0 to 4095;
+  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 4095;
+  signal slice0shift_search_3_3, slice0shift_search_3_4, slice0shift_search_3_5 : natural range 0 to 4095;
+  signal slice0shift_search_4_0, slice0shift_search_4_1, slice0shift_search_4_2 : natural range 0 to 4095;
+  signal slice0shift_search_4_3, slice0shift_search_4_4, slice0shift_search_4_5 : natural range 0 to 4095;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 4095;
+  signal slice0shift_reference_3, slice0shift_reference_4, slice0shift_search_out_0 : natural range 0 to 4095;
+  signal slice0shift_search_out_1, slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 4095;
+  signal slice0shift_search_out_4 : natural range 0 to 4095;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1, slice0cost_pixels_first_0_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_0_3, slice0cost_pixels_first_0_4, slice0cost_pixels_first_0_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_1_0, slice0cost_pixels_first_1_1, slice0cost_pixels_first_1_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_1_3, slice0cost_pixels_first_1_4, slice0cost_pixels_first_1_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_2_0, slice0cost_pixels_first_2_1, slice0cost_pixels_first_2_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_2_3, slice0cost_pixels_first_2_4, slice0cost_pixels_first_2_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_3_0, slice0cost_pixels_first_3_1, slice0cost_pixels_first_3_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_3_3, slice0cost_pixels_first_3_4, slice0cost_pixels_first_3_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_4_0, slice0cost_pixels_first_4_1, slice0cost_pixels_first_4_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_4_3, slice0cost_pixels_first_4_4, slice0cost_pixels_first_4_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
+  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
+  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_output_column : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_1_5 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1, slice0cost_pixels_cost_2_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4, slice0cost_pixels_cost_2_5 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_3_0, slice0cost_pixels_cost_3_1, slice0cost_pixels_cost_3_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_3_3, slice0cost_pixels_cost_3_4, slice0cost_pixels_cost_3_5 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_4_0, slice0cost_pixels_cost_4_1, slice0cost_pixels_cost_4_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_4_3, slice0cost_pixels_cost_4_4, slice0cost_pixels_cost_4_5 : natural range 0 to 19;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 19;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 19;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 38;
+  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_1_0, slice0cost_pair_1_1 : natural range 0 to 38;
+  signal slice0cost_pair_1_2, slice0cost_pair_1_3, slice0cost_pair_1_4, slice0cost_pair_1_5 : natural range 0 to 38;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 95;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 95;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 95;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 95;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 190;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 190;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 285;
+  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 285;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 380;
+  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 380;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 475;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 475;
+  -- slice0winner1
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 475;
+  signal slice0winner1_best_below_0_0, slice0winner1_best_below_0_1 : natural range 0 to 475;
+  signal slice0winner1_best_below_0_2, slice0winner1_best_above_0_0 : natural range 0 to 475;
+  signal slice0winner1_best_above_0_1, slice0winner1_best_above_0_2 : natural range 0 to 475;
+  signal slice0winner1_best_first_0_0, slice0winner1_best_first_0_1 : natural range 0 to 475;
+  signal slice0winner1_best_first_0_2, slice0winner1_best_last_0_0 : natural range 0 to 475;
+  signal slice0winner1_best_last_0_1 : natural range 0 to 475;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 475;
+  signal slice0winner2_best_below_0_0, slice0winner2_best_below_0_1 : natural range 0 to 475;
+  signal slice0winner2_best_above_0_0, slice0winner2_best_above_0_1 : natural range 0 to 475;
+  signal slice0winner2_best_first_0_0, slice0winner2_best_first_0_1 : natural range 0 to 475;
+  signal slice0winner2_best_last_0_0 : natural range 0 to 475;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 5;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_below_0_0 : natural range 0 to 475;
+  signal slice0winner3_best_above_0_0, slice0winner3_best_first_0_0 : natural range 0 to 475;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 5;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 475;
+  signal slice0_best_first_0_0 : natural range 0 to 475;
+  signal slice0_best_index_0_0 : natural range 0 to 11;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 4095;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 4095;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 4095;
+  signal slice1shift_search_1_3, slice1shift_search_1_4, slice1shift_search_1_5 : natural range 0 to 4095;
+  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 4095;
+  signal slice1shift_search_2_3, slice1shift_search_2_4, slice1shift_search_2_5 : natural range 0 to 4095;
+  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 4095;
+  signal slice1shift_search_3_3, slice1shift_search_3_4, slice1shift_search_3_5 : natural range 0 to 4095;
+  signal slice1shift_search_4_0, slice1shift_search_4_1, slice1shift_search_4_2 : natural range 0 to 4095;
+  signal slice1shift_search_4_3, slice1shift_search_4_4, slice1shift_search_4_5 : natural range 0 to 4095;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 4095;
+  signal slice1shift_reference_3, slice1shift_reference_4 : natural range 0 to 4095;
+  -- slice1cost
+  signal slice1cost_pixels_first_0_0, slice1cost_pixels_first_0_1, slice1cost_pixels_first_0_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_0_3, slice1cost_pixels_first_0_4, slice1cost_pixels_first_0_5 : natural range 0 to 255;
+  signal slice1cost_pixels_first_1_0, slice1cost_pixels_first_1_1, slice1cost_pixels_first_1_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_1_3, slice1cost_pixels_first_1_4, slice1cost_pixels_first_1_5 : natural range 0 to 255;
+  signal slice1cost_pixels_first_2_0, slice1cost_pixels_first_2_1, slice1cost_pixels_first_2_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_2_3, slice1cost_pixels_first_2_4, slice1cost_pixels_first_2_5 : natural range 0 to 255;
+  signal slice1cost_pixels_first_3_0, slice1cost_pixels_first_3_1, slice1cost_pixels_first_3_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_3_3, slice1cost_pixels_first_3_4, slice1cost_pixels_first_3_5 : natural range 0 to 255;
+  signal slice1cost_pixels_first_4_0, slice1cost_pixels_first_4_1, slice1cost_pixels_first_4_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_4_3, slice1cost_pixels_first_4_4, slice1cost_pixels_first_4_5 : natural range 0 to 255;
+  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_1_5 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1, slice1cost_pixels_cost_2_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4, slice1cost_pixels_cost_2_5 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_3_0, slice1cost_pixels_cost_3_1, slice1cost_pixels_cost_3_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_3_3, slice1cost_pixels_cost_3_4, slice1cost_pixels_cost_3_5 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_4_0, slice1cost_pixels_cost_4_1, slice1cost_pixels_cost_4_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_4_3, slice1cost_pixels_cost_4_4, slice1cost_pixels_cost_4_5 : natural range 0 to 19;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 19;
+  signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 19;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 38;
+  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_1_0, slice1cost_pair_1_1 : natural range 0 to 38;
+  signal slice1cost_pair_1_2, slice1cost_pair_1_3, slice1cost_pair_1_4, slice1cost_pair_1_5 : natural range 0 to 38;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 95;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 95;
+  signal slice1cost_tag_output_column : boolean;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 95;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 95;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 190;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 190;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 285;
+  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 285;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 380;
+  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 380;
+  signal slice1window_centre_output_column_0, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 475;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 475;
+  -- slice1winner1
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 475;
+  signal slice1winner1_best_below_0_0, slice1winner1_best_below_0_1 : natural range 0 to 475;
+  signal slice1winner1_best_below_0_2, slice1winner1_best_above_0_0 : natural range 0 to 475;
+  signal slice1winner1_best_above_0_1, slice1winner1_best_above_0_2 : natural range 0 to 475;
+  signal slice1winner1_best_first_0_1, slice1winner1_best_first_0_2 : natural range 0 to 475;
+  signal slice1winner1_best_last_0_0, slice1winner1_best_last_0_1, slice1winner1_best_last_0_2 : natural range 0 to 475;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 475;
+  signal slice1winner2_best_below_0_0, slice1winner2_best_below_0_1 : natural range 0 to 475;
+  signal slice1winner2_best_above_0_0, slice1winner2_best_above_0_1 : natural range 0 to 475;
+  signal slice1winner2_best_first_0_1, slice1winner2_best_last_0_0 : natural range 0 to 475;
+  signal slice1winner2_best_last_0_1 : natural range 0 to 475;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 5;
+  -- slice1winner3
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_below_0_0 : natural range 0 to 475;
+  signal slice1winner3_best_above_0_0, slice1winner3_best_last_0_0 : natural range 0 to 475;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 5;
+  -- slice1
+  signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 475;
+  signal slice1_best_index_0_0 : natural range 0 to 11;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  -- refinement
+  signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 11;
+  signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 11;
+  signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 11;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 11;
+  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
+  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
+  signal refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0, refinement_passed_11_0 : boolean;
+  signal refinement_tag_0_valid, refinement_tag_0_output_column, refinement_tag_0_start_of_frame : boolean;
+  signal refinement_tag_0_end_of_line, refinement_tag_1_valid, refinement_tag_1_output_column : boolean;
+  signal refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line, refinement_tag_2_valid : boolean;
+  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
+  signal refinement_tag_3_valid, refinement_tag_3_output_column, refinement_tag_3_start_of_frame : boolean;
+  signal refinement_tag_3_end_of_line, refinement_tag_4_valid, refinement_tag_4_output_column : boolean;
+  signal refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line, refinement_tag_5_valid : boolean;
+  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
+  signal refinement_tag_6_valid, refinement_tag_6_output_column, refinement_tag_6_start_of_frame : boolean;
+  signal refinement_tag_6_end_of_line, refinement_tag_7_valid, refinement_tag_7_output_column : boolean;
+  signal refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line, refinement_tag_8_valid : boolean;
+  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
+  signal refinement_tag_9_valid, refinement_tag_9_output_column, refinement_tag_9_start_of_frame : boolean;
+  signal refinement_tag_9_end_of_line, refinement_tag_10_valid, refinement_tag_10_output_column : boolean;
+  signal refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line, refinement_tag_11_valid : boolean;
+  signal refinement_tag_11_output_column, refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line : boolean;
+  signal refinement_negative_0_0, refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0 : boolean;
+  signal refinement_negative_4_0, refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0 : boolean;
+  signal refinement_negative_8_0 : boolean;
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_remainder_0_0 : natural range 0 to 475;
+  signal refinement_u_0, refinement_v_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 511;
+  signal refinement_remainder_3_0, refinement_remainder_4_0, refinement_remainder_5_0 : natural range 0 to 511;
+  signal refinement_remainder_6_0, refinement_remainder_7_0, refinement_divisor_0_0 : natural range 0 to 511;
+  signal refinement_divisor_1_0, refinement_divisor_2_0, refinement_divisor_3_0 : natural range 0 to 511;
+  signal refinement_divisor_4_0, refinement_divisor_5_0, refinement_divisor_6_0 : natural range 0 to 511;
+  signal refinement_divisor_7_0 : natural range 0 to 511;
+  signal refinement_difference_0 : integer range -475 to 475;
+  signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
+  -- map
+  signal map_out_disparity_0 : natural range 0 to 65535;
+  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  -- other
+  signal other_0 : natural range 0 to 254;
+  signal other_1 : natural range 0 to 252;
+  signal other_2 : natural range 0 to 248;
+  signal other_3 : natural range 0 to 240;
+  signal other_4 : natural range 0 to 224;
+  signal other_5 : natural range 0 to 192;
+  signal other_6 : natural range 0 to 128;
+  signal other_7, other_11 : natural range 0 to 65534;
+  signal other_8, other_9, other_12, other_13 : natural range 0 to 8192;
+  signal other_10, other_14 : natural range 0 to 2042;
+  signal other_15, other_16 : natural range 0 to 257;
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
+  signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+
+begin
+  in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_image_width <= to_integer(unsigned(image_width));
+  in_image_height <= to_integer(unsigned(image_height));
+  disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
+  disparity_valid <= as_bit(map_out_valid);
+  disparity_start_of_frame <= as_bit(map_out_start_of_frame);
+  disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
+  rows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
+  rows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 12);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 12)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
+  transform_left_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 40, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_2,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_2_memory_write_data);
+
+  transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words_1;
+  transform_left_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
+  transform_right_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 40, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_2,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_2_memory_write_data);
+
+  transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words_1;
+  transform_right_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  process (clock)
+    variable transform_counter_group_value, transform_counter_group_choice, transform_counter_group_choice_2 : boolean;
+    variable transform_counter_group_choice_3, transform_counter_group_value_2 : boolean;
+    variable transform_counter_group_choice_4, transform_counter_group_choice_5 : boolean;
+    variable transform_counter_group_choice_6, transform_counter_group_value_3 : boolean;
+    variable transform_counter_group_value_4, transform_counter_group_differs : boolean;
+    variable transform_counter_group_value_5, transform_counter_group_choice_7 : boolean;
+    variable transform_counter_group_choice_8, transform_counter_group_choice_9 : boolean;
+    variable transform_counter_group_value_6, transform_counter_group_choice_10 : boolean;
+    variable transform_counter_group_choice_11, transform_counter_group_choice_12 : boolean;
+    variable transform_counter_group_differs_2, transform_counter_group_value_8 : boolean;
+    variable transform_counter_group_value_9, transform_counter_group_differs_3, transform_counter_group_all : boolean;
+    variable transform_counter_group_choice_14, transform_counter_group_is_equal : boolean;
+    variable transform_counter_group_choice_15, transform_counter_group_choice_16 : boolean;
+    variable transform_counter_group_choice_17, transform_counter_group_choice_18 : boolean;
+    variable transform_counter_group_value_10, transform_counter_group_choice_19 : boolean;
+    variable transform_counter_group_choice_20, transform_counter_group_choice_21 : boolean;
+    variable transform_counter_group_choice_22, transform_counter_group_choice_23 : boolean;
+    variable transform_counter_group_choice_24, transform_counter_group_differs_4 : boolean;
+    variable transform_centre_column_any, transform_from_first_1_value, transform_from_first_1_choice : boolean;
+    variable transform_up_to_last_0_is_equal, transform_up_to_last_0_value, transform_up_to_last_0_choice : boolean;
+    variable transform_up_to_last_0_choice_2, transform_up_to_last_0_value_2, transform_up_to_last_0_choice_3 : boolean;
+    variable transform_up_to_last_0_choice_4, transform_up_to_last_0_value_3, transform_up_to_last_0_choice_5 : boolean;
+    variable transform_up_to_last_0_choice_6, transform_up_to_last_1_choice, transform_up_to_last_1_choice_2 : boolean;
+    variable transform_up_to_last_1_choice_3, transform_up_to_last_1_choice_4 : boolean;
+    variable transform_up_to_last_1_choice_5, transform_up_to_last_1_choice_6 : boolean;
+    variable transform_counter_next_frame_choice, raster_place_group_value, raster_place_group_is_equal : boolean;
+    variable raster_place_group_is_equal_2, raster_place_group_choice, raster_place_group_is_equal_3 : boolean;
+    variable raster_place_group_is_equal_4, raster_place_group_choice_2, raster_place_group_choice_3 : boolean;
+    variable raster_place_group_is_equal_5, raster_place_group_is_equal_6, raster_place_group_choice_4 : boolean;
+    variable raster_place_group_is_equal_7, raster_place_group_is_equal_8, raster_place_group_choice_5 : boolean;
+    variable raster_place_group_choice_6, raster_place_group_value_2, raster_place_group_differs : boolean;
+    variable raster_place_group_is_equal_9, raster_place_group_is_equal_10, raster_place_group_choice_7 : boolean;
+    variable raster_place_group_is_equal_11, raster_place_group_is_equal_12, raster_place_group_choice_8 : boolean;
+    variable raster_place_group_choice_9, raster_place_group_is_equal_13, raster_place_group_is_equal_14 : boolean;
+    variable raster_place_group_choice_10, raster_place_group_is_equal_15, raster_place_group_is_equal_16 : boolean;
+    variable raster_place_group_choice_11, raster_place_group_choice_12, raster_place_group_differs_2 : boolean;
+    variable raster_place_group_value_4, raster_place_group_differs_3, raster_place_group_all : boolean;
+    variable raster_place_group_value_5, raster_place_group_choice_14, raster_place_group_choice_15 : boolean;
+    variable raster_place_group_choice_16, raster_place_group_value_6, raster_place_group_choice_17 : boolean;
+    variable raster_place_group_choice_18, raster_place_group_value_7, raster_place_group_choice_19 : boolean;
+    variable raster_place_group_choice_20, raster_place_group_choice_21, raster_place_group_choice_22 : boolean;
+    variable raster_place_group_choice_23, raster_place_group_choice_24, raster_place_group_differs_4 : boolean;
+    variable raster_place_next_frame_all, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, raster_place_next_frame_choice_4, delay_row_inside_1_is_equal : boolean;
+    variable delay_row_inside_1_choice, delay_row_inside_1_is_less, delay_row_inside_2_differs : boolean;
+    variable delay_row_inside_3_is_less, delay_tag_border_column_value, delay_tag_border_column_all : boolean;
+    variable delay_tag_output_column_value, delay_tag_output_column_choice, delay_tag_output_column_choice_2 : boolean;
+    variable delay_tag_output_column_value_2, delay_tag_output_column_choice_3 : boolean;
+    variable delay_tag_output_column_value_3, delay_tag_output_column_choice_4 : boolean;
+    variable delay_tag_output_column_value_4, delay_tag_output_column_value_5 : boolean;
+    variable delay_tag_output_column_choice_5, delay_tag_output_column_choice_6, delay_tag_end_of_line_choice : boolean;
+    variable delay_tag_end_of_line_choice_2, delay_tag_end_of_line_choice_3, delay_tag_end_of_line_choice_4 : boolean;
+    variable delay_tag_end_of_line_choice_5, delay_tag_end_of_line_choice_6 : boolean;
+    variable slice0cost_pixels_first_0_0_value, slice0cost_pixels_first_0_0_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_value_3, slice0cost_pixels_first_0_0_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_value_5, slice0cost_pixels_first_0_0_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_value_7, slice0cost_pixels_first_0_0_value_8 : boolean;
+    variable slice0cost_pixels_first_0_0_value_9, slice0cost_pixels_first_0_0_value_10 : boolean;
+    variable slice0cost_pixels_first_1_0_value, slice0cost_pixels_first_1_0_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_value_3, slice0cost_pixels_first_1_0_value_4 : boolean;
+    variable slice0cost_pixels_first_1_0_value_5, slice0cost_pixels_first_1_0_value_6 : boolean;
+    variable slice0cost_pixels_first_1_0_value_7, slice0cost_pixels_first_1_0_value_8 : boolean;
+    variable slice0cost_pixels_first_1_0_value_9, slice0cost_pixels_first_1_0_value_10 : boolean;
+    variable slice0cost_pixels_first_2_0_value, slice0cost_pixels_first_2_0_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_value_3, slice0cost_pixels_first_2_0_value_4 : boolean;
+    variable slice0cost_pixels_first_2_0_value_5, slice0cost_pixels_first_2_0_value_6 : boolean;
+    variable slice0cost_pixels_first_2_0_value_7, slice0cost_pixels_first_2_0_value_8 : boolean;
+    variable slice0cost_pixels_first_2_0_value_9, slice0cost_pixels_first_2_0_value_10 : boolean;
+    variable slice0cost_pixels_first_3_0_value, slice0cost_pixels_first_3_0_value_2 : boolean;
+    variable slice0cost_pixels_first_3_0_value_3, slice0cost_pixels_first_3_0_value_4 : boolean;
+    variable slice0cost_pixels_first_3_0_value_5, slice0cost_pixels_first_3_0_value_6 : boolean;
+    variable slice0cost_pixels_first_3_0_value_7, slice0cost_pixels_first_3_0_value_8 : boolean;
+    variable slice0cost_pixels_first_3_0_value_9, slice0cost_pixels_first_3_0_value_10 : boolean;
+    variable slice0cost_pixels_first_4_0_value, slice0cost_pixels_first_4_0_value_2 : boolean;
+    variable slice0cost_pixels_first_4_0_value_3, slice0cost_pixels_first_4_0_value_4 : boolean;
+    variable slice0cost_pixels_first_4_0_value_5, slice0cost_pixels_first_4_0_value_6 : boolean;
+    variable slice0cost_pixels_first_4_0_value_7, slice0cost_pixels_first_4_0_value_8 : boolean;
+    variable slice0cost_pixels_first_4_0_value_9, slice0cost_pixels_first_4_0_value_10 : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
+    variable slice0winner1_best_cost_0_2_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice1cost_pixels_first_0_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_value_2, slice1cost_pixels_first_0_0_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_value_4, slice1cost_pixels_first_0_0_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_value_6, slice1cost_pixels_first_0_0_value_7 : boolean;
+    variable slice1cost_pixels_first_0_0_value_8, slice1cost_pixels_first_0_0_value_9 : boolean;
+    variable slice1cost_pixels_first_0_0_value_10, slice1cost_pixels_first_1_0_value : boolean;
+    variable slice1cost_pixels_first_1_0_value_2, slice1cost_pixels_first_1_0_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_value_4, slice1cost_pixels_first_1_0_value_5 : boolean;
+    variable slice1cost_pixels_first_1_0_value_6, slice1cost_pixels_first_1_0_value_7 : boolean;
+    variable slice1cost_pixels_first_1_0_value_8, slice1cost_pixels_first_1_0_value_9 : boolean;
+    variable slice1cost_pixels_first_1_0_value_10, slice1cost_pixels_first_2_0_value : boolean;
+    variable slice1cost_pixels_first_2_0_value_2, slice1cost_pixels_first_2_0_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_value_4, slice1cost_pixels_first_2_0_value_5 : boolean;
+    variable slice1cost_pixels_first_2_0_value_6, slice1cost_pixels_first_2_0_value_7 : boolean;
+    variable slice1cost_pixels_first_2_0_value_8, slice1cost_pixels_first_2_0_value_9 : boolean;
+    variable slice1cost_pixels_first_2_0_value_10, slice1cost_pixels_first_3_0_value : boolean;
+    variable slice1cost_pixels_first_3_0_value_2, slice1cost_pixels_first_3_0_value_3 : boolean;
+    variable slice1cost_pixels_first_3_0_value_4, slice1cost_pixels_first_3_0_value_5 : boolean;
+    variable slice1cost_pixels_first_3_0_value_6, slice1cost_pixels_first_3_0_value_7 : boolean;
+    variable slice1cost_pixels_first_3_0_value_8, slice1cost_pixels_first_3_0_value_9 : boolean;
+    variable slice1cost_pixels_first_3_0_value_10, slice1cost_pixels_first_4_0_value : boolean;
+    variable slice1cost_pixels_first_4_0_value_2, slice1cost_pixels_first_4_0_value_3 : boolean;
+    variable slice1cost_pixels_first_4_0_value_4, slice1cost_pixels_first_4_0_value_5 : boolean;
+    variable slice1cost_pixels_first_4_0_value_6, slice1cost_pixels_first_4_0_value_7 : boolean;
+    variable slice1cost_pixels_first_4_0_value_8, slice1cost_pixels_first_4_0_value_9 : boolean;
+    variable slice1cost_pixels_first_4_0_value_10, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, refinement_divisor_0_0_is_less : boolean;
+    variable transform_counter_group_value_7, raster_place_group_value_3 : natural range 0 to 3;
+    variable transform_counter_group_choice_13, transform_counter_group_choice_25 : natural range 0 to 31;
+    variable transform_counter_group_choice_26, raster_place_group_choice_13 : natural range 0 to 31;
+    variable raster_place_group_choice_25, raster_place_group_choice_26 : natural range 0 to 31;
+    variable transform_centre_column_choice : natural range 0 to 63;
+    variable transform_up_to_last_0_sum : natural range 1 to 32;
+    variable transform_up_to_last_0_difference : integer range -31 to 32;
+    variable transform_up_to_last_1_sum : natural range 1 to 16;
+    variable delay_row_inside_0_difference : integer range -31 to 31;
+    variable slice0winner2_best_below_0_0_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 475;
+    variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 475;
+    variable slice1winner2_best_below_0_0_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 475;
+    variable slice1winner3_best_below_0_0_choice, slice1winner3_best_above_0_0_choice : natural range 0 to 475;
+    variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 475;
+    variable refinement_remainder_1_0_difference : natural range 513 to 1499;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 513 to 2046;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 513 to 2046;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 513 to 2046;
+    variable refinement_divisor_0_0_choice : natural range 0 to 511;
+    variable refinement_fraction_0_difference : integer range -15 to 0;
+    variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
+    variable refinement_fraction_0_choice_2 : natural range 0 to 7;
+  begin
+    if rising_edge(clock) then
+      -- size
+      size_windows_last_column <= (in_image_width + 63) mod 64;
+      size_windows_last_group <= (in_image_height + 31) mod 32;
+      size_windows_groups <= in_image_height mod 32;
+      size_windows_last_counted <= (in_image_height + 1) mod 32;
+      size_windows_idle <= (((((in_image_height mod 32) / 2) + 1) mod 16) * 2) + (in_image_height mod 2);
+      size_transform_last_counted <= (in_image_height + 3) mod 32;
+      size_transform_idle <= (((((in_image_height mod 32) / 4) + 1) mod 8) * 4) + (in_image_height mod 4);
+      size_last_map_column <= (((((in_image_width mod 64) / 2) + 31) mod 32) * 2) + (in_image_width mod 2);
+      -- transform
+      transform_counter_group_value := ((transform_counter_group / 8) mod 2) = 1;
+      transform_counter_group_choice := (size_windows_last_group / 8) = 3 when transform_counter_group_value else
+        (size_windows_last_group / 8) = 2;
+      transform_counter_group_choice_2 := (size_windows_last_group / 8) = 1 when transform_counter_group_value else
+        (size_windows_last_group / 8) = 0;
+      transform_counter_group_choice_3 := transform_counter_group_choice when (transform_counter_group / 16) = 1 else
+        transform_counter_group_choice_2;
+      transform_counter_group_value_2 := ((transform_counter_group / 2) mod 2) = 1;
+      transform_counter_group_choice_4 := (size_windows_last_group mod 4) = 3 when transform_counter_group_value_2 else
+        (size_windows_last_group mod 4) = 1;
+      transform_counter_group_choice_5 := (size_windows_last_group mod 4) = 2 when transform_counter_group_value_2 else
+        (size_windows_last_group mod 4) = 0;
+      transform_counter_group_choice_6 := transform_counter_group_choice_4 when (transform_counter_group mod 2) = 1
+        else transform_counter_group_choice_5;
+      transform_counter_group_value_3 := ((transform_counter_group / 4) mod 2) = 1;
+      transform_counter_group_value_4 := ((size_windows_last_group / 4) mod 2) = 1;
+      transform_counter_group_differs := transform_counter_group_value_3 /= (not transform_counter_group_value_4);
+      transform_counter_group_value_5 := ((transform_counter_column / 16) mod 2) = 1;
+      transform_counter_group_choice_7 := (size_windows_last_column / 16) = 3 when transform_counter_group_value_5 else
+        (size_windows_last_column / 16) = 2;
+      transform_counter_group_choice_8 := (size_windows_last_column / 16) = 1 when transform_counter_group_value_5 else
+        (size_windows_last_column / 16) = 0;
+      transform_counter_group_choice_9 := transform_counter_group_choice_7 when (transform_counter_column / 32) = 1
+        else transform_counter_group_choice_8;
+      transform_counter_group_value_6 := ((transform_counter_column / 4) mod 2) = 1;
+      transform_counter_group_value_7 := (size_windows_last_column / 2) mod 4;
+      transform_counter_group_choice_10 := transform_counter_group_value_7 = 3 when transform_counter_group_value_6
+        else transform_counter_group_value_7 = 1;
+      transform_counter_group_choice_11 := transform_counter_group_value_7 = 2 when transform_counter_group_value_6
+        else transform_counter_group_value_7 = 0;
+      transform_counter_group_choice_12 := transform_counter_group_choice_10 when ((transform_counter_column / 2) mod
+        2) = 1 else transform_counter_group_choice_11;
+      transform_counter_group_differs_2 := ((transform_counter_column mod 2) = 1) /= (not ((size_windows_last_column
+        mod 2) = 1));
+      transform_counter_group_value_8 := ((transform_counter_column / 8) mod 2) = 1;
+      transform_counter_group_value_9 := ((size_windows_last_column / 8) mod 2) = 1;
+      transform_counter_group_differs_3 := transform_counter_group_value_8 /= (not transform_counter_group_value_9);
+      transform_counter_group_all := transform_counter_group_choice_3 and transform_counter_group_choice_6 and
+        transform_counter_group_differs and transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+        transform_counter_group_differs_2 and transform_counter_group_differs_3;
+      transform_counter_group_choice_13 := size_windows_groups when transform_counter_group_all else 0;
+      transform_counter_group_choice_14 := (not ((transform_counter_group mod 2) = 1)) or (not
+        transform_counter_group_value_2) when (size_transform_idle mod 2) = 1 else not transform_counter_group_value_2;
+      transform_counter_group_is_equal := (transform_counter_group mod 4) = 0;
+      transform_counter_group_choice_15 := transform_counter_group_choice_14 when ((size_transform_idle / 2) mod 2) = 1
+        else ((size_transform_idle mod 2) = 1) and transform_counter_group_is_equal;
+      transform_counter_group_choice_16 := (not (((size_transform_idle / 4) mod 2) = 1)) and
+        transform_counter_group_value_3 when transform_counter_group_choice_15 else (not (((size_transform_idle / 4)
+        mod 2) = 1)) or transform_counter_group_value_3;
+      transform_counter_group_choice_17 := (not (((size_transform_idle / 8) mod 2) = 1)) or
+        transform_counter_group_value when transform_counter_group_choice_16 else (not (((size_transform_idle / 8) mod
+        2) = 1)) and transform_counter_group_value;
+      transform_counter_group_choice_18 := transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+        transform_counter_group_differs_2 and transform_counter_group_differs_3 and ((size_transform_idle / 16) = 1)
+        and (not ((transform_counter_group / 16) = 1)) when transform_counter_group_choice_17 else
+        transform_counter_group_choice_9 and transform_counter_group_choice_12 and transform_counter_group_differs_2
+        and transform_counter_group_differs_3 and (((size_transform_idle / 16) = 1) or (not ((transform_counter_group /
+        16) = 1)));
+      transform_counter_group_value_10 := ((size_transform_last_counted / 8) mod 2) = 1;
+      transform_counter_group_choice_19 := (transform_counter_group / 8) = 3 when transform_counter_group_value_10 else
+        (transform_counter_group / 8) = 2;
+      transform_counter_group_choice_20 := (transform_counter_group / 8) = 1 when transform_counter_group_value_10 else
+        (transform_counter_group / 8) = 0;
+      transform_counter_group_choice_21 := transform_counter_group_choice_19 when (size_transform_last_counted / 16) =
+        1 else transform_counter_group_choice_20;
+      transform_counter_group_choice_22 := (transform_counter_group mod 4) = 3 when (size_transform_last_counted mod 2)
+        = 1 else (transform_counter_group mod 4) = 2;
+      transform_counter_group_choice_23 := (transform_counter_group mod 4) = 1 when (size_transform_last_counted mod 2)
+        = 1 else transform_counter_group_is_equal;
+      transform_counter_group_choice_24 := transform_counter_group_choice_22 when ((size_transform_last_counted / 2)
+        mod 2) = 1 else transform_counter_group_choice_23;
+      transform_counter_group_differs_4 := (((size_transform_last_counted / 4) mod 2) = 1) /= (not
+        transform_counter_group_value_3);
+      transform_counter_group_choice_25 := 4 when transform_counter_group_choice_21 and
+        transform_counter_group_choice_24 and transform_counter_group_differs_4 and transform_counter_next_frame else
+        (transform_counter_group + 1) mod 32;
+      transform_counter_group_choice_26 := transform_counter_group_choice_25 when transform_counter_group_choice_18 and
+        in_valid else transform_counter_group;
+      transform_centre_column_any := ((transform_counter_column / 32) = 1) or transform_counter_group_value_5 or
+        transform_counter_group_value_8 or transform_counter_group_value_6;
+      transform_centre_column_choice := 60 when transform_centre_column_any else transform_columns_up_value;
+      transform_from_first_1_value := ((transform_centre_column / 2) mod 2) = 1;
+      transform_from_first_1_choice := ((transform_centre_column / 4) mod 4) = 0 when (transform_centre_column mod 2) =
+        1 else (not (((transform_centre_column / 8) mod 2) = 1)) and ((not (((transform_centre_column / 4) mod 2) = 1))
+        or (not transform_from_first_1_value));
+      transform_up_to_last_0_sum := (transform_centre_column / 2) + 1;
+      transform_up_to_last_0_is_equal := (size_windows_last_column mod 4) = 3;
+      transform_up_to_last_0_value := ((size_windows_last_column / 2) mod 2) = 1;
+      transform_up_to_last_0_choice := transform_up_to_last_0_is_equal when (transform_centre_column mod 2) = 1 else
+        transform_up_to_last_0_value;
+      transform_up_to_last_0_choice_2 := transform_up_to_last_0_choice when (transform_up_to_last_0_sum mod 2) = 1 else
+        (not ((transform_centre_column mod 2) = 1)) or ((size_windows_last_column mod 2) = 1) or
+        transform_up_to_last_0_value;
+      transform_up_to_last_0_value_2 := ((size_windows_last_column / 4) mod 2) = 1;
+      transform_up_to_last_0_choice_3 := (not (((transform_up_to_last_0_sum / 2) mod 2) = 1)) or
+        transform_up_to_last_0_value_2 when transform_up_to_last_0_choice_2 else (not (((transform_up_to_last_0_sum /
+        2) mod 2) = 1)) and transform_up_to_last_0_value_2;
+      transform_up_to_last_0_choice_4 := (not (((transform_up_to_last_0_sum / 4) mod 2) = 1)) or
+        transform_counter_group_value_9 when transform_up_to_last_0_choice_3 else (not (((transform_up_to_last_0_sum /
+        4) mod 2) = 1)) and transform_counter_group_value_9;
+      transform_up_to_last_0_value_3 := ((size_windows_last_column / 16) mod 2) = 1;
+      transform_up_to_last_0_choice_5 := (not (((transform_up_to_last_0_sum / 8) mod 2) = 1)) or
+        transform_up_to_last_0_value_3 when transform_up_to_last_0_choice_4 else (not (((transform_up_to_last_0_sum /
+        8) mod 2) = 1)) and transform_up_to_last_0_value_3;
+      transform_up_to_last_0_choice_6 := (not ((transform_up_to_last_0_sum / 32) = 1)) and ((not
+        (((transform_up_to_last_0_sum / 16) mod 2) = 1)) or ((size_windows_last_column / 32) = 1)) when
+        transform_up_to_last_0_choice_5 else ((transform_up_to_last_0_sum / 16) = 0) and ((size_windows_last_column /
+        32) = 1);
+      transform_up_to_last_0_difference := transform_centre_group - size_windows_groups;
+      transform_up_to_last_1_choice := transform_up_to_last_0_is_equal when transform_from_first_1_value else
+        ((size_windows_last_column mod 2) = 1) or transform_up_to_last_0_value;
+      transform_up_to_last_1_choice_2 := transform_up_to_last_1_choice when (transform_centre_column mod 2) = 1 else
+        (not transform_from_first_1_value) or transform_up_to_last_0_value;
+      transform_up_to_last_1_sum := (transform_centre_column / 4) + 1;
+      transform_up_to_last_1_choice_3 := (not ((transform_up_to_last_1_sum mod 2) = 1)) or
+        transform_up_to_last_0_value_2 when transform_up_to_last_1_choice_2 else (not ((transform_up_to_last_1_sum mod
+        2) = 1)) and transform_up_to_last_0_value_2;
+      transform_up_to_last_1_choice_4 := (not (((transform_up_to_last_1_sum / 2) mod 2) = 1)) or
+        transform_counter_group_value_9 when transform_up_to_last_1_choice_3 else (not (((transform_up_to_last_1_sum /
+        2) mod 2) = 1)) and transform_counter_group_value_9;
+      transform_up_to_last_1_choice_5 := (not (((transform_up_to_last_1_sum / 4) mod 2) = 1)) or
+        transform_up_to_last_0_value_3 when transform_up_to_last_1_choice_4 else (not (((transform_up_to_last_1_sum /
+        4) mod 2) = 1)) and transform_up_to_last_0_value_3;
+      transform_up_to_last_1_choice_6 := (not ((transform_up_to_last_1_sum / 16) = 1)) and ((not
+        (((transform_up_to_last_1_sum / 8) mod 2) = 1)) or ((size_windows_last_column / 32) = 1)) when
+        transform_up_to_last_1_choice_5 else ((transform_up_to_last_1_sum / 8) = 0) and ((size_windows_last_column /
+        32) = 1);
+      transform_left_0 <= in_left_pixel;
+      transform_right_0 <= in_right_pixel;
+      transform_valid <= in_valid;
+      transform_counter_group <= transform_counter_group_choice_13 when in_valid and in_start_of_frame else
+        transform_counter_group_choice_26;
+      transform_left_rows_read_newest_0 <= transform_left_0;
+      transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
+      transform_left_rows_ready_words_1 <= transform_left_rows_read_words_1;
+      transform_left_rows_ready_words_2 <= to_integer(transform_left_rows_read_words_2);
+      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+      transform_right_rows_read_newest_0 <= transform_right_0;
+      transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
+      transform_right_rows_ready_words_1 <= transform_right_rows_read_words_1;
+      transform_right_rows_ready_words_2 <= to_integer(transform_right_rows_read_words_2);
+      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+      transform_read_column <= transform_counter_column;
+      transform_ready_column <= transform_read_column;
+      transform_columns_up_value <= (size_windows_last_column + 61) mod 64;
+      transform_centre_column <= (transform_centre_column_choice + transform_counter_column) mod 64;
+      transform_centre_group <= transform_counter_group + as_number(transform_centre_column_any);
+      transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+        (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+        ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1) when ((transform_centre_column /
+        2) mod 16) = 0 else not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not (((transform_centre_group /
+        2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and ((transform_centre_group / 8) = 0));
+      transform_from_first_1 <= (not (transform_from_first_1_choice and ((transform_centre_column / 16) = 0))) and
+        ((transform_centre_group / 32) = 1) when (not (((transform_centre_group / 16) mod 2) = 1)) and ((not
+        (((transform_centre_group / 8) mod 2) = 1)) or (((transform_centre_group / 2) mod 4) = 0)) else not
+        (transform_from_first_1_choice and ((transform_centre_column / 16) = 0));
+      transform_up_to_last_0 <= transform_up_to_last_0_choice_6 and (transform_up_to_last_0_difference < 3);
+      transform_up_to_last_1 <= transform_up_to_last_1_choice_6 and (transform_up_to_last_0_difference < 1);
+      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
+      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column_3 <= to_integer(transform_left_rows_ready_words_0(31 downto 24));
+      transform_left_column_4 <= to_integer(transform_left_rows_ready_words_1(7 downto 0));
+      transform_left_column_5 <= to_integer(transform_left_rows_ready_words_1(15 downto 8));
+      transform_left_column_6 <= to_integer(transform_left_rows_ready_words_1(23 downto 16));
+      transform_left_column_7 <= to_integer(transform_left_rows_ready_words_1(31 downto 24));
+      transform_left_column_8 <= transform_left_rows_ready_words_2;
+      transform_left_column_9 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column_1 <= to_integer(transform_right_rows_ready_words_0(15 downto 8));
+      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column_3 <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
+      transform_right_column_4 <= to_integer(transform_right_rows_ready_words_1(7 downto 0));
+      transform_right_column_5 <= to_integer(transform_right_rows_ready_words_1(15 downto 8));
+      transform_right_column_6 <= to_integer(transform_right_rows_ready_words_1(23 downto 16));
+      transform_right_column_7 <= to_integer(transform_right_rows_ready_words_1(31 downto 24));
+      transform_right_column_8 <= transform_right_rows_ready_words_2;
+      transform_right_column_9 <= transform_right_rows_ready_newest_0;
+      transform_columns_inside_0 <= transform_up_to_last_0 and transform_from_first_0;
+      transform_columns_inside_1 <= transform_up_to_last_1 and transform_from_first_1;
+      transform_columns_start_of_frame <= (other_15 mod 2) = 1;
+      transform_columns_valid <= (other_15 / 256) = 1;
+      transform_left_code_column_box_0_0_0 <= transform_left_column_3;
+      transform_left_code_column_box_0_1_0 <= transform_left_column_4;
+      transform_left_code_column_box_0_2_0 <= transform_left_column_5;
+      transform_left_code_column_box_0_3_0 <= transform_left_column_6;
+      transform_left_code_column_box_0_4_0 <= transform_left_column_7;
+      transform_left_code_column_centre <= transform_left_code_column_box_0_2_0;
+      transform_left_code_column_near <= transform_left_code_column_box_0_1_0 + transform_left_code_column_box_0_3_0;
+      transform_left_code_column_outer <= (510 - transform_left_code_column_box_0_4_0) -
+        transform_left_code_column_box_0_0_0;
+      transform_left_code_column_upper <= 765 - (((transform_left_code_column_box_0_1_0 +
+        (transform_left_code_column_box_0_0_0 / 2)) * 2) + (transform_left_code_column_box_0_0_0 mod 2));
+      transform_left_code_column_lower <= ((transform_left_code_column_box_0_3_0 +
+        (transform_left_code_column_box_0_4_0 / 2)) * 2) + (transform_left_code_column_box_0_4_0 mod 2);
+      transform_left_code_column_response_0 <= ((transform_left_code_column_centre + (transform_left_code_column_near /
+        2)) * 2) + (transform_left_code_column_near mod 2);
+      transform_left_code_column_response_1 <= ((transform_left_code_column_centre + (transform_left_code_column_outer
+        / 2)) * 2) + (transform_left_code_column_outer mod 2);
+      transform_left_code_column_response_2 <= transform_left_code_column_upper + transform_left_code_column_lower;
+      transform_left_code_row_box_0_0 <= transform_left_code_column_response_0;
+      transform_left_code_row_box_0_1 <= transform_left_code_column_response_1;
+      transform_left_code_row_box_0_2 <= transform_left_code_column_response_2;
+      transform_left_code_row_centre_0 <= transform_left_code_row_column_0_1;
+      transform_left_code_row_centre_1 <= transform_left_code_row_column_1_1;
+      transform_left_code_row_centre_2 <= transform_left_code_row_column_2_1;
+      transform_left_code_row_outer_1 <= transform_left_code_row_box_0_1 + transform_left_code_row_column_1_3;
+      transform_left_code_row_outer_2 <= transform_left_code_row_box_0_2 + transform_left_code_row_column_2_3;
+      transform_left_code_row_before_0 <= ((transform_left_code_row_column_0_2 + (transform_left_code_row_column_0_3 /
+        2)) * 2) + (transform_left_code_row_column_0_3 mod 2);
+      transform_left_code_row_before_1 <= ((transform_left_code_row_column_1_2 + (transform_left_code_row_column_1_3 /
+        2)) * 2) + (transform_left_code_row_column_1_3 mod 2);
+      transform_left_code_row_before_2 <= ((transform_left_code_row_column_2_2 + (transform_left_code_row_column_2_3 /
+        2)) * 2) + (transform_left_code_row_column_2_3 mod 2);
+      transform_left_code_row_after_0 <= (((transform_left_code_row_box_0_0 / 2) + transform_left_code_row_column_0_0)
+        * 2) + (transform_left_code_row_box_0_0 mod 2);
+      transform_left_code_row_after_1 <= (((transform_left_code_row_box_0_1 / 2) + transform_left_code_row_column_1_0)
+        * 2) + (transform_left_code_row_box_0_1 mod 2);
+      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0_2 / 2) + transform_left_code_row_column_2_0)
+        * 2) + (transform_left_code_row_box_0_2 mod 2);
+      transform_left_code_row_even_1 <= ((((transform_left_code_row_outer_1 / 2) - transform_left_code_row_centre_1)
+        mod 8192) * 2) + (transform_left_code_row_outer_1 mod 2);
+      transform_left_code_row_even_2 <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre_2)
+        mod 8192) * 2) + (transform_left_code_row_outer_2 mod 2);
+      transform_left_code_row_odd_1 <= (transform_left_code_row_before_1 - transform_left_code_row_after_1) mod 16384;
+      transform_left_code_row_odd_2 <= (transform_left_code_row_before_2 - transform_left_code_row_after_2) mod 16384;
+      transform_left_code_row_signs <= ((other_12 / 8192) * 2) + (other_13 / 8192) + ((((transform_left_code_row_even_2
+        + transform_left_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_left_code_row_odd_1 -
+        transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
+        transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
+        transform_left_code_row_odd_2) mod 16384) / 8192) * 16);
+      transform_left_code_bits <= transform_left_code_earlier_1 when transform_filtering_6_inside_0 else 0;
+      transform_left_code_next_column_box_0_0_0 <= transform_left_column_0 + transform_left_column_1;
+      transform_left_code_next_column_box_0_1_0 <= transform_left_column_2 + transform_left_column_3;
+      transform_left_code_next_column_box_0_2_0 <= transform_left_column_4 + transform_left_column_5;
+      transform_left_code_next_column_box_0_3_0 <= transform_left_column_6 + transform_left_column_7;
+      transform_left_code_next_column_box_0_4_0 <= transform_left_column_8 + transform_left_column_9;
+      transform_left_code_next_column_centre <= transform_left_code_next_column_box_0_2_0;
+      transform_left_code_next_column_near <= transform_left_code_next_column_box_0_1_0 +
+        transform_left_code_next_column_box_0_3_0;
+      transform_left_code_next_column_outer <= (1020 - transform_left_code_next_column_box_0_4_0) -
+        transform_left_code_next_column_box_0_0_0;
+      transform_left_code_next_column_upper <= (1530 - (((transform_left_code_next_column_box_0_1_0 +
+        (transform_left_code_next_column_box_0_0_0 / 2)) * 2) + (transform_left_code_next_column_box_0_0_0 mod 2))) mod
+        65536;
+      transform_left_code_next_column_lower <= ((transform_left_code_next_column_box_0_3_0 +
+        (transform_left_code_next_column_box_0_4_0 / 2)) * 2) + (transform_left_code_next_column_box_0_4_0 mod 2);
+      transform_left_code_next_column_response_0 <= ((transform_left_code_next_column_centre +
+        (transform_left_code_next_column_near / 2)) * 2) + (transform_left_code_next_column_near mod 2);
+      transform_left_code_next_column_response_1 <= ((transform_left_code_next_column_centre +
+        (transform_left_code_next_column_outer / 2)) * 2) + (transform_left_code_next_column_outer mod 2);
+      transform_left_code_next_column_response_2 <= (transform_left_code_next_column_upper +
+        transform_left_code_next_column_lower) mod 65536;
+      transform_left_code_next_row_box_0_0 <= transform_left_code_next_column_response_0 +
+        transform_left_code_next_row_earlier_0_0_0;
+      transform_left_code_next_row_box_0_1 <= transform_left_code_next_column_response_1 +
+        transform_left_code_next_row_earlier_0_1_0;
+      transform_left_code_next_row_box_0_2 <= (transform_left_code_next_column_response_2 +
+        transform_left_code_next_row_earlier_0_2_0) mod 65536;
+      transform_left_code_next_row_centre_0 <= transform_left_code_next_row_column_0_3;
+      transform_left_code_next_row_centre_1 <= transform_left_code_next_row_column_1_3;
+      transform_left_code_next_row_centre_2 <= transform_left_code_next_row_column_2_3 mod 32768;
+      transform_left_code_next_row_outer_0 <= transform_left_code_next_row_box_0_0 +
+        transform_left_code_next_row_column_0_7;
+      transform_left_code_next_row_outer_1 <= transform_left_code_next_row_box_0_1 +
+        transform_left_code_next_row_column_1_7;
+      transform_left_code_next_row_outer_2 <= (transform_left_code_next_row_box_0_2 +
+        transform_left_code_next_row_column_2_7) mod 65536;
+      transform_left_code_next_row_before_0 <= ((transform_left_code_next_row_column_0_5 +
+        (transform_left_code_next_row_column_0_7 / 2)) * 2) + (transform_left_code_next_row_column_0_7 mod 2);
+      transform_left_code_next_row_before_1 <= ((transform_left_code_next_row_column_1_5 +
+        (transform_left_code_next_row_column_1_7 / 2)) * 2) + (transform_left_code_next_row_column_1_7 mod 2);
+      transform_left_code_next_row_before_2 <= (((transform_left_code_next_row_column_2_5 +
+        (transform_left_code_next_row_column_2_7 / 2)) mod 32768) * 2) + (transform_left_code_next_row_column_2_7 mod
+        2);
+      transform_left_code_next_row_after_0 <= (((transform_left_code_next_row_box_0_0 / 2) +
+        transform_left_code_next_row_column_0_1) * 2) + (transform_left_code_next_row_box_0_0 mod 2);
+      transform_left_code_next_row_after_1 <= (((transform_left_code_next_row_box_0_1 / 2) +
+        transform_left_code_next_row_column_1_1) * 2) + (transform_left_code_next_row_box_0_1 mod 2);
+      transform_left_code_next_row_after_2 <= ((((transform_left_code_next_row_box_0_2 / 2) +
+        transform_left_code_next_row_column_2_1) mod 32768) * 2) + (transform_left_code_next_row_box_0_2 mod 2);
+      transform_left_code_next_row_even_1 <= ((((transform_left_code_next_row_outer_1 / 2) -
+        transform_left_code_next_row_centre_1) mod 32768) * 2) + (transform_left_code_next_row_outer_1 mod 2);
+      transform_left_code_next_row_even_2 <= ((((transform_left_code_next_row_outer_2 / 2) -
+        transform_left_code_next_row_centre_2) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
+      transform_left_code_next_row_odd_0 <= (transform_left_code_next_row_before_0 -
+        transform_left_code_next_row_after_0) mod 65536;
+      transform_left_code_next_row_odd_1 <= (transform_left_code_next_row_before_1 -
+        transform_left_code_next_row_after_1) mod 65536;
+      transform_left_code_next_row_odd_2 <= (transform_left_code_next_row_before_2 -
+        transform_left_code_next_row_after_2) mod 65536;
+      transform_left_code_next_row_signs <= (other_11 / 32768) + ((transform_left_code_next_row_odd_0 / 32768) * 2) +
+        ((((transform_left_code_next_row_even_2 + transform_left_code_next_row_odd_1) mod 65536) / 32768) * 8) +
+        ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
+        ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
+        ((((transform_left_code_next_row_even_1 + transform_left_code_next_row_odd_2) mod 65536) / 32768) * 16);
+      transform_left_code_next_bits <= transform_left_code_next_row_signs when transform_filtering_6_inside_1 else 0;
+      transform_right_code_column_box_0_0_0 <= transform_right_column_3;
+      transform_right_code_column_box_0_1_0 <= transform_right_column_4;
+      transform_right_code_column_box_0_2_0 <= transform_right_column_5;
+      transform_right_code_column_box_0_3_0 <= transform_right_column_6;
+      transform_right_code_column_box_0_4_0 <= transform_right_column_7;
+      transform_right_code_column_centre <= transform_right_code_column_box_0_2_0;
+      transform_right_code_column_near <= transform_right_code_column_box_0_1_0 + transform_right_code_column_box_0_3_0;
+      transform_right_code_column_outer <= (510 - transform_right_code_column_box_0_4_0) -
+        transform_right_code_column_box_0_0_0;
+      transform_right_code_column_upper <= 765 - (((transform_right_code_column_box_0_1_0 +
+        (transform_right_code_column_box_0_0_0 / 2)) * 2) + (transform_right_code_column_box_0_0_0 mod 2));
+      transform_right_code_column_lower <= ((transform_right_code_column_box_0_3_0 +
+        (transform_right_code_column_box_0_4_0 / 2)) * 2) + (transform_right_code_column_box_0_4_0 mod 2);
+      transform_right_code_column_response_0 <= ((transform_right_code_column_centre +
+        (transform_right_code_column_near / 2)) * 2) + (transform_right_code_column_near mod 2);
+      transform_right_code_column_response_1 <= ((transform_right_code_column_centre +
+        (transform_right_code_column_outer / 2)) * 2) + (transform_right_code_column_outer mod 2);
+      transform_right_code_column_response_2 <= transform_right_code_column_upper + transform_right_code_column_lower;
+      transform_right_code_row_box_0_0 <= transform_right_code_column_response_0;
+      transform_right_code_row_box_0_1 <= transform_right_code_column_response_1;
+      transform_right_code_row_box_0_2 <= transform_right_code_column_response_2;
+      transform_right_code_row_centre_0 <= transform_right_code_row_column_0_1;
+      transform_right_code_row_centre_1 <= transform_right_code_row_column_1_1;
+      transform_right_code_row_centre_2 <= transform_right_code_row_column_2_1;
+      transform_right_code_row_outer_1 <= transform_right_code_row_box_0_1 + transform_right_code_row_column_1_3;
+      transform_right_code_row_outer_2 <= transform_right_code_row_box_0_2 + transform_right_code_row_column_2_3;
+      transform_right_code_row_before_0 <= ((transform_right_code_row_column_0_2 + (transform_right_code_row_column_0_3
+        / 2)) * 2) + (transform_right_code_row_column_0_3 mod 2);
+      transform_right_code_row_before_1 <= ((transform_right_code_row_column_1_2 + (transform_right_code_row_column_1_3
+        / 2)) * 2) + (transform_right_code_row_column_1_3 mod 2);
+      transform_right_code_row_before_2 <= ((transform_right_code_row_column_2_2 + (transform_right_code_row_column_2_3
+        / 2)) * 2) + (transform_right_code_row_column_2_3 mod 2);
+      transform_right_code_row_after_0 <= (((transform_right_code_row_box_0_0 / 2) +
+        transform_right_code_row_column_0_0) * 2) + (transform_right_code_row_box_0_0 mod 2);
+      transform_right_code_row_after_1 <= (((transform_right_code_row_box_0_1 / 2) +
+        transform_right_code_row_column_1_0) * 2) + (transform_right_code_row_box_0_1 mod 2);
+      transform_right_code_row_after_2 <= (((transform_right_code_row_box_0_2 / 2) +
+        transform_right_code_row_column_2_0) * 2) + (transform_right_code_row_box_0_2 mod 2);
+      transform_right_code_row_even_1 <= ((((transform_right_code_row_outer_1 / 2) - transform_right_code_row_centre_1)
+        mod 8192) * 2) + (transform_right_code_row_outer_1 mod 2);
+      transform_right_code_row_even_2 <= ((((transform_right_code_row_outer_2 / 2) - transform_right_code_row_centre_2)
+        mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
+      transform_right_code_row_odd_1 <= (transform_right_code_row_before_1 - transform_right_code_row_after_1) mod
+        16384;
+      transform_right_code_row_odd_2 <= (transform_right_code_row_before_2 - transform_right_code_row_after_2) mod
+        16384;
+      transform_right_code_row_signs <= ((other_8 / 8192) * 2) + (other_9 / 8192) + ((((transform_right_code_row_even_2
+        + transform_right_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_right_code_row_odd_1 -
+        transform_right_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_right_code_row_even_1 -
+        transform_right_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_right_code_row_even_1 +
+        transform_right_code_row_odd_2) mod 16384) / 8192) * 16);
+      transform_right_code_bits <= transform_right_code_earlier_1 when transform_filtering_6_inside_0 else 0;
+      transform_right_code_next_column_box_0_0_0 <= transform_right_column_0 + transform_right_column_1;
+      transform_right_code_next_column_box_0_1_0 <= transform_right_column_2 + transform_right_column_3;
+      transform_right_code_next_column_box_0_2_0 <= transform_right_column_4 + transform_right_column_5;
+      transform_right_code_next_column_box_0_3_0 <= transform_right_column_6 + transform_right_column_7;
+      transform_right_code_next_column_box_0_4_0 <= transform_right_column_8 + transform_right_column_9;
+      transform_right_code_next_column_centre <= transform_right_code_next_column_box_0_2_0;
+      transform_right_code_next_column_near <= transform_right_code_next_column_box_0_1_0 +
+        transform_right_code_next_column_box_0_3_0;
+      transform_right_code_next_column_outer <= (1020 - transform_right_code_next_column_box_0_4_0) -
+        transform_right_code_next_column_box_0_0_0;
+      transform_right_code_next_column_upper <= (1530 - (((transform_right_code_next_column_box_0_1_0 +
+        (transform_right_code_next_column_box_0_0_0 / 2)) * 2) + (transform_right_code_next_column_box_0_0_0 mod 2)))
+        mod 65536;
+      transform_right_code_next_column_lower <= ((transform_right_code_next_column_box_0_3_0 +
+        (transform_right_code_next_column_box_0_4_0 / 2)) * 2) + (transform_right_code_next_column_box_0_4_0 mod 2);
+      transform_right_code_next_column_response_0 <= ((transform_right_code_next_column_centre +
+        (transform_right_code_next_column_near / 2)) * 2) + (transform_right_code_next_column_near mod 2);
+      transform_right_code_next_column_response_1 <= ((transform_right_code_next_column_centre +
+        (transform_right_code_next_column_outer / 2)) * 2) + (transform_right_code_next_column_outer mod 2);
+      transform_right_code_next_column_response_2 <= (transform_right_code_next_column_upper +
+        transform_right_code_next_column_lower) mod 65536;
+      transform_right_code_next_row_box_0_0 <= transform_right_code_next_column_response_0 +
+        transform_right_code_next_row_earlier_0_0_0;
+      transform_right_code_next_row_box_0_1 <= transform_right_code_next_column_response_1 +
+        transform_right_code_next_row_earlier_0_1_0;
+      transform_right_code_next_row_box_0_2 <= (transform_right_code_next_column_response_2 +
+        transform_right_code_next_row_earlier_0_2_0) mod 65536;
+      transform_right_code_next_row_centre_0 <= transform_right_code_next_row_column_0_3;
+      transform_right_code_next_row_centre_1 <= transform_right_code_next_row_column_1_3;
+      transform_right_code_next_row_centre_2 <= transform_right_code_next_row_column_2_3 mod 32768;
+      transform_right_code_next_row_outer_0 <= transform_right_code_next_row_box_0_0 +
+        transform_right_code_next_row_column_0_7;
+      transform_right_code_next_row_outer_1 <= transform_right_code_next_row_box_0_1 +
+        transform_right_code_next_row_column_1_7;
+      transform_right_code_next_row_outer_2 <= (transform_right_code_next_row_box_0_2 +
+        transform_right_code_next_row_column_2_7) mod 65536;
+      transform_right_code_next_row_before_0 <= ((transform_right_code_next_row_column_0_5 +
+        (transform_right_code_next_row_column_0_7 / 2)) * 2) + (transform_right_code_next_row_column_0_7 mod 2);
+      transform_right_code_next_row_before_1 <= ((transform_right_code_next_row_column_1_5 +
+        (transform_right_code_next_row_column_1_7 / 2)) * 2) + (transform_right_code_next_row_column_1_7 mod 2);
+      transform_right_code_next_row_before_2 <= (((transform_right_code_next_row_column_2_5 +
+        (transform_right_code_next_row_column_2_7 / 2)) mod 32768) * 2) + (transform_right_code_next_row_column_2_7 mod
+        2);
+      transform_right_code_next_row_after_0 <= (((transform_right_code_next_row_box_0_0 / 2) +
+        transform_right_code_next_row_column_0_1) * 2) + (transform_right_code_next_row_box_0_0 mod 2);
+      transform_right_code_next_row_after_1 <= (((transform_right_code_next_row_box_0_1 / 2) +
+        transform_right_code_next_row_column_1_1) * 2) + (transform_right_code_next_row_box_0_1 mod 2);
+      transform_right_code_next_row_after_2 <= ((((transform_right_code_next_row_box_0_2 / 2) +
+        transform_right_code_next_row_column_2_1) mod 32768) * 2) + (transform_right_code_next_row_box_0_2 mod 2);
+      transform_right_code_next_row_even_1 <= ((((transform_right_code_next_row_outer_1 / 2) -
+        transform_right_code_next_row_centre_1) mod 32768) * 2) + (transform_right_code_next_row_outer_1 mod 2);
+      transform_right_code_next_row_even_2 <= ((((transform_right_code_next_row_outer_2 / 2) -
+        transform_right_code_next_row_centre_2) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
+      transform_right_code_next_row_odd_0 <= (transform_right_code_next_row_before_0 -
+        transform_right_code_next_row_after_0) mod 65536;
+      transform_right_code_next_row_odd_1 <= (transform_right_code_next_row_before_1 -
+        transform_right_code_next_row_after_1) mod 65536;
+      transform_right_code_next_row_odd_2 <= (transform_right_code_next_row_before_2 -
+        transform_right_code_next_row_after_2) mod 65536;
+      transform_right_code_next_row_signs <= (other_7 / 32768) + ((transform_right_code_next_row_odd_0 / 32768) * 2) +
+        ((((transform_right_code_next_row_even_2 + transform_right_code_next_row_odd_1) mod 65536) / 32768) * 8) +
+        ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
+        ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
+        ((((transform_right_code_next_row_even_1 + transform_right_code_next_row_odd_2) mod 65536) / 32768) * 16);
+      transform_right_code_next_bits <= transform_right_code_next_row_signs when transform_filtering_6_inside_1 else 0;
+      transform_filtering_0_inside_0 <= transform_columns_inside_0;
+      transform_filtering_0_inside_1 <= transform_columns_inside_1;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_inside_0 <= transform_filtering_0_inside_0;
+      transform_filtering_1_inside_1 <= transform_filtering_0_inside_1;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_2_inside_0 <= transform_filtering_1_inside_0;
+      transform_filtering_2_inside_1 <= transform_filtering_1_inside_1;
+      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
+      transform_filtering_2_valid <= transform_filtering_1_valid;
+      transform_filtering_3_inside_0 <= transform_filtering_2_inside_0;
+      transform_filtering_3_inside_1 <= transform_filtering_2_inside_1;
+      transform_filtering_3_start_of_frame <= transform_filtering_2_start_of_frame;
+      transform_filtering_3_valid <= transform_filtering_2_valid;
+      transform_filtering_4_inside_0 <= transform_filtering_3_inside_0;
+      transform_filtering_4_inside_1 <= transform_filtering_3_inside_1;
+      transform_filtering_4_start_of_frame <= transform_filtering_3_start_of_frame;
+      transform_filtering_4_valid <= transform_filtering_3_valid;
+      transform_filtering_5_inside_0 <= transform_filtering_4_inside_0;
+      transform_filtering_5_inside_1 <= transform_filtering_4_inside_1;
+      transform_filtering_5_start_of_frame <= transform_filtering_4_start_of_frame;
+      transform_filtering_5_valid <= transform_filtering_4_valid;
+      transform_filtering_6_inside_0 <= transform_filtering_5_inside_0;
+      transform_filtering_6_inside_1 <= transform_filtering_5_inside_1;
+      transform_filtering_6_start_of_frame <= transform_filtering_5_start_of_frame;
+      transform_filtering_6_valid <= transform_filtering_5_valid;
+      transform_filtering_7_start_of_frame <= transform_filtering_6_start_of_frame;
+      transform_filtering_7_valid <= transform_filtering_6_valid;
+      transform_counter_next_frame_choice := (not (transform_counter_group_choice_21 and
+        transform_counter_group_choice_24 and transform_counter_group_differs_4)) and transform_counter_next_frame when
+        transform_counter_group_choice_18 else transform_counter_next_frame;
+      if in_valid then
+        transform_counter_column <= 0 when (transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+          transform_counter_group_differs_2 and transform_counter_group_differs_3) or in_start_of_frame else
+          (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
+          transform_counter_next_frame_choice else transform_counter_group_choice_3 and
+          transform_counter_group_choice_6 and transform_counter_group_differs and transform_counter_group_choice_9 and
+          transform_counter_group_choice_12 and transform_counter_group_differs_2 and transform_counter_group_differs_3
+          and in_start_of_frame;
+      end if;
+      if (other_15 / 256) = 1 then
+        transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
+          transform_left_rows_ready_words_0(31 downto 8);
+        transform_left_rows_write_words_1 <= to_unsigned(transform_left_rows_ready_words_2, 8) &
+          transform_left_rows_ready_words_1(31 downto 8);
+        transform_left_rows_write_words_2 <= transform_left_rows_ready_newest_0;
+        transform_right_rows_write_words_0 <= transform_right_rows_ready_words_1(7 downto 0) &
+          transform_right_rows_ready_words_0(31 downto 8);
+        transform_right_rows_write_words_1 <= to_unsigned(transform_right_rows_ready_words_2, 8) &
+          transform_right_rows_ready_words_1(31 downto 8);
+        transform_right_rows_write_words_2 <= transform_right_rows_ready_newest_0;
+        transform_write_column <= transform_ready_column;
+      end if;
+      if transform_filtering_3_valid then
+        transform_left_code_row_column_0_0 <= transform_left_code_row_box_0_0;
+        transform_left_code_row_column_0_1 <= transform_left_code_row_column_0_0;
+        transform_left_code_row_column_0_2 <= transform_left_code_row_column_0_1;
+        transform_left_code_row_column_0_3 <= transform_left_code_row_column_0_2;
+        transform_left_code_row_column_1_0 <= transform_left_code_row_box_0_1;
+        transform_left_code_row_column_1_1 <= transform_left_code_row_column_1_0;
+        transform_left_code_row_column_1_2 <= transform_left_code_row_column_1_1;
+        transform_left_code_row_column_1_3 <= transform_left_code_row_column_1_2;
+        transform_left_code_row_column_2_0 <= transform_left_code_row_box_0_2;
+        transform_left_code_row_column_2_1 <= transform_left_code_row_column_2_0;
+        transform_left_code_row_column_2_2 <= transform_left_code_row_column_2_1;
+        transform_left_code_row_column_2_3 <= transform_left_code_row_column_2_2;
+        transform_left_code_next_row_column_0_0 <= transform_left_code_next_row_box_0_0;
+        transform_left_code_next_row_column_0_1 <= transform_left_code_next_row_column_0_0;
+        transform_left_code_next_row_column_0_2 <= transform_left_code_next_row_column_0_1;
+        transform_left_code_next_row_column_0_3 <= transform_left_code_next_row_column_0_2;
+        transform_left_code_next_row_column_0_4 <= transform_left_code_next_row_column_0_3;
+        transform_left_code_next_row_column_0_5 <= transform_left_code_next_row_column_0_4;
+        transform_left_code_next_row_column_0_6 <= transform_left_code_next_row_column_0_5;
+        transform_left_code_next_row_column_0_7 <= transform_left_code_next_row_column_0_6;
+        transform_left_code_next_row_column_1_0 <= transform_left_code_next_row_box_0_1;
+        transform_left_code_next_row_column_1_1 <= transform_left_code_next_row_column_1_0;
+        transform_left_code_next_row_column_1_2 <= transform_left_code_next_row_column_1_1;
+        transform_left_code_next_row_column_1_3 <= transform_left_code_next_row_column_1_2;
+        transform_left_code_next_row_column_1_4 <= transform_left_code_next_row_column_1_3;
+        transform_left_code_next_row_column_1_5 <= transform_left_code_next_row_column_1_4;
+        transform_left_code_next_row_column_1_6 <= transform_left_code_next_row_column_1_5;
+        transform_left_code_next_row_column_1_7 <= transform_left_code_next_row_column_1_6;
+        transform_left_code_next_row_column_2_0 <= transform_left_code_next_row_box_0_2;
+        transform_left_code_next_row_column_2_1 <= transform_left_code_next_row_column_2_0;
+        transform_left_code_next_row_column_2_2 <= transform_left_code_next_row_column_2_1;
+        transform_left_code_next_row_column_2_3 <= transform_left_code_next_row_column_2_2;
+        transform_left_code_next_row_column_2_4 <= transform_left_code_next_row_column_2_3;
+        transform_left_code_next_row_column_2_5 <= transform_left_code_next_row_column_2_4;
+        transform_left_code_next_row_column_2_6 <= transform_left_code_next_row_column_2_5;
+        transform_left_code_next_row_column_2_7 <= transform_left_code_next_row_column_2_6;
+        transform_right_code_row_column_0_0 <= transform_right_code_row_box_0_0;
+        transform_right_code_row_column_0_1 <= transform_right_code_row_column_0_0;
+        transform_right_code_row_column_0_2 <= transform_right_code_row_column_0_1;
+        transform_right_code_row_column_0_3 <= transform_right_code_row_column_0_2;
+        transform_right_code_row_column_1_0 <= transform_right_code_row_box_0_1;
+        transform_right_code_row_column_1_1 <= transform_right_code_row_column_1_0;
+        transform_right_code_row_column_1_2 <= transform_right_code_row_column_1_1;
+        transform_right_code_row_column_1_3 <= transform_right_code_row_column_1_2;
+        transform_right_code_row_column_2_0 <= transform_right_code_row_box_0_2;
+        transform_right_code_row_column_2_1 <= transform_right_code_row_column_2_0;
+        transform_right_code_row_column_2_2 <= transform_right_code_row_column_2_1;
+        transform_right_code_row_column_2_3 <= transform_right_code_row_column_2_2;
+        transform_right_code_next_row_column_0_0 <= transform_right_code_next_row_box_0_0;
+        transform_right_code_next_row_column_0_1 <= transform_right_code_next_row_column_0_0;
+        transform_right_code_next_row_column_0_2 <= transform_right_code_next_row_column_0_1;
+        transform_right_code_next_row_column_0_3 <= transform_right_code_next_row_column_0_2;
+        transform_right_code_next_row_column_0_4 <= transform_right_code_next_row_column_0_3;
+        transform_right_code_next_row_column_0_5 <= transform_right_code_next_row_column_0_4;
+        transform_right_code_next_row_column_0_6 <= transform_right_code_next_row_column_0_5;
+        transform_right_code_next_row_column_0_7 <= transform_right_code_next_row_column_0_6;
+        transform_right_code_next_row_column_1_0 <= transform_right_code_next_row_box_0_1;
+        transform_right_code_next_row_column_1_1 <= transform_right_code_next_row_column_1_0;
+        transform_right_code_next_row_column_1_2 <= transform_right_code_next_row_column_1_1;
+        transform_right_code_next_row_column_1_3 <= transform_right_code_next_row_column_1_2;
+        transform_right_code_next_row_column_1_4 <= transform_right_code_next_row_column_1_3;
+        transform_right_code_next_row_column_1_5 <= transform_right_code_next_row_column_1_4;
+        transform_right_code_next_row_column_1_6 <= transform_right_code_next_row_column_1_5;
+        transform_right_code_next_row_column_1_7 <= transform_right_code_next_row_column_1_6;
+        transform_right_code_next_row_column_2_0 <= transform_right_code_next_row_box_0_2;
+        transform_right_code_next_row_column_2_1 <= transform_right_code_next_row_column_2_0;
+        transform_right_code_next_row_column_2_2 <= transform_right_code_next_row_column_2_1;
+        transform_right_code_next_row_column_2_3 <= transform_right_code_next_row_column_2_2;
+        transform_right_code_next_row_column_2_4 <= transform_right_code_next_row_column_2_3;
+        transform_right_code_next_row_column_2_5 <= transform_right_code_next_row_column_2_4;
+        transform_right_code_next_row_column_2_6 <= transform_right_code_next_row_column_2_5;
+        transform_right_code_next_row_column_2_7 <= transform_right_code_next_row_column_2_6;
+      end if;
+      if transform_filtering_6_valid then
+        transform_left_code_earlier_0 <= transform_left_code_row_signs;
+        transform_left_code_earlier_1 <= transform_left_code_earlier_0;
+        transform_right_code_earlier_0 <= transform_right_code_row_signs;
+        transform_right_code_earlier_1 <= transform_right_code_earlier_0;
+      end if;
+      if transform_filtering_2_valid then
+        transform_left_code_next_row_earlier_0_0_0 <= transform_left_code_next_column_response_0;
+        transform_left_code_next_row_earlier_0_1_0 <= transform_left_code_next_column_response_1;
+        transform_left_code_next_row_earlier_0_2_0 <= transform_left_code_next_column_response_2;
+        transform_right_code_next_row_earlier_0_0_0 <= transform_right_code_next_column_response_0;
+        transform_right_code_next_row_earlier_0_1_0 <= transform_right_code_next_column_response_1;
+        transform_right_code_next_row_earlier_0_2_0 <= transform_right_code_next_column_response_2;
+      end if;
+      -- raster
+      raster_place_group_value := ((size_windows_last_group / 8) mod 2) = 1;
+      raster_place_group_is_equal := (raster_place_group / 8) = 3;
+      raster_place_group_is_equal_2 := (raster_place_group / 8) = 2;
+      raster_place_group_choice := raster_place_group_is_equal when raster_place_group_value else
+        raster_place_group_is_equal_2;
+      raster_place_group_is_equal_3 := (raster_place_group / 8) = 1;
+      raster_place_group_is_equal_4 := (raster_place_group / 8) = 0;
+      raster_place_group_choice_2 := raster_place_group_is_equal_3 when raster_place_group_value else
+        raster_place_group_is_equal_4;
+      raster_place_group_choice_3 := raster_place_group_choice when (size_windows_last_group / 16) = 1 else
+        raster_place_group_choice_2;
+      raster_place_group_is_equal_5 := (raster_place_group mod 4) = 3;
+      raster_place_group_is_equal_6 := (raster_place_group mod 4) = 2;
+      raster_place_group_choice_4 := raster_place_group_is_equal_5 when (size_windows_last_group mod 2) = 1 else
+        raster_place_group_is_equal_6;
+      raster_place_group_is_equal_7 := (raster_place_group mod 4) = 1;
+      raster_place_group_is_equal_8 := (raster_place_group mod 4) = 0;
+      raster_place_group_choice_5 := raster_place_group_is_equal_7 when (size_windows_last_group mod 2) = 1 else
+        raster_place_group_is_equal_8;
+      raster_place_group_choice_6 := raster_place_group_choice_4 when ((size_windows_last_group / 2) mod 2) = 1 else
+        raster_place_group_choice_5;
+      raster_place_group_value_2 := ((raster_place_group / 4) mod 2) = 1;
+      raster_place_group_differs := transform_counter_group_value_4 /= (not raster_place_group_value_2);
+      raster_place_group_is_equal_9 := (raster_place_column / 16) = 3;
+      raster_place_group_is_equal_10 := (raster_place_column / 16) = 2;
+      raster_place_group_choice_7 := raster_place_group_is_equal_9 when transform_up_to_last_0_value_3 else
+        raster_place_group_is_equal_10;
+      raster_place_group_is_equal_11 := (raster_place_column / 16) = 1;
+      raster_place_group_is_equal_12 := (raster_place_column / 16) = 0;
+      raster_place_group_choice_8 := raster_place_group_is_equal_11 when transform_up_to_last_0_value_3 else
+        raster_place_group_is_equal_12;
+      raster_place_group_choice_9 := raster_place_group_choice_7 when (size_windows_last_column / 32) = 1 else
+        raster_place_group_choice_8;
+      raster_place_group_value_3 := (raster_place_column / 2) mod 4;
+      raster_place_group_is_equal_13 := raster_place_group_value_3 = 3;
+      raster_place_group_is_equal_14 := raster_place_group_value_3 = 2;
+      raster_place_group_choice_10 := raster_place_group_is_equal_13 when transform_up_to_last_0_value else
+        raster_place_group_is_equal_14;
+      raster_place_group_is_equal_15 := raster_place_group_value_3 = 1;
+      raster_place_group_is_equal_16 := raster_place_group_value_3 = 0;
+      raster_place_group_choice_11 := raster_place_group_is_equal_15 when transform_up_to_last_0_value else
+        raster_place_group_is_equal_16;
+      raster_place_group_choice_12 := raster_place_group_choice_10 when transform_up_to_last_0_value_2 else
+        raster_place_group_choice_11;
+      raster_place_group_differs_2 := ((size_windows_last_column mod 2) = 1) /= (not ((raster_place_column mod 2) = 1));
+      raster_place_group_value_4 := ((raster_place_column / 8) mod 2) = 1;
+      raster_place_group_differs_3 := transform_counter_group_value_9 /= (not raster_place_group_value_4);
+      raster_place_group_all := raster_place_group_choice_3 and raster_place_group_choice_6 and
+        raster_place_group_differs and raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs_2 and raster_place_group_differs_3;
+      raster_place_group_choice_13 := size_windows_groups when raster_place_group_all else 0;
+      raster_place_group_value_5 := ((raster_place_group / 2) mod 2) = 1;
+      raster_place_group_choice_14 := (not raster_place_group_value_5) or (not ((raster_place_group mod 2) = 1)) when
+        (size_windows_idle mod 2) = 1 else not raster_place_group_value_5;
+      raster_place_group_choice_15 := raster_place_group_choice_14 when ((size_windows_idle / 2) mod 2) = 1 else
+        ((size_windows_idle mod 2) = 1) and raster_place_group_is_equal_8;
+      raster_place_group_choice_16 := (not (((size_windows_idle / 4) mod 2) = 1)) and raster_place_group_value_2 when
+        raster_place_group_choice_15 else (not (((size_windows_idle / 4) mod 2) = 1)) or raster_place_group_value_2;
+      raster_place_group_value_6 := ((raster_place_group / 8) mod 2) = 1;
+      raster_place_group_choice_17 := (not (((size_windows_idle / 8) mod 2) = 1)) or raster_place_group_value_6 when
+        raster_place_group_choice_16 else (not (((size_windows_idle / 8) mod 2) = 1)) and raster_place_group_value_6;
+      raster_place_group_choice_18 := (not ((size_windows_idle / 16) = 1)) or ((raster_place_group / 16) = 1) when
+        raster_place_group_choice_17 else (not ((size_windows_idle / 16) = 1)) and ((raster_place_group / 16) = 1);
+      raster_place_group_value_7 := ((size_windows_last_counted / 8) mod 2) = 1;
+      raster_place_group_choice_19 := raster_place_group_is_equal when raster_place_group_value_7 else
+        raster_place_group_is_equal_2;
+      raster_place_group_choice_20 := raster_place_group_is_equal_3 when raster_place_group_value_7 else
+        raster_place_group_is_equal_4;
+      raster_place_group_choice_21 := raster_place_group_choice_19 when (size_windows_last_counted / 16) = 1 else
+        raster_place_group_choice_20;
+      raster_place_group_choice_22 := raster_place_group_is_equal_5 when (size_windows_last_counted mod 2) = 1 else
+        raster_place_group_is_equal_6;
+      raster_place_group_choice_23 := raster_place_group_is_equal_7 when (size_windows_last_counted mod 2) = 1 else
+        raster_place_group_is_equal_8;
+      raster_place_group_choice_24 := raster_place_group_choice_22 when ((size_windows_last_counted / 2) mod 2) = 1
+        else raster_place_group_choice_23;
+      raster_place_group_differs_4 := (((size_windows_last_counted / 4) mod 2) = 1) /= (not raster_place_group_value_2);
+      raster_place_group_choice_25 := 2 when raster_place_group_choice_21 and raster_place_group_choice_24 and
+        raster_place_group_differs_4 and raster_place_next_frame else (raster_place_group + 1) mod 32;
+      raster_place_group_choice_26 := raster_place_group_choice_25 when raster_place_group_choice_9 and
+        raster_place_group_choice_12 and raster_place_group_differs_2 and raster_place_group_differs_3 and (not
+        raster_place_group_choice_18) and transform_filtering_7_valid else raster_place_group;
+      raster_place_next_frame_all := raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs_2 and raster_place_group_differs_3;
+      raster_place_next_frame_choice := raster_place_group_choice_18 and raster_place_next_frame when
+        raster_place_group_choice_21 and raster_place_group_choice_24 and raster_place_group_differs_4 else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_next_frame_all else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := transform_filtering_7_valid when raster_place_group_all else
+        transform_filtering_7_valid and (not transform_filtering_7_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_choice_3 and raster_place_group_choice_6 and raster_place_group_differs and
+        raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs_2 and
+        raster_place_group_differs_3 and transform_filtering_7_valid and transform_filtering_7_start_of_frame;
+      raster_features_search_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
+      raster_features_reference_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
+      raster_features_valid <= transform_filtering_7_valid;
+      raster_place_group <= raster_place_group_choice_13 when transform_filtering_7_valid and
+        transform_filtering_7_start_of_frame else raster_place_group_choice_26;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_7_valid) and
+        raster_place_next_frame);
+      if transform_filtering_7_valid then
+        raster_place_column <= 0 when raster_place_next_frame_all or transform_filtering_7_start_of_frame else
+          (raster_place_column + 1) mod 64;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 11 else (delay_ring_read_address + 1) mod 16;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_0_difference := raster_place_group - size_windows_groups;
+      delay_row_inside_1_is_equal := ((raster_place_group / 4) mod 4) = 0;
+      delay_row_inside_1_choice := (not ((raster_place_group mod 2) = 1)) and delay_row_inside_1_is_equal when
+        raster_place_group_value_5 else delay_row_inside_1_is_equal;
+      delay_row_inside_1_is_less := delay_row_inside_0_difference < 3;
+      delay_row_inside_2_differs := (raster_place_group / 2) /= 0;
+      delay_row_inside_3_is_less := delay_row_inside_0_difference < 1;
+      delay_tag_border_column_value := ((raster_place_column / 4) mod 2) = 1;
+      delay_tag_border_column_all := (not (raster_place_group_value_4 and (delay_tag_border_column_value or
+        ((raster_place_column mod 4) = 3)))) and raster_place_group_is_equal_12;
+      delay_tag_output_column_value := ((size_last_map_column / 2) mod 2) = 1;
+      delay_tag_output_column_choice := not (((raster_place_column / 2) mod 2) = 1) when (size_last_map_column mod 2) =
+        1 else (raster_place_column mod 4) = 0;
+      delay_tag_output_column_choice_2 := ((size_last_map_column mod 2) = 1) or (not (((raster_place_column / 2) mod 2)
+        = 1)) or (not ((raster_place_column mod 2) = 1)) when delay_tag_output_column_value else
+        delay_tag_output_column_choice;
+      delay_tag_output_column_value_2 := ((size_last_map_column / 4) mod 2) = 1;
+      delay_tag_output_column_choice_3 := (not delay_tag_output_column_value_2) and delay_tag_border_column_value when
+        delay_tag_output_column_choice_2 else (not delay_tag_output_column_value_2) or delay_tag_border_column_value;
+      delay_tag_output_column_value_3 := ((size_last_map_column / 8) mod 2) = 1;
+      delay_tag_output_column_choice_4 := (not delay_tag_output_column_value_3) or raster_place_group_value_4 when
+        delay_tag_output_column_choice_3 else (not delay_tag_output_column_value_3) and raster_place_group_value_4;
+      delay_tag_output_column_value_4 := ((size_last_map_column / 16) mod 2) = 1;
+      delay_tag_output_column_value_5 := ((raster_place_column / 16) mod 2) = 1;
+      delay_tag_output_column_choice_5 := (not delay_tag_output_column_value_4) or delay_tag_output_column_value_5 when
+        delay_tag_output_column_choice_4 else (not delay_tag_output_column_value_4) and delay_tag_output_column_value_5;
+      delay_tag_output_column_choice_6 := ((size_last_map_column / 32) = 1) and (not ((raster_place_column / 32) = 1))
+        when delay_tag_output_column_choice_5 else ((size_last_map_column / 32) = 1) or (not ((raster_place_column /
+        32) = 1));
+      delay_tag_end_of_line_choice := raster_place_group_is_equal_9 when delay_tag_output_column_value_4 else
+        raster_place_group_is_equal_10;
+      delay_tag_end_of_line_choice_2 := raster_place_group_is_equal_11 when delay_tag_output_column_value_4 else
+        raster_place_group_is_equal_12;
+      delay_tag_end_of_line_choice_3 := delay_tag_end_of_line_choice when (size_last_map_column / 32) = 1 else
+        delay_tag_end_of_line_choice_2;
+      delay_tag_end_of_line_choice_4 := raster_place_group_is_equal_13 when delay_tag_output_column_value else
+        raster_place_group_is_equal_14;
+      delay_tag_end_of_line_choice_5 := raster_place_group_is_equal_15 when delay_tag_output_column_value else
+        raster_place_group_is_equal_16;
+      delay_tag_end_of_line_choice_6 := delay_tag_end_of_line_choice_4 when delay_tag_output_column_value_2 else
+        delay_tag_end_of_line_choice_5;
+      delay_ahead_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= (delay_row_inside_0_difference < 4) and (((raster_place_group / 16) = 1) or
+        raster_place_group_value_6 or raster_place_group_value_2);
+      delay_row_inside_1 <= delay_row_inside_1_is_less and ((raster_place_group / 16) = 1) when
+        delay_row_inside_1_choice else delay_row_inside_1_is_less;
+      delay_row_inside_2 <= delay_row_inside_2_differs and (delay_row_inside_0_difference < 2);
+      delay_row_inside_3 <= delay_row_inside_3_is_less and ((raster_place_group mod 2) = 1) when (raster_place_group /
+        2) = 0 else delay_row_inside_3_is_less;
+      delay_row_inside_4 <= delay_row_inside_0_difference < 0;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= delay_tag_border_column_all;
+      delay_tag_output_column <= (not raster_place_group_choice_18) and delay_tag_output_column_choice_6 and (not
+        delay_tag_border_column_all) and delay_row_inside_2_differs;
+      delay_tag_start_of_frame <= (raster_place_column = 11) and (raster_place_group = 2);
+      delay_tag_end_of_line <= delay_tag_end_of_line_choice_3 and delay_tag_end_of_line_choice_6 and
+        (((size_last_map_column mod 2) = 1) /= (not ((raster_place_column mod 2) = 1))) and
+        (delay_tag_output_column_value_3 /= (not raster_place_group_value_4));
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_ahead_0;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_inside_3 <= delay_row_inside_3;
+      rows_read_inside_4 <= delay_row_inside_4;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_inside_3 <= rows_read_inside_3;
+      rows_ready_inside_4 <= rows_read_inside_4;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_words_1 mod 4096 when rows_ready_inside_2 else 0;
+      rows_search_3 <= rows_search_rows_ready_words_1 / 4096 when rows_ready_inside_3 else 0;
+      rows_search_4 <= rows_search_rows_ready_newest_0 when rows_ready_inside_4 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_words_1 mod 4096 when rows_ready_inside_2 else 0;
+      rows_reference_3 <= rows_reference_rows_ready_words_1 / 4096 when rows_ready_inside_3 else 0;
+      rows_reference_4 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_4 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + ((rows_search_rows_ready_words_1
+          mod 4096) * 4096);
+        rows_search_rows_write_words_1 <= (rows_search_rows_ready_words_1 / 4096) + (rows_search_rows_ready_newest_0 *
+          4096);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 4096) +
+          ((rows_reference_rows_ready_words_1 mod 4096) * 4096);
+        rows_reference_rows_write_words_1 <= (rows_reference_rows_ready_words_1 / 4096) +
+          (rows_reference_rows_ready_newest_0 * 4096);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= slice0shift_search_0_1;
+        slice0shift_search_0_1 <= slice0shift_search_0_2;
+        slice0shift_search_0_2 <= slice0shift_search_0_3;
+        slice0shift_search_0_3 <= slice0shift_search_0_4;
+        slice0shift_search_0_4 <= slice0shift_search_0_5;
+        slice0shift_search_0_5 <= rows_search_0;
+        slice0shift_search_1_0 <= slice0shift_search_1_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_2;
+        slice0shift_search_1_2 <= slice0shift_search_1_3;
+        slice0shift_search_1_3 <= slice0shift_search_1_4;
+        slice0shift_search_1_4 <= slice0shift_search_1_5;
+        slice0shift_search_1_5 <= rows_search_1;
+        slice0shift_search_2_0 <= slice0shift_search_2_1;
+        slice0shift_search_2_1 <= slice0shift_search_2_2;
+        slice0shift_search_2_2 <= slice0shift_search_2_3;
+        slice0shift_search_2_3 <= slice0shift_search_2_4;
+        slice0shift_search_2_4 <= slice0shift_search_2_5;
+        slice0shift_search_2_5 <= rows_search_2;
+        slice0shift_search_3_0 <= slice0shift_search_3_1;
+        slice0shift_search_3_1 <= slice0shift_search_3_2;
+        slice0shift_search_3_2 <= slice0shift_search_3_3;
+        slice0shift_search_3_3 <= slice0shift_search_3_4;
+        slice0shift_search_3_4 <= slice0shift_search_3_5;
+        slice0shift_search_3_5 <= rows_search_3;
+        slice0shift_search_4_0 <= slice0shift_search_4_1;
+        slice0shift_search_4_1 <= slice0shift_search_4_2;
+        slice0shift_search_4_2 <= slice0shift_search_4_3;
+        slice0shift_search_4_3 <= slice0shift_search_4_4;
+        slice0shift_search_4_4 <= slice0shift_search_4_5;
+        slice0shift_search_4_5 <= rows_search_4;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_reference_3 <= rows_reference_3;
+      slice0shift_reference_4 <= rows_reference_4;
+      slice0shift_search_out_0 <= slice0shift_search_0_0;
+      slice0shift_search_out_1 <= slice0shift_search_1_0;
+      slice0shift_search_out_2 <= slice0shift_search_2_0;
+      slice0shift_search_out_3 <= slice0shift_search_3_0;
+      slice0shift_search_out_4 <= slice0shift_search_4_0;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pixels_first_0_0_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_4 := ((slice0shift_reference_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_5 := ((slice0shift_reference_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_6 := ((slice0shift_reference_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_7 := ((slice0shift_reference_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_8 := ((slice0shift_reference_0 / 128) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_9 := ((slice0shift_reference_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_10 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_4 := ((slice0shift_reference_1 / 4) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_5 := ((slice0shift_reference_1 / 2) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_6 := ((slice0shift_reference_1 / 64) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_7 := ((slice0shift_reference_1 / 256) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_8 := ((slice0shift_reference_1 / 128) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_9 := ((slice0shift_reference_1 / 512) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_10 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_4 := ((slice0shift_reference_2 / 4) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_5 := ((slice0shift_reference_2 / 2) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_6 := ((slice0shift_reference_2 / 64) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_7 := ((slice0shift_reference_2 / 256) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_8 := ((slice0shift_reference_2 / 128) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_9 := ((slice0shift_reference_2 / 512) mod 2) = 1;
+      slice0cost_pixels_first_2_0_value_10 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value := ((slice0shift_reference_3 / 8) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_2 := ((slice0shift_reference_3 / 32) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_3 := ((slice0shift_reference_3 / 16) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_4 := ((slice0shift_reference_3 / 4) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_5 := ((slice0shift_reference_3 / 2) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_6 := ((slice0shift_reference_3 / 64) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_7 := ((slice0shift_reference_3 / 256) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_8 := ((slice0shift_reference_3 / 128) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_9 := ((slice0shift_reference_3 / 512) mod 2) = 1;
+      slice0cost_pixels_first_3_0_value_10 := ((slice0shift_reference_3 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value := ((slice0shift_reference_4 / 8) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value_2 := ((slice0shift_reference_4 / 32) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value_3 := ((slice0shift_reference_4 / 16) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value_4 := ((slice0shift_reference_4 / 4) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value_5 := ((slice0shift_reference_4 / 2) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value_6 := ((slice0shift_reference_4 / 64) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value_7 := ((slice0shift_reference_4 / 256) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value_8 := ((slice0shift_reference_4 / 128) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value_9 := ((slice0shift_reference_4 / 512) mod 2) = 1;
+      slice0cost_pixels_first_4_0_value_10 := ((slice0shift_reference_4 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_0_0 <= ((as_number((slice0cost_pixels_first_0_0_value /= (((slice0shift_search_0_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_value_2 /= (((slice0shift_search_0_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_0_0_value_3 /= (((slice0shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_0 mod 2) = 1) /= ((slice0shift_search_0_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_4 /= (((slice0shift_search_0_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_5 /= (((slice0shift_search_0_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_0_0_value_6 /= (((slice0shift_search_0_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_7 /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_8 /= (((slice0shift_search_0_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_0_0_value_9 /= (((slice0shift_search_0_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_0 / 2048) = 1) /= ((slice0shift_search_0_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_10 /= (((slice0shift_search_0_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_0_1 <= ((as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_1 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_1 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_2 <= ((as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_2 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_2 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_3 <= ((as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_3 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_3 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_4 <= ((as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_4 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_4 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_5 <= ((as_number(((((slice0shift_search_0_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_5 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_5 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_1_0 <= ((as_number((slice0cost_pixels_first_1_0_value /= (((slice0shift_search_1_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_value_2 /= (((slice0shift_search_1_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_1_0_value_3 /= (((slice0shift_search_1_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_1 mod 2) = 1) /= ((slice0shift_search_1_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_4 /= (((slice0shift_search_1_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_5 /= (((slice0shift_search_1_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_1_0_value_6 /= (((slice0shift_search_1_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_7 /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_8 /= (((slice0shift_search_1_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_1_0_value_9 /= (((slice0shift_search_1_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_1 / 2048) = 1) /= ((slice0shift_search_1_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_10 /= (((slice0shift_search_1_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_1_1 <= ((as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_1 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_1 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_2 <= ((as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_2 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_2 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_3 <= ((as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_3 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_3 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_4 <= ((as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_4 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_4 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_5 <= ((as_number(((((slice0shift_search_1_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_5 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_5 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_2_0 <= ((as_number((slice0cost_pixels_first_2_0_value /= (((slice0shift_search_2_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_value_2 /= (((slice0shift_search_2_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_2_0_value_3 /= (((slice0shift_search_2_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_2 mod 2) = 1) /= ((slice0shift_search_2_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_4 /= (((slice0shift_search_2_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_5 /= (((slice0shift_search_2_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_2_0_value_6 /= (((slice0shift_search_2_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_7 /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_8 /= (((slice0shift_search_2_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_2_0_value_9 /= (((slice0shift_search_2_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_2 / 2048) = 1) /= ((slice0shift_search_2_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_value_10 /= (((slice0shift_search_2_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_2_1 <= ((as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_1 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_1 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_2_2 <= ((as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_2 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_2 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_2_3 <= ((as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_3 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_3 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_2_4 <= ((as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_4 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_4 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_2_5 <= ((as_number(((((slice0shift_search_2_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value)) + as_number(((((slice0shift_search_2_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_2)) + as_number(((((slice0shift_search_2_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice0shift_search_2_5 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_4)) + as_number(((((slice0shift_search_2_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_5)) + ((as_number(((((slice0shift_search_2_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_6)) + as_number(((((slice0shift_search_2_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_7)) + as_number(((((slice0shift_search_2_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice0shift_search_2_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_9)) + as_number((((slice0shift_search_2_5 / 2048) = 1) /=
+        ((slice0shift_reference_2 / 2048) = 1))) + as_number(((((slice0shift_search_2_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_value_10))) * 64);
+      slice0cost_pixels_first_3_0 <= ((as_number((slice0cost_pixels_first_3_0_value /= (((slice0shift_search_3_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_3_0_value_2 /= (((slice0shift_search_3_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_3_0_value_3 /= (((slice0shift_search_3_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_3 mod 2) = 1) /= ((slice0shift_search_3_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_4 /= (((slice0shift_search_3_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_5 /= (((slice0shift_search_3_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_3_0_value_6 /= (((slice0shift_search_3_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_7 /= (((slice0shift_search_3_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_8 /= (((slice0shift_search_3_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_3_0_value_9 /= (((slice0shift_search_3_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_3 / 2048) = 1) /= ((slice0shift_search_3_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_3_0_value_10 /= (((slice0shift_search_3_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_3_1 <= ((as_number(((((slice0shift_search_3_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_1 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_1 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_3_2 <= ((as_number(((((slice0shift_search_3_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_2 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_2 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_3_3 <= ((as_number(((((slice0shift_search_3_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_3 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_3 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_3_4 <= ((as_number(((((slice0shift_search_3_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_4 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_4 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_3_5 <= ((as_number(((((slice0shift_search_3_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value)) + as_number(((((slice0shift_search_3_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_2)) + as_number(((((slice0shift_search_3_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice0shift_search_3_5 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(((((slice0shift_search_3_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_4)) + as_number(((((slice0shift_search_3_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_5)) + ((as_number(((((slice0shift_search_3_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_6)) + as_number(((((slice0shift_search_3_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_7)) + as_number(((((slice0shift_search_3_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice0shift_search_3_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_9)) + as_number((((slice0shift_search_3_5 / 2048) = 1) /=
+        ((slice0shift_reference_3 / 2048) = 1))) + as_number(((((slice0shift_search_3_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_3_0_value_10))) * 64);
+      slice0cost_pixels_first_4_0 <= ((as_number((slice0cost_pixels_first_4_0_value /= (((slice0shift_search_4_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_4_0_value_2 /= (((slice0shift_search_4_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_4_0_value_3 /= (((slice0shift_search_4_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_4 mod 2) = 1) /= ((slice0shift_search_4_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_4_0_value_4 /= (((slice0shift_search_4_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_4_0_value_5 /= (((slice0shift_search_4_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_4_0_value_6 /= (((slice0shift_search_4_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_4_0_value_7 /= (((slice0shift_search_4_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_4_0_value_8 /= (((slice0shift_search_4_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_4_0_value_9 /= (((slice0shift_search_4_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_4 / 2048) = 1) /= ((slice0shift_search_4_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_4_0_value_10 /= (((slice0shift_search_4_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_4_1 <= ((as_number(((((slice0shift_search_4_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_1 mod 2) = 1) /=
+        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_1 / 2048) = 1) /=
+        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_10))) * 64);
+      slice0cost_pixels_first_4_2 <= ((as_number(((((slice0shift_search_4_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_2 mod 2) = 1) /=
+        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_2 / 2048) = 1) /=
+        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_10))) * 64);
+      slice0cost_pixels_first_4_3 <= ((as_number(((((slice0shift_search_4_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_3 mod 2) = 1) /=
+        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_3 / 2048) = 1) /=
+        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_10))) * 64);
+      slice0cost_pixels_first_4_4 <= ((as_number(((((slice0shift_search_4_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_4 mod 2) = 1) /=
+        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_4 / 2048) = 1) /=
+        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_10))) * 64);
+      slice0cost_pixels_first_4_5 <= ((as_number(((((slice0shift_search_4_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value)) + as_number(((((slice0shift_search_4_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_2)) + as_number(((((slice0shift_search_4_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice0shift_search_4_5 mod 2) = 1) /=
+        ((slice0shift_reference_4 mod 2) = 1))) + as_number(((((slice0shift_search_4_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_4)) + as_number(((((slice0shift_search_4_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_5)) + ((as_number(((((slice0shift_search_4_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_6)) + as_number(((((slice0shift_search_4_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_7)) + as_number(((((slice0shift_search_4_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice0shift_search_4_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_9)) + as_number((((slice0shift_search_4_5 / 2048) = 1) /=
+        ((slice0shift_reference_4 / 2048) = 1))) + as_number(((((slice0shift_search_4_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_4_0_value_10))) * 64);
+      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
+      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_cost_0_0 <= (((slice0cost_pixels_first_0_0 mod 4) + (((slice0cost_pixels_first_0_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_0 / 16) mod 4) + (slice0cost_pixels_first_0_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_0 / 16) + (slice0cost_pixels_first_0_0 / 64)) mod 2);
+      slice0cost_pixels_cost_0_1 <= (((slice0cost_pixels_first_0_1 mod 4) + (((slice0cost_pixels_first_0_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_1 / 16) mod 4) + (slice0cost_pixels_first_0_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_1 / 16) + (slice0cost_pixels_first_0_1 / 64)) mod 2);
+      slice0cost_pixels_cost_0_2 <= (((slice0cost_pixels_first_0_2 mod 4) + (((slice0cost_pixels_first_0_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_2 / 16) mod 4) + (slice0cost_pixels_first_0_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_2 / 16) + (slice0cost_pixels_first_0_2 / 64)) mod 2);
+      slice0cost_pixels_cost_0_3 <= (((slice0cost_pixels_first_0_3 mod 4) + (((slice0cost_pixels_first_0_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_3 / 16) mod 4) + (slice0cost_pixels_first_0_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_3 / 16) + (slice0cost_pixels_first_0_3 / 64)) mod 2);
+      slice0cost_pixels_cost_0_4 <= (((slice0cost_pixels_first_0_4 mod 4) + (((slice0cost_pixels_first_0_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_4 / 16) mod 4) + (slice0cost_pixels_first_0_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_4 / 16) + (slice0cost_pixels_first_0_4 / 64)) mod 2);
+      slice0cost_pixels_cost_0_5 <= (((slice0cost_pixels_first_0_5 mod 4) + (((slice0cost_pixels_first_0_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_5 / 16) mod 4) + (slice0cost_pixels_first_0_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_5 / 16) + (slice0cost_pixels_first_0_5 / 64)) mod 2);
+      slice0cost_pixels_cost_1_0 <= (((slice0cost_pixels_first_1_0 mod 4) + (((slice0cost_pixels_first_1_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_0 / 16) mod 4) + (slice0cost_pixels_first_1_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_0 / 16) + (slice0cost_pixels_first_1_0 / 64)) mod 2);
+      slice0cost_pixels_cost_1_1 <= (((slice0cost_pixels_first_1_1 mod 4) + (((slice0cost_pixels_first_1_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_1 / 16) mod 4) + (slice0cost_pixels_first_1_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_1 / 16) + (slice0cost_pixels_first_1_1 / 64)) mod 2);
+      slice0cost_pixels_cost_1_2 <= (((slice0cost_pixels_first_1_2 mod 4) + (((slice0cost_pixels_first_1_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_2 / 16) mod 4) + (slice0cost_pixels_first_1_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_2 / 16) + (slice0cost_pixels_first_1_2 / 64)) mod 2);
+      slice0cost_pixels_cost_1_3 <= (((slice0cost_pixels_first_1_3 mod 4) + (((slice0cost_pixels_first_1_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_3 / 16) mod 4) + (slice0cost_pixels_first_1_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_3 / 16) + (slice0cost_pixels_first_1_3 / 64)) mod 2);
+      slice0cost_pixels_cost_1_4 <= (((slice0cost_pixels_first_1_4 mod 4) + (((slice0cost_pixels_first_1_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_4 / 16) mod 4) + (slice0cost_pixels_first_1_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_4 / 16) + (slice0cost_pixels_first_1_4 / 64)) mod 2);
+      slice0cost_pixels_cost_1_5 <= (((slice0cost_pixels_first_1_5 mod 4) + (((slice0cost_pixels_first_1_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_5 / 16) mod 4) + (slice0cost_pixels_first_1_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_5 / 16) + (slice0cost_pixels_first_1_5 / 64)) mod 2);
+      slice0cost_pixels_cost_2_0 <= (((slice0cost_pixels_first_2_0 mod 4) + (((slice0cost_pixels_first_2_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_0 / 16) mod 4) + (slice0cost_pixels_first_2_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_0 / 16) + (slice0cost_pixels_first_2_0 / 64)) mod 2);
+      slice0cost_pixels_cost_2_1 <= (((slice0cost_pixels_first_2_1 mod 4) + (((slice0cost_pixels_first_2_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_1 / 16) mod 4) + (slice0cost_pixels_first_2_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_1 / 16) + (slice0cost_pixels_first_2_1 / 64)) mod 2);
+      slice0cost_pixels_cost_2_2 <= (((slice0cost_pixels_first_2_2 mod 4) + (((slice0cost_pixels_first_2_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_2 / 16) mod 4) + (slice0cost_pixels_first_2_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_2 / 16) + (slice0cost_pixels_first_2_2 / 64)) mod 2);
+      slice0cost_pixels_cost_2_3 <= (((slice0cost_pixels_first_2_3 mod 4) + (((slice0cost_pixels_first_2_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_3 / 16) mod 4) + (slice0cost_pixels_first_2_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_3 / 16) + (slice0cost_pixels_first_2_3 / 64)) mod 2);
+      slice0cost_pixels_cost_2_4 <= (((slice0cost_pixels_first_2_4 mod 4) + (((slice0cost_pixels_first_2_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_4 / 16) mod 4) + (slice0cost_pixels_first_2_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_4 / 16) + (slice0cost_pixels_first_2_4 / 64)) mod 2);
+      slice0cost_pixels_cost_2_5 <= (((slice0cost_pixels_first_2_5 mod 4) + (((slice0cost_pixels_first_2_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_2_5 / 16) mod 4) + (slice0cost_pixels_first_2_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_2_5 / 16) + (slice0cost_pixels_first_2_5 / 64)) mod 2);
+      slice0cost_pixels_cost_3_0 <= (((slice0cost_pixels_first_3_0 mod 4) + (((slice0cost_pixels_first_3_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_0 / 16) mod 4) + (slice0cost_pixels_first_3_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_0 / 16) + (slice0cost_pixels_first_3_0 / 64)) mod 2);
+      slice0cost_pixels_cost_3_1 <= (((slice0cost_pixels_first_3_1 mod 4) + (((slice0cost_pixels_first_3_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_1 / 16) mod 4) + (slice0cost_pixels_first_3_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_1 / 16) + (slice0cost_pixels_first_3_1 / 64)) mod 2);
+      slice0cost_pixels_cost_3_2 <= (((slice0cost_pixels_first_3_2 mod 4) + (((slice0cost_pixels_first_3_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_2 / 16) mod 4) + (slice0cost_pixels_first_3_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_2 / 16) + (slice0cost_pixels_first_3_2 / 64)) mod 2);
+      slice0cost_pixels_cost_3_3 <= (((slice0cost_pixels_first_3_3 mod 4) + (((slice0cost_pixels_first_3_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_3 / 16) mod 4) + (slice0cost_pixels_first_3_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_3 / 16) + (slice0cost_pixels_first_3_3 / 64)) mod 2);
+      slice0cost_pixels_cost_3_4 <= (((slice0cost_pixels_first_3_4 mod 4) + (((slice0cost_pixels_first_3_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_4 / 16) mod 4) + (slice0cost_pixels_first_3_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_4 / 16) + (slice0cost_pixels_first_3_4 / 64)) mod 2);
+      slice0cost_pixels_cost_3_5 <= (((slice0cost_pixels_first_3_5 mod 4) + (((slice0cost_pixels_first_3_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_3_5 / 16) mod 4) + (slice0cost_pixels_first_3_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_3_5 / 16) + (slice0cost_pixels_first_3_5 / 64)) mod 2);
+      slice0cost_pixels_cost_4_0 <= (((slice0cost_pixels_first_4_0 mod 4) + (((slice0cost_pixels_first_4_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_4_0 / 16) mod 4) + (slice0cost_pixels_first_4_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_4_0 / 16) + (slice0cost_pixels_first_4_0 / 64)) mod 2);
+      slice0cost_pixels_cost_4_1 <= (((slice0cost_pixels_first_4_1 mod 4) + (((slice0cost_pixels_first_4_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_4_1 / 16) mod 4) + (slice0cost_pixels_first_4_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_4_1 / 16) + (slice0cost_pixels_first_4_1 / 64)) mod 2);
+      slice0cost_pixels_cost_4_2 <= (((slice0cost_pixels_first_4_2 mod 4) + (((slice0cost_pixels_first_4_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_4_2 / 16) mod 4) + (slice0cost_pixels_first_4_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_4_2 / 16) + (slice0cost_pixels_first_4_2 / 64)) mod 2);
+      slice0cost_pixels_cost_4_3 <= (((slice0cost_pixels_first_4_3 mod 4) + (((slice0cost_pixels_first_4_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_4_3 / 16) mod 4) + (slice0cost_pixels_first_4_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_4_3 / 16) + (slice0cost_pixels_first_4_3 / 64)) mod 2);
+      slice0cost_pixels_cost_4_4 <= (((slice0cost_pixels_first_4_4 mod 4) + (((slice0cost_pixels_first_4_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_4_4 / 16) mod 4) + (slice0cost_pixels_first_4_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_4_4 / 16) + (slice0cost_pixels_first_4_4 / 64)) mod 2);
+      slice0cost_pixels_cost_4_5 <= (((slice0cost_pixels_first_4_5 mod 4) + (((slice0cost_pixels_first_4_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_4_5 / 16) mod 4) + (slice0cost_pixels_first_4_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_4_5 / 16) + (slice0cost_pixels_first_4_5 / 64)) mod 2);
+      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
+      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
+      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
+      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
+      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
+      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
+      slice0cost_pair_0_5 <= slice0cost_pixels_cost_1_5 + slice0cost_pixels_cost_2_5;
+      slice0cost_pair_1_0 <= slice0cost_pixels_cost_3_0 + slice0cost_pixels_cost_4_0;
+      slice0cost_pair_1_1 <= slice0cost_pixels_cost_3_1 + slice0cost_pixels_cost_4_1;
+      slice0cost_pair_1_2 <= slice0cost_pixels_cost_3_2 + slice0cost_pixels_cost_4_2;
+      slice0cost_pair_1_3 <= slice0cost_pixels_cost_3_3 + slice0cost_pixels_cost_4_3;
+      slice0cost_pair_1_4 <= slice0cost_pixels_cost_3_4 + slice0cost_pixels_cost_4_4;
+      slice0cost_pair_1_5 <= slice0cost_pixels_cost_3_5 + slice0cost_pixels_cost_4_5;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_single_0_5 <= slice0cost_pixels_cost_0_5;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_0 +
+        slice0cost_pair_0_0 + slice0cost_pair_1_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_1 +
+        slice0cost_pair_0_1 + slice0cost_pair_1_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_2 +
+        slice0cost_pair_0_2 + slice0cost_pair_1_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_3 +
+        slice0cost_pair_0_3 + slice0cost_pair_1_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_4 +
+        slice0cost_pair_0_4 + slice0cost_pair_1_4;
+      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_5 +
+        slice0cost_pair_0_5 + slice0cost_pair_1_5;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
+        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
+        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
+        slice0window_partial_0_1_0 <= slice0window_partial_0_0_0 + slice0cost_column_0_0;
+        slice0window_partial_0_1_1 <= slice0window_partial_0_0_1 + slice0cost_column_0_1;
+        slice0window_partial_0_1_2 <= slice0window_partial_0_0_2 + slice0cost_column_0_2;
+        slice0window_partial_0_1_3 <= slice0window_partial_0_0_3 + slice0cost_column_0_3;
+        slice0window_partial_0_1_4 <= slice0window_partial_0_0_4 + slice0cost_column_0_4;
+        slice0window_partial_0_1_5 <= slice0window_partial_0_0_5 + slice0cost_column_0_5;
+        slice0window_partial_0_2_0 <= slice0window_partial_0_1_0 + slice0cost_column_0_0;
+        slice0window_partial_0_2_1 <= slice0window_partial_0_1_1 + slice0cost_column_0_1;
+        slice0window_partial_0_2_2 <= slice0window_partial_0_1_2 + slice0cost_column_0_2;
+        slice0window_partial_0_2_3 <= slice0window_partial_0_1_3 + slice0cost_column_0_3;
+        slice0window_partial_0_2_4 <= slice0window_partial_0_1_4 + slice0cost_column_0_4;
+        slice0window_partial_0_2_5 <= slice0window_partial_0_1_5 + slice0cost_column_0_5;
+        slice0window_partial_0_3_0 <= slice0window_partial_0_2_0 + slice0cost_column_0_0;
+        slice0window_partial_0_3_1 <= slice0window_partial_0_2_1 + slice0cost_column_0_1;
+        slice0window_partial_0_3_2 <= slice0window_partial_0_2_2 + slice0cost_column_0_2;
+        slice0window_partial_0_3_3 <= slice0window_partial_0_2_3 + slice0cost_column_0_3;
+        slice0window_partial_0_3_4 <= slice0window_partial_0_2_4 + slice0cost_column_0_4;
+        slice0window_partial_0_3_5 <= slice0window_partial_0_2_5 + slice0cost_column_0_5;
+      end if;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0window_partial_0_3_0 + slice0cost_column_0_0;
+      slice0window_sum_0_1 <= slice0window_partial_0_3_1 + slice0cost_column_0_1;
+      slice0window_sum_0_2 <= slice0window_partial_0_3_2 + slice0cost_column_0_2;
+      slice0window_sum_0_3 <= slice0window_partial_0_3_3 + slice0cost_column_0_3;
+      slice0window_sum_0_4 <= slice0window_partial_0_3_4 + slice0cost_column_0_4;
+      slice0window_sum_0_5 <= slice0window_partial_0_3_5 + slice0cost_column_0_5;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      if slice0window_tag_valid then
+        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
+        slice0window_tag_output_column <= slice1window_centre_output_column_0;
+        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
+        slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
+      end if;
+      -- slice0winner1
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
+      slice0winner1_best_below_0_1 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_1_is_less else 0;
+      slice0winner1_best_below_0_2 <= slice0window_sum_0_4 when slice0winner1_best_cost_0_2_is_less else 0;
+      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
+      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0window_sum_0_3;
+      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0window_sum_0_5;
+      slice0winner1_best_first_0_0 <= slice0window_sum_0_0;
+      slice0winner1_best_first_0_1 <= slice0window_sum_0_2;
+      slice0winner1_best_first_0_2 <= slice0window_sum_0_4;
+      slice0winner1_best_last_0_0 <= slice0window_sum_0_1;
+      slice0winner1_best_last_0_1 <= slice0window_sum_0_3;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0 when slice0winner1_best_index_0_1 = 2 else
+        slice0winner1_best_below_0_1;
+      slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when slice0winner1_best_index_0_0 else
+        slice0winner1_best_above_0_0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_below_0_0;
+      slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
+      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner2_best_above_0_0_choice;
+      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_2;
+      slice0winner2_best_first_0_0 <= slice0winner1_best_first_0_0;
+      slice0winner2_best_first_0_1 <= slice0winner1_best_first_0_2;
+      slice0winner2_best_last_0_0 <= slice0winner1_best_last_0_1;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when ((slice0winner2_best_index_0_1 / 4) = 1)
+        and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) else slice0winner2_best_below_0_1;
+      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner2_best_index_0_0 = 3 else
+        slice0winner2_best_above_0_0;
+      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_cost_0_0;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_below_0_0;
+      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner3_best_above_0_0_choice;
+      slice0winner3_best_first_0_0 <= slice0winner2_best_first_0_0;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+      slice0_best_index_0_0 <= (((slice0winner3_best_index_0_0 / 2) + 3) * 2) + (slice0winner3_best_index_0_0 mod 2);
+      slice0_best_below_0_0 <= slice0winner3_best_below_0_0;
+      slice0_best_above_0_0 <= slice0winner3_best_above_0_0;
+      slice0_best_first_0_0 <= slice0winner3_best_first_0_0;
+      slice0_best_tag_valid <= slice0winner3_tag_valid;
+      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice1shift_search_0_1;
+        slice1shift_search_0_1 <= slice1shift_search_0_2;
+        slice1shift_search_0_2 <= slice1shift_search_0_3;
+        slice1shift_search_0_3 <= slice1shift_search_0_4;
+        slice1shift_search_0_4 <= slice1shift_search_0_5;
+        slice1shift_search_0_5 <= slice0shift_search_out_0;
+        slice1shift_search_1_0 <= slice1shift_search_1_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_2;
+        slice1shift_search_1_2 <= slice1shift_search_1_3;
+        slice1shift_search_1_3 <= slice1shift_search_1_4;
+        slice1shift_search_1_4 <= slice1shift_search_1_5;
+        slice1shift_search_1_5 <= slice0shift_search_out_1;
+        slice1shift_search_2_0 <= slice1shift_search_2_1;
+        slice1shift_search_2_1 <= slice1shift_search_2_2;
+        slice1shift_search_2_2 <= slice1shift_search_2_3;
+        slice1shift_search_2_3 <= slice1shift_search_2_4;
+        slice1shift_search_2_4 <= slice1shift_search_2_5;
+        slice1shift_search_2_5 <= slice0shift_search_out_2;
+        slice1shift_search_3_0 <= slice1shift_search_3_1;
+        slice1shift_search_3_1 <= slice1shift_search_3_2;
+        slice1shift_search_3_2 <= slice1shift_search_3_3;
+        slice1shift_search_3_3 <= slice1shift_search_3_4;
+        slice1shift_search_3_4 <= slice1shift_search_3_5;
+        slice1shift_search_3_5 <= slice0shift_search_out_3;
+        slice1shift_search_4_0 <= slice1shift_search_4_1;
+        slice1shift_search_4_1 <= slice1shift_search_4_2;
+        slice1shift_search_4_2 <= slice1shift_search_4_3;
+        slice1shift_search_4_3 <= slice1shift_search_4_4;
+        slice1shift_search_4_4 <= slice1shift_search_4_5;
+        slice1shift_search_4_5 <= slice0shift_search_out_4;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_reference_3 <= slice0shift_reference_3;
+      slice1shift_reference_4 <= slice0shift_reference_4;
+      -- slice1cost
+      slice1cost_pixels_first_0_0_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_4 := ((slice1shift_reference_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_5 := ((slice1shift_reference_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_6 := ((slice1shift_reference_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_7 := ((slice1shift_reference_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_8 := ((slice1shift_reference_0 / 128) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_9 := ((slice1shift_reference_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_10 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_4 := ((slice1shift_reference_1 / 4) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_5 := ((slice1shift_reference_1 / 2) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_6 := ((slice1shift_reference_1 / 64) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_7 := ((slice1shift_reference_1 / 256) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_8 := ((slice1shift_reference_1 / 128) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_9 := ((slice1shift_reference_1 / 512) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_10 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_4 := ((slice1shift_reference_2 / 4) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_5 := ((slice1shift_reference_2 / 2) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_6 := ((slice1shift_reference_2 / 64) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_7 := ((slice1shift_reference_2 / 256) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_8 := ((slice1shift_reference_2 / 128) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_9 := ((slice1shift_reference_2 / 512) mod 2) = 1;
+      slice1cost_pixels_first_2_0_value_10 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value := ((slice1shift_reference_3 / 8) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_2 := ((slice1shift_reference_3 / 32) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_3 := ((slice1shift_reference_3 / 16) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_4 := ((slice1shift_reference_3 / 4) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_5 := ((slice1shift_reference_3 / 2) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_6 := ((slice1shift_reference_3 / 64) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_7 := ((slice1shift_reference_3 / 256) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_8 := ((slice1shift_reference_3 / 128) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_9 := ((slice1shift_reference_3 / 512) mod 2) = 1;
+      slice1cost_pixels_first_3_0_value_10 := ((slice1shift_reference_3 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value := ((slice1shift_reference_4 / 8) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value_2 := ((slice1shift_reference_4 / 32) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value_3 := ((slice1shift_reference_4 / 16) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value_4 := ((slice1shift_reference_4 / 4) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value_5 := ((slice1shift_reference_4 / 2) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value_6 := ((slice1shift_reference_4 / 64) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value_7 := ((slice1shift_reference_4 / 256) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value_8 := ((slice1shift_reference_4 / 128) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value_9 := ((slice1shift_reference_4 / 512) mod 2) = 1;
+      slice1cost_pixels_first_4_0_value_10 := ((slice1shift_reference_4 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_0_0 <= ((as_number((slice1cost_pixels_first_0_0_value /= (((slice1shift_search_0_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_value_2 /= (((slice1shift_search_0_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_0_0_value_3 /= (((slice1shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_0 mod 2) = 1) /= ((slice1shift_search_0_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_4 /= (((slice1shift_search_0_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_5 /= (((slice1shift_search_0_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_0_0_value_6 /= (((slice1shift_search_0_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_7 /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_8 /= (((slice1shift_search_0_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_0_0_value_9 /= (((slice1shift_search_0_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_0 / 2048) = 1) /= ((slice1shift_search_0_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_10 /= (((slice1shift_search_0_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_0_1 <= ((as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_1 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_1 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_2 <= ((as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_2 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_2 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_3 <= ((as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_3 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_3 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_4 <= ((as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_4 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_4 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_5 <= ((as_number(((((slice1shift_search_0_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_5 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_5 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_1_0 <= ((as_number((slice1cost_pixels_first_1_0_value /= (((slice1shift_search_1_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_value_2 /= (((slice1shift_search_1_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_1_0_value_3 /= (((slice1shift_search_1_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_1 mod 2) = 1) /= ((slice1shift_search_1_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_4 /= (((slice1shift_search_1_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_5 /= (((slice1shift_search_1_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_1_0_value_6 /= (((slice1shift_search_1_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_7 /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_8 /= (((slice1shift_search_1_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_1_0_value_9 /= (((slice1shift_search_1_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_1 / 2048) = 1) /= ((slice1shift_search_1_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_10 /= (((slice1shift_search_1_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_1_1 <= ((as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_1 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_1 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_2 <= ((as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_2 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_2 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_3 <= ((as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_3 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_3 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_4 <= ((as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_4 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_4 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_5 <= ((as_number(((((slice1shift_search_1_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_5 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_5 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_2_0 <= ((as_number((slice1cost_pixels_first_2_0_value /= (((slice1shift_search_2_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_value_2 /= (((slice1shift_search_2_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_2_0_value_3 /= (((slice1shift_search_2_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_2 mod 2) = 1) /= ((slice1shift_search_2_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_4 /= (((slice1shift_search_2_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_5 /= (((slice1shift_search_2_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_2_0_value_6 /= (((slice1shift_search_2_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_7 /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_8 /= (((slice1shift_search_2_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_2_0_value_9 /= (((slice1shift_search_2_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_2 / 2048) = 1) /= ((slice1shift_search_2_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_value_10 /= (((slice1shift_search_2_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_2_1 <= ((as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_1 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_1 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_2_2 <= ((as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_2 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_2 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_2_3 <= ((as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_3 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_3 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_2_4 <= ((as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_4 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_4 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_2_5 <= ((as_number(((((slice1shift_search_2_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value)) + as_number(((((slice1shift_search_2_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_2)) + as_number(((((slice1shift_search_2_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_3))) * 4) + as_number((((slice1shift_search_2_5 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_4)) + as_number(((((slice1shift_search_2_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_5)) + ((as_number(((((slice1shift_search_2_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_6)) + as_number(((((slice1shift_search_2_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_7)) + as_number(((((slice1shift_search_2_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_8))) * 16) + ((as_number(((((slice1shift_search_2_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_9)) + as_number((((slice1shift_search_2_5 / 2048) = 1) /=
+        ((slice1shift_reference_2 / 2048) = 1))) + as_number(((((slice1shift_search_2_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_value_10))) * 64);
+      slice1cost_pixels_first_3_0 <= ((as_number((slice1cost_pixels_first_3_0_value /= (((slice1shift_search_3_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_3_0_value_2 /= (((slice1shift_search_3_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_3_0_value_3 /= (((slice1shift_search_3_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_3 mod 2) = 1) /= ((slice1shift_search_3_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_4 /= (((slice1shift_search_3_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_5 /= (((slice1shift_search_3_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_3_0_value_6 /= (((slice1shift_search_3_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_7 /= (((slice1shift_search_3_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_8 /= (((slice1shift_search_3_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_3_0_value_9 /= (((slice1shift_search_3_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_3 / 2048) = 1) /= ((slice1shift_search_3_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_3_0_value_10 /= (((slice1shift_search_3_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_3_1 <= ((as_number(((((slice1shift_search_3_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_1 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_1 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_first_3_2 <= ((as_number(((((slice1shift_search_3_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_2 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_2 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_first_3_3 <= ((as_number(((((slice1shift_search_3_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_3 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_3 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_first_3_4 <= ((as_number(((((slice1shift_search_3_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_4 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_4 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_first_3_5 <= ((as_number(((((slice1shift_search_3_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value)) + as_number(((((slice1shift_search_3_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_2)) + as_number(((((slice1shift_search_3_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_3))) * 4) + as_number((((slice1shift_search_3_5 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(((((slice1shift_search_3_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_4)) + as_number(((((slice1shift_search_3_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_5)) + ((as_number(((((slice1shift_search_3_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_6)) + as_number(((((slice1shift_search_3_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_7)) + as_number(((((slice1shift_search_3_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_8))) * 16) + ((as_number(((((slice1shift_search_3_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_9)) + as_number((((slice1shift_search_3_5 / 2048) = 1) /=
+        ((slice1shift_reference_3 / 2048) = 1))) + as_number(((((slice1shift_search_3_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_3_0_value_10))) * 64);
+      slice1cost_pixels_first_4_0 <= ((as_number((slice1cost_pixels_first_4_0_value /= (((slice1shift_search_4_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_4_0_value_2 /= (((slice1shift_search_4_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_4_0_value_3 /= (((slice1shift_search_4_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_4 mod 2) = 1) /= ((slice1shift_search_4_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_4_0_value_4 /= (((slice1shift_search_4_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_4_0_value_5 /= (((slice1shift_search_4_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_4_0_value_6 /= (((slice1shift_search_4_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_4_0_value_7 /= (((slice1shift_search_4_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_4_0_value_8 /= (((slice1shift_search_4_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_4_0_value_9 /= (((slice1shift_search_4_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_4 / 2048) = 1) /= ((slice1shift_search_4_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_4_0_value_10 /= (((slice1shift_search_4_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_4_1 <= ((as_number(((((slice1shift_search_4_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_1 mod 2) = 1) /=
+        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_1 / 2048) = 1) /=
+        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_10))) * 64);
+      slice1cost_pixels_first_4_2 <= ((as_number(((((slice1shift_search_4_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_2 mod 2) = 1) /=
+        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_2 / 2048) = 1) /=
+        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_10))) * 64);
+      slice1cost_pixels_first_4_3 <= ((as_number(((((slice1shift_search_4_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_3 mod 2) = 1) /=
+        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_3 / 2048) = 1) /=
+        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_10))) * 64);
+      slice1cost_pixels_first_4_4 <= ((as_number(((((slice1shift_search_4_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_4 mod 2) = 1) /=
+        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_4 / 2048) = 1) /=
+        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_10))) * 64);
+      slice1cost_pixels_first_4_5 <= ((as_number(((((slice1shift_search_4_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value)) + as_number(((((slice1shift_search_4_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_2)) + as_number(((((slice1shift_search_4_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_3))) * 4) + as_number((((slice1shift_search_4_5 mod 2) = 1) /=
+        ((slice1shift_reference_4 mod 2) = 1))) + as_number(((((slice1shift_search_4_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_4)) + as_number(((((slice1shift_search_4_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_5)) + ((as_number(((((slice1shift_search_4_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_6)) + as_number(((((slice1shift_search_4_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_7)) + as_number(((((slice1shift_search_4_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_8))) * 16) + ((as_number(((((slice1shift_search_4_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_9)) + as_number((((slice1shift_search_4_5 / 2048) = 1) /=
+        ((slice1shift_reference_4 / 2048) = 1))) + as_number(((((slice1shift_search_4_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_4_0_value_10))) * 64);
+      slice1cost_pixels_cost_0_0 <= (((slice1cost_pixels_first_0_0 mod 4) + (((slice1cost_pixels_first_0_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_0 / 16) mod 4) + (slice1cost_pixels_first_0_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_0 / 16) + (slice1cost_pixels_first_0_0 / 64)) mod 2);
+      slice1cost_pixels_cost_0_1 <= (((slice1cost_pixels_first_0_1 mod 4) + (((slice1cost_pixels_first_0_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_1 / 16) mod 4) + (slice1cost_pixels_first_0_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_1 / 16) + (slice1cost_pixels_first_0_1 / 64)) mod 2);
+      slice1cost_pixels_cost_0_2 <= (((slice1cost_pixels_first_0_2 mod 4) + (((slice1cost_pixels_first_0_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_2 / 16) mod 4) + (slice1cost_pixels_first_0_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_2 / 16) + (slice1cost_pixels_first_0_2 / 64)) mod 2);
+      slice1cost_pixels_cost_0_3 <= (((slice1cost_pixels_first_0_3 mod 4) + (((slice1cost_pixels_first_0_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_3 / 16) mod 4) + (slice1cost_pixels_first_0_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_3 / 16) + (slice1cost_pixels_first_0_3 / 64)) mod 2);
+      slice1cost_pixels_cost_0_4 <= (((slice1cost_pixels_first_0_4 mod 4) + (((slice1cost_pixels_first_0_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_4 / 16) mod 4) + (slice1cost_pixels_first_0_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_4 / 16) + (slice1cost_pixels_first_0_4 / 64)) mod 2);
+      slice1cost_pixels_cost_0_5 <= (((slice1cost_pixels_first_0_5 mod 4) + (((slice1cost_pixels_first_0_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_5 / 16) mod 4) + (slice1cost_pixels_first_0_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_5 / 16) + (slice1cost_pixels_first_0_5 / 64)) mod 2);
+      slice1cost_pixels_cost_1_0 <= (((slice1cost_pixels_first_1_0 mod 4) + (((slice1cost_pixels_first_1_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_0 / 16) mod 4) + (slice1cost_pixels_first_1_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_0 / 16) + (slice1cost_pixels_first_1_0 / 64)) mod 2);
+      slice1cost_pixels_cost_1_1 <= (((slice1cost_pixels_first_1_1 mod 4) + (((slice1cost_pixels_first_1_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_1 / 16) mod 4) + (slice1cost_pixels_first_1_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_1 / 16) + (slice1cost_pixels_first_1_1 / 64)) mod 2);
+      slice1cost_pixels_cost_1_2 <= (((slice1cost_pixels_first_1_2 mod 4) + (((slice1cost_pixels_first_1_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_2 / 16) mod 4) + (slice1cost_pixels_first_1_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_2 / 16) + (slice1cost_pixels_first_1_2 / 64)) mod 2);
+      slice1cost_pixels_cost_1_3 <= (((slice1cost_pixels_first_1_3 mod 4) + (((slice1cost_pixels_first_1_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_3 / 16) mod 4) + (slice1cost_pixels_first_1_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_3 / 16) + (slice1cost_pixels_first_1_3 / 64)) mod 2);
+      slice1cost_pixels_cost_1_4 <= (((slice1cost_pixels_first_1_4 mod 4) + (((slice1cost_pixels_first_1_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_4 / 16) mod 4) + (slice1cost_pixels_first_1_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_4 / 16) + (slice1cost_pixels_first_1_4 / 64)) mod 2);
+      slice1cost_pixels_cost_1_5 <= (((slice1cost_pixels_first_1_5 mod 4) + (((slice1cost_pixels_first_1_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_5 / 16) mod 4) + (slice1cost_pixels_first_1_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_5 / 16) + (slice1cost_pixels_first_1_5 / 64)) mod 2);
+      slice1cost_pixels_cost_2_0 <= (((slice1cost_pixels_first_2_0 mod 4) + (((slice1cost_pixels_first_2_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_0 / 16) mod 4) + (slice1cost_pixels_first_2_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_0 / 16) + (slice1cost_pixels_first_2_0 / 64)) mod 2);
+      slice1cost_pixels_cost_2_1 <= (((slice1cost_pixels_first_2_1 mod 4) + (((slice1cost_pixels_first_2_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_1 / 16) mod 4) + (slice1cost_pixels_first_2_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_1 / 16) + (slice1cost_pixels_first_2_1 / 64)) mod 2);
+      slice1cost_pixels_cost_2_2 <= (((slice1cost_pixels_first_2_2 mod 4) + (((slice1cost_pixels_first_2_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_2 / 16) mod 4) + (slice1cost_pixels_first_2_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_2 / 16) + (slice1cost_pixels_first_2_2 / 64)) mod 2);
+      slice1cost_pixels_cost_2_3 <= (((slice1cost_pixels_first_2_3 mod 4) + (((slice1cost_pixels_first_2_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_3 / 16) mod 4) + (slice1cost_pixels_first_2_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_3 / 16) + (slice1cost_pixels_first_2_3 / 64)) mod 2);
+      slice1cost_pixels_cost_2_4 <= (((slice1cost_pixels_first_2_4 mod 4) + (((slice1cost_pixels_first_2_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_4 / 16) mod 4) + (slice1cost_pixels_first_2_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_4 / 16) + (slice1cost_pixels_first_2_4 / 64)) mod 2);
+      slice1cost_pixels_cost_2_5 <= (((slice1cost_pixels_first_2_5 mod 4) + (((slice1cost_pixels_first_2_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_2_5 / 16) mod 4) + (slice1cost_pixels_first_2_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_2_5 / 16) + (slice1cost_pixels_first_2_5 / 64)) mod 2);
+      slice1cost_pixels_cost_3_0 <= (((slice1cost_pixels_first_3_0 mod 4) + (((slice1cost_pixels_first_3_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_0 / 16) mod 4) + (slice1cost_pixels_first_3_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_0 / 16) + (slice1cost_pixels_first_3_0 / 64)) mod 2);
+      slice1cost_pixels_cost_3_1 <= (((slice1cost_pixels_first_3_1 mod 4) + (((slice1cost_pixels_first_3_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_1 / 16) mod 4) + (slice1cost_pixels_first_3_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_1 / 16) + (slice1cost_pixels_first_3_1 / 64)) mod 2);
+      slice1cost_pixels_cost_3_2 <= (((slice1cost_pixels_first_3_2 mod 4) + (((slice1cost_pixels_first_3_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_2 / 16) mod 4) + (slice1cost_pixels_first_3_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_2 / 16) + (slice1cost_pixels_first_3_2 / 64)) mod 2);
+      slice1cost_pixels_cost_3_3 <= (((slice1cost_pixels_first_3_3 mod 4) + (((slice1cost_pixels_first_3_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_3 / 16) mod 4) + (slice1cost_pixels_first_3_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_3 / 16) + (slice1cost_pixels_first_3_3 / 64)) mod 2);
+      slice1cost_pixels_cost_3_4 <= (((slice1cost_pixels_first_3_4 mod 4) + (((slice1cost_pixels_first_3_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_4 / 16) mod 4) + (slice1cost_pixels_first_3_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_4 / 16) + (slice1cost_pixels_first_3_4 / 64)) mod 2);
+      slice1cost_pixels_cost_3_5 <= (((slice1cost_pixels_first_3_5 mod 4) + (((slice1cost_pixels_first_3_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_3_5 / 16) mod 4) + (slice1cost_pixels_first_3_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_3_5 / 16) + (slice1cost_pixels_first_3_5 / 64)) mod 2);
+      slice1cost_pixels_cost_4_0 <= (((slice1cost_pixels_first_4_0 mod 4) + (((slice1cost_pixels_first_4_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_4_0 / 16) mod 4) + (slice1cost_pixels_first_4_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_4_0 / 16) + (slice1cost_pixels_first_4_0 / 64)) mod 2);
+      slice1cost_pixels_cost_4_1 <= (((slice1cost_pixels_first_4_1 mod 4) + (((slice1cost_pixels_first_4_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_4_1 / 16) mod 4) + (slice1cost_pixels_first_4_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_4_1 / 16) + (slice1cost_pixels_first_4_1 / 64)) mod 2);
+      slice1cost_pixels_cost_4_2 <= (((slice1cost_pixels_first_4_2 mod 4) + (((slice1cost_pixels_first_4_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_4_2 / 16) mod 4) + (slice1cost_pixels_first_4_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_4_2 / 16) + (slice1cost_pixels_first_4_2 / 64)) mod 2);
+      slice1cost_pixels_cost_4_3 <= (((slice1cost_pixels_first_4_3 mod 4) + (((slice1cost_pixels_first_4_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_4_3 / 16) mod 4) + (slice1cost_pixels_first_4_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_4_3 / 16) + (slice1cost_pixels_first_4_3 / 64)) mod 2);
+      slice1cost_pixels_cost_4_4 <= (((slice1cost_pixels_first_4_4 mod 4) + (((slice1cost_pixels_first_4_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_4_4 / 16) mod 4) + (slice1cost_pixels_first_4_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_4_4 / 16) + (slice1cost_pixels_first_4_4 / 64)) mod 2);
+      slice1cost_pixels_cost_4_5 <= (((slice1cost_pixels_first_4_5 mod 4) + (((slice1cost_pixels_first_4_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_4_5 / 16) mod 4) + (slice1cost_pixels_first_4_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_4_5 / 16) + (slice1cost_pixels_first_4_5 / 64)) mod 2);
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
+      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
+      slice1cost_pair_0_5 <= slice1cost_pixels_cost_1_5 + slice1cost_pixels_cost_2_5;
+      slice1cost_pair_1_0 <= slice1cost_pixels_cost_3_0 + slice1cost_pixels_cost_4_0;
+      slice1cost_pair_1_1 <= slice1cost_pixels_cost_3_1 + slice1cost_pixels_cost_4_1;
+      slice1cost_pair_1_2 <= slice1cost_pixels_cost_3_2 + slice1cost_pixels_cost_4_2;
+      slice1cost_pair_1_3 <= slice1cost_pixels_cost_3_3 + slice1cost_pixels_cost_4_3;
+      slice1cost_pair_1_4 <= slice1cost_pixels_cost_3_4 + slice1cost_pixels_cost_4_4;
+      slice1cost_pair_1_5 <= slice1cost_pixels_cost_3_5 + slice1cost_pixels_cost_4_5;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
+      slice1cost_single_0_5 <= slice1cost_pixels_cost_0_5;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_0 + slice1cost_pair_0_0 +
+        slice1cost_pair_1_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_1 + slice1cost_pair_0_1 +
+        slice1cost_pair_1_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_2 + slice1cost_pair_0_2 +
+        slice1cost_pair_1_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_3 + slice1cost_pair_0_3 +
+        slice1cost_pair_1_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_4 + slice1cost_pair_0_4 +
+        slice1cost_pair_1_4;
+      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_5 + slice1cost_pair_0_5 +
+        slice1cost_pair_1_5;
+      slice1cost_tag_output_column <= slice0cost_tag_output_column;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
+        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
+        slice1window_partial_0_0_5 <= slice1cost_column_0_5;
+        slice1window_partial_0_1_0 <= slice1window_partial_0_0_0 + slice1cost_column_0_0;
+        slice1window_partial_0_1_1 <= slice1window_partial_0_0_1 + slice1cost_column_0_1;
+        slice1window_partial_0_1_2 <= slice1window_partial_0_0_2 + slice1cost_column_0_2;
+        slice1window_partial_0_1_3 <= slice1window_partial_0_0_3 + slice1cost_column_0_3;
+        slice1window_partial_0_1_4 <= slice1window_partial_0_0_4 + slice1cost_column_0_4;
+        slice1window_partial_0_1_5 <= slice1window_partial_0_0_5 + slice1cost_column_0_5;
+        slice1window_partial_0_2_0 <= slice1window_partial_0_1_0 + slice1cost_column_0_0;
+        slice1window_partial_0_2_1 <= slice1window_partial_0_1_1 + slice1cost_column_0_1;
+        slice1window_partial_0_2_2 <= slice1window_partial_0_1_2 + slice1cost_column_0_2;
+        slice1window_partial_0_2_3 <= slice1window_partial_0_1_3 + slice1cost_column_0_3;
+        slice1window_partial_0_2_4 <= slice1window_partial_0_1_4 + slice1cost_column_0_4;
+        slice1window_partial_0_2_5 <= slice1window_partial_0_1_5 + slice1cost_column_0_5;
+        slice1window_partial_0_3_0 <= slice1window_partial_0_2_0 + slice1cost_column_0_0;
+        slice1window_partial_0_3_1 <= slice1window_partial_0_2_1 + slice1cost_column_0_1;
+        slice1window_partial_0_3_2 <= slice1window_partial_0_2_2 + slice1cost_column_0_2;
+        slice1window_partial_0_3_3 <= slice1window_partial_0_2_3 + slice1cost_column_0_3;
+        slice1window_partial_0_3_4 <= slice1window_partial_0_2_4 + slice1cost_column_0_4;
+        slice1window_partial_0_3_5 <= slice1window_partial_0_2_5 + slice1cost_column_0_5;
+        slice1window_centre_output_column_0 <= slice1cost_tag_output_column;
+        slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
+      end if;
+      slice1window_sum_0_0 <= slice1window_partial_0_3_0 + slice1cost_column_0_0;
+      slice1window_sum_0_1 <= slice1window_partial_0_3_1 + slice1cost_column_0_1;
+      slice1window_sum_0_2 <= slice1window_partial_0_3_2 + slice1cost_column_0_2;
+      slice1window_sum_0_3 <= slice1window_partial_0_3_3 + slice1cost_column_0_3;
+      slice1window_sum_0_4 <= slice1window_partial_0_3_4 + slice1cost_column_0_4;
+      slice1window_sum_0_5 <= slice1window_partial_0_3_5 + slice1cost_column_0_5;
+      -- slice1winner1
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
+      slice1winner1_best_below_0_1 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_1_is_less else 0;
+      slice1winner1_best_below_0_2 <= slice1window_sum_0_4 when slice1winner1_best_cost_0_2_is_less else 0;
+      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
+      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1window_sum_0_3;
+      slice1winner1_best_above_0_2 <= 0 when slice1winner1_best_cost_0_2_is_less else slice1window_sum_0_5;
+      slice1winner1_best_first_0_1 <= slice1window_sum_0_2;
+      slice1winner1_best_first_0_2 <= slice1window_sum_0_4;
+      slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
+      slice1winner1_best_last_0_1 <= slice1window_sum_0_3;
+      slice1winner1_best_last_0_2 <= slice1window_sum_0_5;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when slice1winner1_best_index_0_1 = 2 else
+        slice1winner1_best_below_0_1;
+      slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when slice1winner1_best_index_0_0 else
+        slice1winner1_best_above_0_0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_below_0_0;
+      slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
+      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner2_best_above_0_0_choice;
+      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_2;
+      slice1winner2_best_first_0_1 <= slice1winner1_best_first_0_2;
+      slice1winner2_best_last_0_0 <= slice1winner1_best_last_0_1;
+      slice1winner2_best_last_0_1 <= slice1winner1_best_last_0_2;
+      -- slice1winner3
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when ((slice1winner2_best_index_0_1 / 4) = 1)
+        and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) else slice1winner2_best_below_0_1;
+      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner2_best_index_0_0 = 3 else
+        slice1winner2_best_above_0_0;
+      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_cost_0_0;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_index_0_0;
+      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_below_0_0;
+      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner3_best_above_0_0_choice;
+      slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
+      -- slice1
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
+      slice1_best_below_0_0_choice := slice1winner3_best_last_0_0 when slice0_best_index_0_0 = 6 else
+        slice0_best_below_0_0;
+      slice1_best_above_0_0_choice := slice0_best_first_0_0 when slice1winner3_best_index_0_0 = 5 else
+        slice1winner3_best_above_0_0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner3_best_cost_0_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
+      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
+        slice1winner3_best_below_0_0;
+      slice1_best_above_0_0 <= slice0_best_above_0_0 when slice1_best_cost_0_0_is_less else
+        slice1_best_above_0_0_choice;
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- refinement
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 1024) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 1024) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 1024) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 1024) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 1024) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 1024) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 1024) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
+      refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
+      refinement_disparity_0_0 <= slice1_best_index_0_0;
+      refinement_disparity_1_0 <= refinement_disparity_0_0;
+      refinement_disparity_2_0 <= refinement_disparity_1_0;
+      refinement_disparity_3_0 <= refinement_disparity_2_0;
+      refinement_disparity_4_0 <= refinement_disparity_3_0;
+      refinement_disparity_5_0 <= refinement_disparity_4_0;
+      refinement_disparity_6_0 <= refinement_disparity_5_0;
+      refinement_disparity_7_0 <= refinement_disparity_6_0;
+      refinement_disparity_8_0 <= refinement_disparity_7_0;
+      refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
+      refinement_passed_0_0 <= true;
+      refinement_passed_1_0 <= refinement_passed_0_0;
+      refinement_passed_2_0 <= refinement_passed_1_0;
+      refinement_passed_3_0 <= refinement_passed_2_0;
+      refinement_passed_4_0 <= refinement_passed_3_0;
+      refinement_passed_5_0 <= refinement_passed_4_0;
+      refinement_passed_6_0 <= refinement_passed_5_0;
+      refinement_passed_7_0 <= refinement_passed_6_0;
+      refinement_passed_8_0 <= refinement_passed_7_0;
+      refinement_passed_9_0 <= refinement_passed_8_0;
+      refinement_passed_10_0 <= refinement_passed_9_0;
+      refinement_passed_11_0 <= refinement_passed_10_0;
+      refinement_tag_0_valid <= slice1_best_tag_valid;
+      refinement_tag_0_output_column <= slice1_best_tag_output_column;
+      refinement_tag_0_start_of_frame <= slice1_best_tag_start_of_frame;
+      refinement_tag_0_end_of_line <= slice1_best_tag_end_of_line;
+      refinement_tag_1_valid <= refinement_tag_0_valid;
+      refinement_tag_1_output_column <= refinement_tag_0_output_column;
+      refinement_tag_1_start_of_frame <= refinement_tag_0_start_of_frame;
+      refinement_tag_1_end_of_line <= refinement_tag_0_end_of_line;
+      refinement_tag_2_valid <= refinement_tag_1_valid;
+      refinement_tag_2_output_column <= refinement_tag_1_output_column;
+      refinement_tag_2_start_of_frame <= refinement_tag_1_start_of_frame;
+      refinement_tag_2_end_of_line <= refinement_tag_1_end_of_line;
+      refinement_tag_3_valid <= refinement_tag_2_valid;
+      refinement_tag_3_output_column <= refinement_tag_2_output_column;
+      refinement_tag_3_start_of_frame <= refinement_tag_2_start_of_frame;
+      refinement_tag_3_end_of_line <= refinement_tag_2_end_of_line;
+      refinement_tag_4_valid <= refinement_tag_3_valid;
+      refinement_tag_4_output_column <= refinement_tag_3_output_column;
+      refinement_tag_4_start_of_frame <= refinement_tag_3_start_of_frame;
+      refinement_tag_4_end_of_line <= refinement_tag_3_end_of_line;
+      refinement_tag_5_valid <= refinement_tag_4_valid;
+      refinement_tag_5_output_column <= refinement_tag_4_output_column;
+      refinement_tag_5_start_of_frame <= refinement_tag_4_start_of_frame;
+      refinement_tag_5_end_of_line <= refinement_tag_4_end_of_line;
+      refinement_tag_6_valid <= refinement_tag_5_valid;
+      refinement_tag_6_output_column <= refinement_tag_5_output_column;
+      refinement_tag_6_start_of_frame <= refinement_tag_5_start_of_frame;
+      refinement_tag_6_end_of_line <= refinement_tag_5_end_of_line;
+      refinement_tag_7_valid <= refinement_tag_6_valid;
+      refinement_tag_7_output_column <= refinement_tag_6_output_column;
+      refinement_tag_7_start_of_frame <= refinement_tag_6_start_of_frame;
+      refinement_tag_7_end_of_line <= refinement_tag_6_end_of_line;
+      refinement_tag_8_valid <= refinement_tag_7_valid;
+      refinement_tag_8_output_column <= refinement_tag_7_output_column;
+      refinement_tag_8_start_of_frame <= refinement_tag_7_start_of_frame;
+      refinement_tag_8_end_of_line <= refinement_tag_7_end_of_line;
+      refinement_tag_9_valid <= refinement_tag_8_valid;
+      refinement_tag_9_output_column <= refinement_tag_8_output_column;
+      refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
+      refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_cost_0 <= slice1_best_cost_0_0;
+      refinement_below_0 <= slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else slice1_best_below_0_0;
+      refinement_above_0 <= slice1_best_below_0_0 when slice1_best_index_0_0 = 11 else slice1_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 512;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 512;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 512 when (refinement_remainder_1_0_difference
+        / 1024) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 512 when (refinement_remainder_2_0_difference
+        / 1024) = 1 else (refinement_remainder_1_0 mod 256) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 512 when (refinement_remainder_3_0_difference
+        / 1024) = 1 else (refinement_remainder_2_0 mod 256) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 512 when (refinement_remainder_4_0_difference
+        / 1024) = 1 else (refinement_remainder_3_0 mod 256) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 512 when (refinement_remainder_5_0_difference
+        / 1024) = 1 else (refinement_remainder_4_0 mod 256) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 512 when (refinement_remainder_6_0_difference
+        / 1024) = 1 else (refinement_remainder_5_0 mod 256) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 512 when (refinement_remainder_7_0_difference
+        / 1024) = 1 else (refinement_remainder_6_0 mod 256) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 9)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 9))));
+      refinement_divisor_1_0 <= refinement_divisor_0_0;
+      refinement_divisor_2_0 <= refinement_divisor_1_0;
+      refinement_divisor_3_0 <= refinement_divisor_2_0;
+      refinement_divisor_4_0 <= refinement_divisor_3_0;
+      refinement_divisor_5_0 <= refinement_divisor_4_0;
+      refinement_divisor_6_0 <= refinement_divisor_5_0;
+      refinement_divisor_7_0 <= refinement_divisor_6_0;
+      refinement_quotient_8_0 <= ((((1024 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 512) + ((other_0
+        / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
+      refinement_negative_1_0 <= refinement_negative_0_0;
+      refinement_negative_2_0 <= refinement_negative_1_0;
+      refinement_negative_3_0 <= refinement_negative_2_0;
+      refinement_negative_4_0 <= refinement_negative_3_0;
+      refinement_negative_5_0 <= refinement_negative_4_0;
+      refinement_negative_6_0 <= refinement_negative_5_0;
+      refinement_negative_7_0 <= refinement_negative_6_0;
+      refinement_negative_8_0 <= refinement_negative_7_0;
+      refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      -- map
+      map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
+        ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
+      map_out_passed_0 <= refinement_passed_11_0;
+      map_out_valid <= refinement_tag_11_valid and refinement_tag_11_output_column;
+      map_out_start_of_frame <= refinement_tag_11_start_of_frame and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      map_out_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      -- other
+      other_0 <= ((refinement_remainder_7_0_difference / 1024) * 2) + ((other_1 / 4) * 4);
+      other_1 <= ((refinement_remainder_6_0_difference / 1024) * 4) + ((other_2 / 8) * 8);
+      other_2 <= ((refinement_remainder_5_0_difference / 1024) * 8) + ((other_3 / 16) * 16);
+      other_3 <= ((refinement_remainder_4_0_difference / 1024) * 16) + ((other_4 / 32) * 32);
+      other_4 <= ((refinement_remainder_3_0_difference / 1024) * 32) + ((other_5 / 64) * 64);
+      other_5 <= ((refinement_remainder_2_0_difference / 1024) * 64) + ((other_6 / 128) * 128);
+      other_6 <= (refinement_remainder_1_0_difference / 1024) * 128;
+      other_7 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) * 2;
+      other_8 <= as_number(((transform_right_code_row_before_0 - transform_right_code_row_after_0) < 0)) * 8192;
+      other_9 <= as_number((((other_10 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
+      other_10 <= ((transform_right_code_row_box_0_0 + transform_right_code_row_column_0_3) / 2) * 2;
+      other_11 <= (((transform_left_code_next_row_outer_0 / 2) - transform_left_code_next_row_centre_0) mod 32768) * 2;
+      other_12 <= as_number(((transform_left_code_row_before_0 - transform_left_code_row_after_0) < 0)) * 8192;
+      other_13 <= as_number((((other_14 / 2) - transform_left_code_row_centre_0) < 0)) * 8192;
+      other_14 <= ((transform_left_code_row_box_0_0 + transform_left_code_row_column_0_3) / 2) * 2;
+      other_15 <= other_16;
+      other_16 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 4) and
+        (transform_counter_group = 4)));
+      if reset = '1' then
+        size_windows_last_column <= 39;
+        size_windows_last_group <= 23;
+        size_windows_groups <= 24;
+        size_windows_last_counted <= 25;
+        size_windows_idle <= 26;
+        size_transform_last_counted <= 27;
+        size_transform_idle <= 28;
+        size_last_map_column <= 38;
+        transform_valid <= false;
+        transform_counter_column <= 0;
+        transform_counter_group <= 28;
+        transform_counter_next_frame <= false;
+        transform_read_column <= 0;
+        transform_ready_column <= 0;
+        transform_write_column <= 0;
+        transform_columns_start_of_frame <= false;
+        transform_columns_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        transform_filtering_2_start_of_frame <= false;
+        transform_filtering_2_valid <= false;
+        transform_filtering_3_start_of_frame <= false;
+        transform_filtering_3_valid <= false;
+        transform_filtering_4_start_of_frame <= false;
+        transform_filtering_4_valid <= false;
+        transform_filtering_5_start_of_frame <= false;
+        transform_filtering_5_valid <= false;
+        transform_filtering_6_start_of_frame <= false;
+        transform_filtering_6_valid <= false;
+        transform_filtering_7_start_of_frame <= false;
+        transform_filtering_7_valid <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 26;
+        raster_place_next_frame <= false;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_pixels_first_tag_valid <= false;
+        slice0cost_pixels_first_tag_output_column <= false;
+        slice0cost_pixels_first_tag_start_of_frame <= false;
+        slice0cost_pixels_first_tag_end_of_line <= false;
+        slice0cost_pixels_tag_valid <= false;
+        slice0cost_pixels_tag_output_column <= false;
+        slice0cost_pixels_tag_start_of_frame <= false;
+        slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1cost_tag_output_column <= false;
+        slice1window_centre_output_column_0 <= false;
+        slice1window_centre_end_of_line_0 <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        refinement_tag_0_valid <= false;
+        refinement_tag_0_output_column <= false;
+        refinement_tag_0_start_of_frame <= false;
+        refinement_tag_0_end_of_line <= false;
+        refinement_tag_1_valid <= false;
+        refinement_tag_1_output_column <= false;
+        refinement_tag_1_start_of_frame <= false;
+        refinement_tag_1_end_of_line <= false;
+        refinement_tag_2_valid <= false;
+        refinement_tag_2_output_column <= false;
+        refinement_tag_2_start_of_frame <= false;
+        refinement_tag_2_end_of_line <= false;
+        refinement_tag_3_valid <= false;
+        refinement_tag_3_output_column <= false;
+        refinement_tag_3_start_of_frame <= false;
+        refinement_tag_3_end_of_line <= false;
+        refinement_tag_4_valid <= false;
+        refinement_tag_4_output_column <= false;
+        refinement_tag_4_start_of_frame <= false;
+        refinement_tag_4_end_of_line <= false;
+        refinement_tag_5_valid <= false;
+        refinement_tag_5_output_column <= false;
+        refinement_tag_5_start_of_frame <= false;
+        refinement_tag_5_end_of_line <= false;
+        refinement_tag_6_valid <= false;
+        refinement_tag_6_output_column <= false;
+        refinement_tag_6_start_of_frame <= false;
+        refinement_tag_6_end_of_line <= false;
+        refinement_tag_7_valid <= false;
+        refinement_tag_7_output_column <= false;
+        refinement_tag_7_start_of_frame <= false;
+        refinement_tag_7_end_of_line <= false;
+        refinement_tag_8_valid <= false;
+        refinement_tag_8_output_column <= false;
+        refinement_tag_8_start_of_frame <= false;
+        refinement_tag_8_end_of_line <= false;
+        refinement_tag_9_valid <= false;
+        refinement_tag_9_output_column <= false;
+        refinement_tag_9_start_of_frame <= false;
+        refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
+        map_out_valid <= false;
+        map_out_start_of_frame <= false;
+        map_out_end_of_line <= false;
+        other_15 <= 0;
+        other_16 <= 0;
+      end if;
+    end if;
+  end process;
+end architecture;

@@ -1,0 +1,6029 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, trellis, configuration tiny_trellis_size: 40x16, 12 disparities, window 3x3, drop 40 or by 6, occlusion 90, 1 pixel pair a clock.
+-- Options: disparities 12, drop_cost 40, occlusion_cost 90, median true, slice_disparities 5,
+--   run_time_settings true, run_time_size true.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_trellis_size
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_trellis_size is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 40;
+    height_px : positive := 16;
+    disparities : positive := 12;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 29;
+    latency_clocks : positive := 39;
+    flush_groups : positive := 245;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    drop_cost : in std_logic_vector(7 downto 0);  -- 0 ... 40, taken over with start_of_frame
+    occlusion_cost : in std_logic_vector(7 downto 0);  -- 1 ... 90, taken over with start_of_frame
+    image_width : in std_logic_vector(15 downto 0);  -- 19 ... 40, changes in a reset only
+    image_height : in std_logic_vector(15 downto 0);  -- 8 ... 16, changes in a reset only
+    disparity : out std_logic_vector(7 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 40 report "stereo_core_tiny_trellis_size: width_px is " & integer'image(width_px) & " but this core has 40" severity failure;
+  assert height_px = 16 report "stereo_core_tiny_trellis_size: height_px is " & integer'image(height_px) & " but this core has 16" severity failure;
+  assert disparities = 12 report "stereo_core_tiny_trellis_size: disparities is " & integer'image(disparities) & " but this core has 12" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_trellis_size: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 8 report "stereo_core_tiny_trellis_size: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 29 report "stereo_core_tiny_trellis_size: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
+  assert latency_clocks = 39 report "stereo_core_tiny_trellis_size: latency_clocks is " & integer'image(latency_clocks) & " but this core has 39" severity failure;
+  assert flush_groups = 245 report "stereo_core_tiny_trellis_size: flush_groups is " & integer'image(flush_groups) & " but this core has 245" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_trellis_size: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_trellis_size is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_left_pixel : natural range 0 to 255;
+  signal in_image_width : natural range 0 to 65535;
+  signal in_image_height : natural range 0 to 65535;
+  signal in_occlusion_cost : natural range 0 to 255;
+  signal in_drop_cost : natural range 0 to 255;
+  -- settings
+  signal settings_drop_cost : natural range 0 to 63;
+  signal settings_occlusion_cost : natural range 0 to 127;
+  -- size
+  signal size_windows_last_column : natural range 0 to 63;
+  signal size_windows_last_group : natural range 0 to 15;
+  signal size_windows_groups, size_windows_idle, size_map_last_column, size_transform_idle : natural range 0 to 31;
+  -- transform
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
+  signal transform_left_column_2, transform_left_column_3, transform_left_column_4 : natural range 0 to 255;
+  signal transform_right_column_0, transform_right_column_1, transform_right_column_2 : natural range 0 to 255;
+  signal transform_right_column_3, transform_right_column_4, transform_left_filter_column_0_0 : natural range 0 to 255;
+  signal transform_left_filter_column_0_1, transform_left_filter_column_0_2 : natural range 0 to 255;
+  signal transform_left_filter_column_0_3, transform_left_filter_column_0_4 : natural range 0 to 255;
+  signal transform_left_filter_column_1_0, transform_left_filter_column_1_1 : natural range 0 to 255;
+  signal transform_left_filter_column_1_2, transform_left_filter_column_1_3 : natural range 0 to 255;
+  signal transform_left_filter_column_1_4, transform_left_filter_column_2_0 : natural range 0 to 255;
+  signal transform_left_filter_column_2_1, transform_left_filter_column_2_2 : natural range 0 to 255;
+  signal transform_left_filter_column_2_3, transform_left_filter_column_2_4 : natural range 0 to 255;
+  signal transform_left_filter_column_3_0, transform_left_filter_column_3_1 : natural range 0 to 255;
+  signal transform_left_filter_column_3_2, transform_left_filter_column_3_3 : natural range 0 to 255;
+  signal transform_left_filter_column_3_4, transform_left_filter_column_4_0 : natural range 0 to 255;
+  signal transform_left_filter_column_4_1, transform_left_filter_column_4_2 : natural range 0 to 255;
+  signal transform_left_filter_column_4_3, transform_left_filter_column_4_4 : natural range 0 to 255;
+  signal transform_right_filter_column_0_0, transform_right_filter_column_0_1 : natural range 0 to 255;
+  signal transform_right_filter_column_0_2, transform_right_filter_column_0_3 : natural range 0 to 255;
+  signal transform_right_filter_column_0_4, transform_right_filter_column_1_0 : natural range 0 to 255;
+  signal transform_right_filter_column_1_1, transform_right_filter_column_1_2 : natural range 0 to 255;
+  signal transform_right_filter_column_1_3, transform_right_filter_column_1_4 : natural range 0 to 255;
+  signal transform_right_filter_column_2_0, transform_right_filter_column_2_1 : natural range 0 to 255;
+  signal transform_right_filter_column_2_2, transform_right_filter_column_2_3 : natural range 0 to 255;
+  signal transform_right_filter_column_2_4, transform_right_filter_column_3_0 : natural range 0 to 255;
+  signal transform_right_filter_column_3_1, transform_right_filter_column_3_2 : natural range 0 to 255;
+  signal transform_right_filter_column_3_3, transform_right_filter_column_3_4 : natural range 0 to 255;
+  signal transform_right_filter_column_4_0, transform_right_filter_column_4_1 : natural range 0 to 255;
+  signal transform_right_filter_column_4_2, transform_right_filter_column_4_3 : natural range 0 to 255;
+  signal transform_right_filter_column_4_4 : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
+  signal transform_read_row_inside_1, transform_read_row_inside_2, transform_read_row_inside_3 : boolean;
+  signal transform_read_row_inside_4, transform_read_column_inside_0, transform_read_column_inside_1 : boolean;
+  signal transform_read_column_inside_2, transform_read_column_inside_3, transform_read_column_inside_4 : boolean;
+  signal transform_read_start_of_frame, transform_read_valid, transform_ready_row_inside_0 : boolean;
+  signal transform_ready_row_inside_1, transform_ready_row_inside_2, transform_ready_row_inside_3 : boolean;
+  signal transform_ready_row_inside_4, transform_ready_column_inside_0, transform_ready_column_inside_1 : boolean;
+  signal transform_ready_column_inside_2, transform_ready_column_inside_3, transform_ready_column_inside_4 : boolean;
+  signal transform_ready_start_of_frame, transform_ready_valid, transform_columns_row_inside_0 : boolean;
+  signal transform_columns_row_inside_1, transform_columns_row_inside_2, transform_columns_row_inside_3 : boolean;
+  signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_1 : boolean;
+  signal transform_columns_column_inside_2, transform_columns_column_inside_3 : boolean;
+  signal transform_columns_column_inside_4, transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
+  signal transform_write_column : natural range 0 to 63;
+  signal transform_counter_group : natural range 0 to 31;
+  signal transform_left_rows_read_words_0, transform_left_rows_ready_words_0 : unsigned(31 downto 0);
+  signal transform_left_rows_write_words_0, transform_right_rows_read_words_0 : unsigned(31 downto 0);
+  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : unsigned(31 downto 0);
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16777215;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16777215;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 63;
+  signal raster_place_group : natural range 0 to 31;
+  -- delay
+  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16777215;
+  signal delay_column : natural range 0 to 63;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_0 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words_1, rows_search_rows_ready_newest_0 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words_0, rows_search_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_1, rows_reference_rows_ready_newest_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words_0, rows_reference_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_search_0, rows_search_1, rows_search_2, rows_reference_0, rows_reference_1 : natural range 0 to 16777215;
+  signal rows_reference_2 : natural range 0 to 16777215;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_map_column : boolean;
+  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2, rows_ready_tag_valid : boolean;
+  signal rows_ready_tag_border_column, rows_ready_tag_first_cost, rows_ready_tag_map_column : boolean;
+  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
+  signal rows_tag_valid, rows_tag_border_column, rows_tag_first_cost, rows_tag_map_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 16777215;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_1_0 : natural range 0 to 16777215;
+  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 16777215;
+  signal slice0shift_search_1_4, slice0shift_search_2_0, slice0shift_search_2_1 : natural range 0 to 16777215;
+  signal slice0shift_search_2_2, slice0shift_search_2_3, slice0shift_search_2_4 : natural range 0 to 16777215;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 16777215;
+  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 16777215;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
+  signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
+  signal slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_pixels_first_0_0_count_0, slice0cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_2, slice0cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_4, slice0cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_6, slice0cost_pixels_first_0_0_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_0, slice0cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_2, slice0cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_4, slice0cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_6, slice0cost_pixels_first_0_1_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_0, slice0cost_pixels_first_0_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_2, slice0cost_pixels_first_0_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_4, slice0cost_pixels_first_0_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_6, slice0cost_pixels_first_0_2_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_0, slice0cost_pixels_first_0_3_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_2, slice0cost_pixels_first_0_3_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_4, slice0cost_pixels_first_0_3_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_6, slice0cost_pixels_first_0_3_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_0, slice0cost_pixels_first_0_4_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_2, slice0cost_pixels_first_0_4_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_4, slice0cost_pixels_first_0_4_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_6, slice0cost_pixels_first_0_4_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_0, slice0cost_pixels_first_1_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_2, slice0cost_pixels_first_1_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_4, slice0cost_pixels_first_1_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_6, slice0cost_pixels_first_1_0_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_0, slice0cost_pixels_first_1_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_2, slice0cost_pixels_first_1_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_4, slice0cost_pixels_first_1_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_6, slice0cost_pixels_first_1_1_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_0, slice0cost_pixels_first_1_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_2, slice0cost_pixels_first_1_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_4, slice0cost_pixels_first_1_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_6, slice0cost_pixels_first_1_2_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_3_count_0, slice0cost_pixels_first_1_3_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_3_count_2, slice0cost_pixels_first_1_3_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_3_count_4, slice0cost_pixels_first_1_3_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_3_count_6, slice0cost_pixels_first_1_3_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_4_count_0, slice0cost_pixels_first_1_4_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_4_count_2, slice0cost_pixels_first_1_4_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_4_count_4, slice0cost_pixels_first_1_4_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_4_count_6, slice0cost_pixels_first_1_4_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_0, slice0cost_pixels_first_2_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_2, slice0cost_pixels_first_2_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_4, slice0cost_pixels_first_2_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_6, slice0cost_pixels_first_2_0_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_0, slice0cost_pixels_first_2_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_2, slice0cost_pixels_first_2_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_4, slice0cost_pixels_first_2_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_6, slice0cost_pixels_first_2_1_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_0, slice0cost_pixels_first_2_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_2, slice0cost_pixels_first_2_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_4, slice0cost_pixels_first_2_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_6, slice0cost_pixels_first_2_2_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_3_count_0, slice0cost_pixels_first_2_3_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_3_count_2, slice0cost_pixels_first_2_3_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_3_count_4, slice0cost_pixels_first_2_3_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_3_count_6, slice0cost_pixels_first_2_3_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_4_count_0, slice0cost_pixels_first_2_4_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_4_count_2, slice0cost_pixels_first_2_4_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_4_count_4, slice0cost_pixels_first_2_4_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_4_count_6, slice0cost_pixels_first_2_4_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
+  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_map_column : boolean;
+  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
+  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
+  signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_1_0 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice0cost_pixels_cost_2_2, slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 24;
+  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 24;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 48;
+  signal slice0cost_pair_0_4 : natural range 0 to 48;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 72;
+  signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 72;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 72;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4 : natural range 0 to 72;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 144;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4 : natural range 0 to 144;
+  signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
+  signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
+  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 216;
+  signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 216;
+  -- slice0
+  signal slice0_held_0_0, slice0_held_0_1, slice0_held_0_2, slice0_held_0_3, slice0_held_0_4 : natural range 0 to 13;
+  signal slice0_held_1_0, slice0_held_1_1, slice0_held_1_2, slice0_held_1_3, slice0_held_1_4 : natural range 0 to 13;
+  signal slice0_held_2_0, slice0_held_2_1, slice0_held_2_2, slice0_held_2_3, slice0_held_2_4 : natural range 0 to 13;
+  signal slice0_tag_0_valid, slice0_tag_0_map_column, slice0_tag_0_output_column, slice0_tag_0_first_column : boolean;
+  signal slice0_tag_0_start_of_frame, slice0_tag_0_end_of_line, slice0_tag_1_valid, slice0_tag_1_map_column : boolean;
+  signal slice0_tag_1_output_column, slice0_tag_1_first_column, slice0_tag_1_start_of_frame : boolean;
+  signal slice0_tag_1_end_of_line, slice0_tag_2_valid, slice0_tag_2_map_column, slice0_tag_2_output_column : boolean;
+  signal slice0_tag_2_first_column, slice0_tag_2_start_of_frame, slice0_tag_2_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 16777215;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_1_0 : natural range 0 to 16777215;
+  signal slice1shift_search_1_1, slice1shift_search_1_2, slice1shift_search_1_3 : natural range 0 to 16777215;
+  signal slice1shift_search_1_4, slice1shift_search_2_0, slice1shift_search_2_1 : natural range 0 to 16777215;
+  signal slice1shift_search_2_2, slice1shift_search_2_3, slice1shift_search_2_4 : natural range 0 to 16777215;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 16777215;
+  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 16777215;
+  -- slice1cost
+  signal slice1cost_pixels_first_0_0_count_0, slice1cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_2, slice1cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_4, slice1cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_6, slice1cost_pixels_first_0_0_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_0, slice1cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_2, slice1cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_4, slice1cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_6, slice1cost_pixels_first_0_1_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_0, slice1cost_pixels_first_0_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_2, slice1cost_pixels_first_0_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_4, slice1cost_pixels_first_0_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_6, slice1cost_pixels_first_0_2_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_0, slice1cost_pixels_first_0_3_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_2, slice1cost_pixels_first_0_3_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_4, slice1cost_pixels_first_0_3_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_6, slice1cost_pixels_first_0_3_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_0, slice1cost_pixels_first_0_4_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_2, slice1cost_pixels_first_0_4_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_4, slice1cost_pixels_first_0_4_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_6, slice1cost_pixels_first_0_4_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_0, slice1cost_pixels_first_1_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_2, slice1cost_pixels_first_1_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_4, slice1cost_pixels_first_1_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_6, slice1cost_pixels_first_1_0_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_0, slice1cost_pixels_first_1_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_2, slice1cost_pixels_first_1_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_4, slice1cost_pixels_first_1_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_6, slice1cost_pixels_first_1_1_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_0, slice1cost_pixels_first_1_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_2, slice1cost_pixels_first_1_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_4, slice1cost_pixels_first_1_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_6, slice1cost_pixels_first_1_2_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_3_count_0, slice1cost_pixels_first_1_3_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_3_count_2, slice1cost_pixels_first_1_3_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_3_count_4, slice1cost_pixels_first_1_3_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_3_count_6, slice1cost_pixels_first_1_3_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_4_count_0, slice1cost_pixels_first_1_4_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_4_count_2, slice1cost_pixels_first_1_4_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_4_count_4, slice1cost_pixels_first_1_4_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_4_count_6, slice1cost_pixels_first_1_4_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_0, slice1cost_pixels_first_2_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_2, slice1cost_pixels_first_2_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_4, slice1cost_pixels_first_2_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_6, slice1cost_pixels_first_2_0_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_0, slice1cost_pixels_first_2_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_2, slice1cost_pixels_first_2_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_4, slice1cost_pixels_first_2_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_6, slice1cost_pixels_first_2_1_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_0, slice1cost_pixels_first_2_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_2, slice1cost_pixels_first_2_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_4, slice1cost_pixels_first_2_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_6, slice1cost_pixels_first_2_2_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_3_count_0, slice1cost_pixels_first_2_3_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_3_count_2, slice1cost_pixels_first_2_3_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_3_count_4, slice1cost_pixels_first_2_3_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_3_count_6, slice1cost_pixels_first_2_3_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_4_count_0, slice1cost_pixels_first_2_4_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_4_count_2, slice1cost_pixels_first_2_4_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_4_count_4, slice1cost_pixels_first_2_4_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_4_count_6, slice1cost_pixels_first_2_4_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_1_0 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice1cost_pixels_cost_2_2, slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 24;
+  signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 24;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 48;
+  signal slice1cost_pair_0_4 : natural range 0 to 48;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 72;
+  signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 72;
+  signal slice1cost_tag_border_column : boolean;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 72;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4 : natural range 0 to 72;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 144;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4 : natural range 0 to 144;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 216;
+  signal slice1window_sum_0_3, slice1window_sum_0_4 : natural range 0 to 216;
+  -- slice1
+  signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 13;
+  signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 13;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 16777215;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 16777215;
+  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 16777215;
+  -- slice2cost
+  signal slice2cost_pixels_first_0_0_count_0, slice2cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_2, slice2cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_4, slice2cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_6, slice2cost_pixels_first_0_0_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_0, slice2cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_2, slice2cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_4, slice2cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_6, slice2cost_pixels_first_0_1_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_0, slice2cost_pixels_first_1_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_2, slice2cost_pixels_first_1_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_4, slice2cost_pixels_first_1_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_6, slice2cost_pixels_first_1_0_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_0, slice2cost_pixels_first_1_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_2, slice2cost_pixels_first_1_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_4, slice2cost_pixels_first_1_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_6, slice2cost_pixels_first_1_1_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_0, slice2cost_pixels_first_2_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_2, slice2cost_pixels_first_2_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_4, slice2cost_pixels_first_2_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_6, slice2cost_pixels_first_2_0_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_0, slice2cost_pixels_first_2_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_2, slice2cost_pixels_first_2_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_4, slice2cost_pixels_first_2_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_6, slice2cost_pixels_first_2_1_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 24;
+  signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 24;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 48;
+  signal slice2cost_pair_1 : unsigned(23 downto 0);
+  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 72;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 72;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 144;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 216;
+  -- slice2
+  signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 13;
+  -- entry
+  signal entry_next_cost_0, entry_next_cost_1, entry_next_cost_2, entry_next_cost_3 : natural range 0 to 13;
+  signal entry_next_cost_4, entry_next_cost_5, entry_next_cost_6, entry_next_cost_7 : natural range 0 to 13;
+  signal entry_next_cost_8, entry_next_cost_9, entry_next_cost_10, entry_next_cost_11 : natural range 0 to 13;
+  signal entry_cost_0, entry_cost_1, entry_cost_2, entry_cost_3, entry_cost_4, entry_cost_5 : natural range 0 to 13;
+  signal entry_cost_6, entry_cost_7, entry_cost_8, entry_cost_9, entry_cost_10, entry_cost_11 : natural range 0 to 13;
+  signal entry_next_tag_valid, entry_next_tag_map_column, entry_next_tag_first_column : boolean;
+  signal entry_next_tag_start_of_frame, entry_next_tag_end_of_line, entry_next_top, entry_order_falls : boolean;
+  signal entry_order_inside, entry_order_complete, entry_order_output, entry_order_held_output : boolean;
+  signal entry_order_turned_output_column, entry_order_turned_start_of_frame, entry_tag_valid : boolean;
+  signal entry_tag_map_column, entry_tag_first_column, entry_tag_start_of_frame, entry_tag_end_of_line : boolean;
+  signal entry_turned_output_column, entry_turned_start_of_frame : boolean;
+  signal entry_next_tag_row_start, entry_next_tag_first_group, entry_next_tag_newest_inside : natural range 0 to 3;
+  signal entry_next_tag_border_column, entry_next_tag_first_cost, entry_next_tag_leaves_window : natural range 0 to 3;
+  signal entry_order_turned_row_start, entry_order_turned_first_group : natural range 0 to 3;
+  signal entry_order_turned_newest_inside, entry_tag_row_start, entry_tag_first_group : natural range 0 to 3;
+  signal entry_tag_border_column, entry_tag_first_cost, entry_tag_leaves_window : natural range 0 to 3;
+  signal entry_order_last_value, entry_order_address, entry_place : natural range 0 to 31;
+  signal entry_tag_newest_inside : natural range 0 to 16777214;
+  -- forward
+  signal forward_drop_cost : natural range 0 to 63;
+  signal forward_occlusion_cost : natural range 0 to 127;
+  signal forward_next_cost_0, forward_next_cost_1, forward_next_cost_2, forward_next_cost_3 : natural range 0 to 13;
+  signal forward_next_cost_4, forward_next_cost_5, forward_next_cost_6, forward_next_cost_7 : natural range 0 to 13;
+  signal forward_next_cost_8, forward_next_cost_9, forward_next_cost_10, forward_next_cost_11 : natural range 0 to 13;
+  signal forward_next_first, forward_far_0, forward_far_1, forward_far_2, forward_far_3, forward_far_4 : boolean;
+  signal forward_far_5 : boolean;
+  signal forward_pair_cost_0, forward_pair_cost_1, forward_pair_cost_2, forward_pair_cost_3 : natural range 0 to 89;
+  signal forward_pair_cost_4, forward_pair_cost_5, forward_pair_cost_6, forward_pair_cost_7 : natural range 0 to 89;
+  signal forward_pair_cost_8, forward_pair_cost_9, forward_pair_cost_10, forward_pair_cost_11 : natural range 0 to 89;
+  signal forward_path_0, forward_path_1, forward_path_2, forward_path_3, forward_path_4 : natural range 0 to 4095;
+  signal forward_path_5, forward_path_6, forward_path_7, forward_path_8, forward_path_9 : natural range 0 to 4095;
+  signal forward_path_10, forward_path_11, forward_stayed_0, forward_stayed_1 : natural range 0 to 4095;
+  signal forward_stayed_2, forward_stayed_3, forward_stayed_4, forward_stayed_5 : natural range 0 to 4095;
+  signal forward_stayed_6, forward_stayed_7, forward_stayed_8, forward_stayed_9 : natural range 0 to 4095;
+  signal forward_stayed_10, forward_stayed_11, forward_occluding_0, forward_occluding_1 : natural range 0 to 4095;
+  signal forward_occluding_2, forward_occluding_3, forward_occluding_4, forward_occluding_5 : natural range 0 to 4095;
+  signal forward_occluding_6, forward_occluding_7, forward_occluding_8, forward_occluding_9 : natural range 0 to 4095;
+  signal forward_occluding_10, forward_dropped_0, forward_dropped_1, forward_dropped_2 : natural range 0 to 4095;
+  signal forward_dropped_3, forward_dropped_4, forward_dropped_5, forward_dropped_6 : natural range 0 to 4095;
+  signal forward_dropped_7, forward_dropped_8, forward_dropped_9, forward_dropped_10 : natural range 0 to 4095;
+  signal forward_dropped_11 : natural range 0 to 4095;
+  signal forward_far_6, forward_far_7, forward_far_8, forward_far_9, forward_far_10 : natural range 0 to 3;
+  signal forward_decision_0, forward_decision_1, forward_decision_2, forward_decision_3 : natural range 0 to 3;
+  signal forward_decision_4, forward_decision_5 : natural range 0 to 3;
+  signal forward_far_11 : natural range 0 to 2;
+  -- decisions
+  signal decisions_ready_inside, decisions_comes_0, decisions_comes_1, decisions_comes_2 : boolean;
+  signal decisions_place_0, decisions_place_1, decisions_place_2, decisions_write_place : natural range 0 to 31;
+  -- last
+  signal last_tags_held_0_end_of_line, last_tags_held_1_map_column, last_tags_held_1_end_of_line : boolean;
+  signal last_tags_held_2_map_column, last_tags_held_2_end_of_line, last_tags_moved, last_tag_valid : boolean;
+  signal last_tag_map_column, last_tag_end_of_line : boolean;
+  signal last_path_0_0 : natural range 0 to 2048;
+  signal last_path_0_1, last_path_0_2, last_path_0_3, last_path_0_4, last_path_0_5 : natural range 0 to 4095;
+  signal last_path_0_6, last_path_0_7, last_path_0_8, last_path_0_9, last_path_0_10 : natural range 0 to 4095;
+  signal last_path_0_11 : natural range 0 to 4095;
+  signal last_state : natural range 0 to 11;
+  -- lastwinner1
+  signal lastwinner1_best_cost_0_0, lastwinner1_best_cost_0_1, lastwinner1_best_cost_0_2 : natural range 0 to 4095;
+  signal lastwinner1_best_cost_0_3, lastwinner1_best_cost_0_4, lastwinner1_best_cost_0_5 : natural range 0 to 4095;
+  signal lastwinner1_best_index_0_0, lastwinner1_tag_valid, lastwinner1_tag_map_column : boolean;
+  signal lastwinner1_tag_end_of_line : boolean;
+  signal lastwinner1_best_index_0_1 : natural range 0 to 3;
+  signal lastwinner1_best_index_0_2 : natural range 0 to 5;
+  signal lastwinner1_best_index_0_3 : natural range 0 to 7;
+  signal lastwinner1_best_index_0_4 : natural range 0 to 9;
+  signal lastwinner1_best_index_0_5 : natural range 0 to 11;
+  -- lastwinner2
+  signal lastwinner2_best_cost_0_0, lastwinner2_best_cost_0_1, lastwinner2_best_cost_0_2 : natural range 0 to 4095;
+  signal lastwinner2_best_index_0_0 : natural range 0 to 3;
+  signal lastwinner2_best_index_0_1 : natural range 0 to 7;
+  signal lastwinner2_best_index_0_2 : natural range 0 to 11;
+  signal lastwinner2_tag_valid, lastwinner2_tag_map_column, lastwinner2_tag_end_of_line : boolean;
+  -- lastwinner3
+  signal lastwinner3_best_cost_0_0, lastwinner3_best_cost_0_1 : natural range 0 to 4095;
+  signal lastwinner3_best_index_0_0 : natural range 0 to 7;
+  signal lastwinner3_best_index_0_1 : natural range 0 to 11;
+  signal lastwinner3_tag_valid, lastwinner3_tag_map_column, lastwinner3_tag_end_of_line : boolean;
+  -- lastwinner4
+  signal lastwinner4_best_index_0_0 : natural range 0 to 11;
+  signal lastwinner4_tag_valid, lastwinner4_tag_map_column, lastwinner4_tag_end_of_line : boolean;
+  -- traceback
+  signal traceback_state, traceback_out_disparity_0 : natural range 0 to 255;
+  signal traceback_tags_held_0_output_column, traceback_tags_held_0_start_of_frame : boolean;
+  signal traceback_tags_held_1_output_column, traceback_tags_held_1_start_of_frame, traceback_out_passed : boolean;
+  signal traceback_out_tag_map_column, traceback_out_tag_output_column, traceback_out_tag_start_of_frame : boolean;
+  signal traceback_out_tag_end_of_line : boolean;
+  -- turn
+  signal turn_order_address, turn_write_place : natural range 0 to 31;
+  signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
+  signal turn_order_turned_map_column, turn_order_turned_first_column, turn_comes, turn_read_tag_map_column : boolean;
+  signal turn_read_tag_first_column, turn_ready_tag_map_column, turn_ready_tag_first_column : boolean;
+  signal turn_newest, turn_write_words_0, turn_ready : natural range 0 to 511;
+  signal turn_read_words_0 : unsigned(8 downto 0);
+  -- fill
+  signal fill_out_disparity_0 : natural range 0 to 255;
+  signal fill_out_passed_0, fill_out_tag_map_column : boolean;
+  -- map
+  signal map_counter_column, map_counter_group, map_write_column, map_at_column : natural range 0 to 31;
+  signal map_comparing_column, map_sorted_column : natural range 0 to 31;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
+  signal map_at_top, map_at_bottom, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
+  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
+  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
+  signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
+  signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
+  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
+  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
+  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
+  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_1 : natural range 0 to 511;
+  signal map_column_2 : natural range 0 to 511;
+  signal map_rows_read_words_0 : unsigned(17 downto 0);
+  signal map_rows_ready_words_0, map_rows_write_words_0 : natural range 0 to 262143;
+  signal map_of_column_0_a, map_of_column_0_b, map_of_column_0_c, map_sorted_low_0 : natural range 0 to 255;
+  signal map_sorted_middle_0, map_sorted_high_0, map_low_0_0, map_low_1_0, map_low_2_0 : natural range 0 to 255;
+  signal map_middle_0_0, map_middle_1_0, map_middle_2_0, map_high_0_0, map_high_1_0 : natural range 0 to 255;
+  signal map_high_2_0, map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a : natural range 0 to 255;
+  signal map_of_middle_0_b, map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b : natural range 0 to 255;
+  signal map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0 : natural range 0 to 255;
+  signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
+  -- other
+  signal other_0, other_5, other_6, other_7 : natural range 0 to 257;
+  signal other_1 : boolean;
+  signal other_2, other_4 : unsigned(48 downto 0);
+  signal other_3 : natural range 0 to 510;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal map_rows_read_words_0_memory_write_data : unsigned(17 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal slice2cost_pair_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+
+begin
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_image_width <= to_integer(unsigned(image_width));
+  in_image_height <= to_integer(unsigned(image_height));
+  in_occlusion_cost <= to_integer(unsigned(occlusion_cost));
+  in_drop_cost <= to_integer(unsigned(drop_cost));
+  disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
+  disparity_valid <= as_bit(map_out_valid);
+  disparity_start_of_frame <= as_bit(map_out_start_of_frame);
+  disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 18);
+  map_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => map_rows_read_words_0,
+      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  slice2cost_pair_1_memory_write_data <= to_unsigned(entry_tag_newest_inside, 24);
+  slice2cost_pair_1_memory : entity work.line_memory
+    generic map (depth => 29, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => slice2cost_pair_1,
+      write_address => decisions_write_place, write_data => slice2cost_pair_1_memory_write_data);
+
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
+  rows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
+  rows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  process (clock)
+    variable settings_occlusion_cost_is_less, settings_drop_cost_any, transform_counter_group_value : boolean;
+    variable transform_counter_group_differs, transform_counter_group_value_2 : boolean;
+    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
+    variable transform_counter_group_choice, transform_counter_group_is_equal_3 : boolean;
+    variable transform_counter_group_is_equal_4, transform_counter_group_choice_2 : boolean;
+    variable transform_counter_group_choice_3, transform_counter_group_value_3 : boolean;
+    variable transform_counter_group_value_4, transform_counter_group_differs_2 : boolean;
+    variable transform_counter_group_value_5, transform_counter_group_choice_4 : boolean;
+    variable transform_counter_group_choice_5, transform_counter_group_choice_6 : boolean;
+    variable transform_counter_group_value_6, transform_counter_group_choice_7 : boolean;
+    variable transform_counter_group_choice_8, transform_counter_group_choice_9 : boolean;
+    variable transform_counter_group_differs_3, transform_counter_group_value_8 : boolean;
+    variable transform_counter_group_differs_4, transform_counter_group_all : boolean;
+    variable transform_counter_group_choice_11, transform_counter_group_choice_12 : boolean;
+    variable transform_counter_group_choice_13, transform_counter_group_choice_14 : boolean;
+    variable transform_counter_group_choice_15, transform_counter_group_choice_16 : boolean;
+    variable transform_counter_group_choice_17, transform_counter_group_choice_18 : boolean;
+    variable transform_counter_group_choice_19, transform_counter_group_is_equal_5 : boolean;
+    variable transform_counter_group_choice_20, transform_counter_group_choice_21 : boolean;
+    variable transform_counter_group_value_9, transform_counter_group_differs_5 : boolean;
+    variable transform_read_row_inside_1_is_equal, transform_read_row_inside_1_choice : boolean;
+    variable transform_read_row_inside_1_is_less, transform_read_row_inside_2_is_equal : boolean;
+    variable transform_read_row_inside_2_is_less, transform_read_row_inside_3_is_less : boolean;
+    variable transform_read_column_inside_1_is_equal, transform_read_column_inside_1_is_equal_2 : boolean;
+    variable transform_read_column_inside_1_choice, transform_read_column_inside_1_differs : boolean;
+    variable transform_read_column_inside_3_choice, transform_read_column_inside_3_choice_2 : boolean;
+    variable transform_left_filter_feature_0_value, transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_is_equal : boolean;
+    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_value_2 : boolean;
+    variable transform_left_filter_feature_0_choice_3, transform_left_filter_feature_0_value_3 : boolean;
+    variable transform_left_filter_feature_0_choice_4, transform_left_filter_feature_0_value_4 : boolean;
+    variable transform_left_filter_feature_0_choice_5, transform_left_filter_feature_0_value_5 : boolean;
+    variable transform_left_filter_feature_0_choice_6, transform_left_filter_feature_0_value_6 : boolean;
+    variable transform_left_filter_feature_0_choice_7, transform_left_filter_feature_0_choice_8 : boolean;
+    variable transform_left_filter_feature_0_choice_9, transform_left_filter_feature_0_choice_10 : boolean;
+    variable transform_left_filter_feature_0_choice_11, transform_left_filter_feature_0_choice_12 : boolean;
+    variable transform_left_filter_feature_0_choice_13, transform_left_filter_feature_0_choice_14 : boolean;
+    variable transform_left_filter_feature_0_choice_15, transform_left_filter_feature_0_choice_16 : boolean;
+    variable transform_left_filter_feature_0_choice_17, transform_left_filter_feature_0_choice_18 : boolean;
+    variable transform_left_filter_feature_0_choice_19, transform_left_filter_feature_0_choice_20 : boolean;
+    variable transform_left_filter_feature_0_choice_21, transform_left_filter_feature_0_choice_22 : boolean;
+    variable transform_left_filter_feature_0_choice_23, transform_left_filter_feature_0_choice_24 : boolean;
+    variable transform_left_filter_feature_0_choice_25, transform_left_filter_feature_0_choice_26 : boolean;
+    variable transform_left_filter_feature_0_choice_27, transform_left_filter_feature_0_choice_28 : boolean;
+    variable transform_left_filter_feature_0_choice_29, transform_left_filter_feature_0_choice_30 : boolean;
+    variable transform_left_filter_feature_0_choice_31, transform_left_filter_feature_0_choice_32 : boolean;
+    variable transform_left_filter_feature_0_choice_33, transform_left_filter_feature_0_choice_34 : boolean;
+    variable transform_left_filter_feature_0_choice_35, transform_left_filter_feature_0_choice_36 : boolean;
+    variable transform_left_filter_feature_0_choice_37, transform_left_filter_feature_0_choice_38 : boolean;
+    variable transform_left_filter_feature_0_choice_39, transform_left_filter_feature_0_choice_40 : boolean;
+    variable transform_left_filter_feature_0_choice_41, transform_left_filter_feature_0_choice_42 : boolean;
+    variable transform_left_filter_feature_0_choice_43, transform_left_filter_feature_0_choice_44 : boolean;
+    variable transform_left_filter_feature_0_choice_45, transform_left_filter_feature_0_choice_46 : boolean;
+    variable transform_left_filter_feature_0_choice_47, transform_left_filter_feature_0_choice_48 : boolean;
+    variable transform_left_filter_feature_0_choice_49, transform_left_filter_feature_0_choice_50 : boolean;
+    variable transform_left_filter_feature_0_choice_51, transform_left_filter_feature_0_choice_52 : boolean;
+    variable transform_left_filter_feature_0_choice_53, transform_left_filter_feature_0_choice_54 : boolean;
+    variable transform_left_filter_feature_0_choice_55, transform_left_filter_feature_0_choice_56 : boolean;
+    variable transform_left_filter_feature_0_choice_57, transform_left_filter_feature_0_choice_58 : boolean;
+    variable transform_left_filter_feature_0_choice_59, transform_left_filter_feature_0_choice_60 : boolean;
+    variable transform_left_filter_feature_0_choice_61, transform_left_filter_feature_0_choice_62 : boolean;
+    variable transform_left_filter_feature_0_choice_63, transform_left_filter_feature_0_choice_64 : boolean;
+    variable transform_left_filter_feature_0_choice_65, transform_left_filter_feature_0_choice_66 : boolean;
+    variable transform_left_filter_feature_0_choice_67, transform_left_filter_feature_0_choice_68 : boolean;
+    variable transform_left_filter_feature_0_choice_69, transform_left_filter_feature_0_choice_70 : boolean;
+    variable transform_left_filter_feature_0_choice_71, transform_left_filter_feature_0_choice_72 : boolean;
+    variable transform_left_filter_feature_0_choice_73, transform_left_filter_feature_0_choice_74 : boolean;
+    variable transform_left_filter_feature_0_choice_75, transform_left_filter_feature_0_choice_76 : boolean;
+    variable transform_left_filter_feature_0_choice_77, transform_left_filter_feature_0_choice_78 : boolean;
+    variable transform_left_filter_feature_0_choice_79, transform_left_filter_feature_0_choice_80 : boolean;
+    variable transform_left_filter_feature_0_choice_81, transform_left_filter_feature_0_choice_82 : boolean;
+    variable transform_left_filter_feature_0_choice_83, transform_left_filter_feature_0_choice_84 : boolean;
+    variable transform_left_filter_feature_0_choice_85, transform_left_filter_feature_0_choice_86 : boolean;
+    variable transform_left_filter_feature_0_choice_87, transform_left_filter_feature_0_choice_88 : boolean;
+    variable transform_left_filter_feature_0_choice_89, transform_left_filter_feature_0_choice_90 : boolean;
+    variable transform_left_filter_feature_0_choice_91, transform_left_filter_feature_0_choice_92 : boolean;
+    variable transform_left_filter_feature_0_choice_93, transform_left_filter_feature_0_choice_94 : boolean;
+    variable transform_left_filter_feature_0_choice_95, transform_left_filter_feature_0_choice_96 : boolean;
+    variable transform_left_filter_feature_0_choice_97, transform_left_filter_feature_0_choice_98 : boolean;
+    variable transform_left_filter_feature_0_choice_99, transform_left_filter_feature_0_choice_100 : boolean;
+    variable transform_left_filter_feature_0_choice_101, transform_left_filter_feature_0_choice_102 : boolean;
+    variable transform_left_filter_feature_0_choice_103, transform_left_filter_feature_0_choice_104 : boolean;
+    variable transform_left_filter_feature_0_choice_105, transform_left_filter_feature_0_choice_106 : boolean;
+    variable transform_left_filter_feature_0_choice_107, transform_left_filter_feature_0_choice_108 : boolean;
+    variable transform_left_filter_feature_0_choice_109, transform_left_filter_feature_0_choice_110 : boolean;
+    variable transform_left_filter_feature_0_choice_111, transform_left_filter_feature_0_choice_112 : boolean;
+    variable transform_left_filter_feature_0_choice_113, transform_left_filter_feature_0_choice_114 : boolean;
+    variable transform_left_filter_feature_0_choice_115, transform_left_filter_feature_0_choice_116 : boolean;
+    variable transform_left_filter_feature_0_choice_117, transform_left_filter_feature_0_choice_118 : boolean;
+    variable transform_left_filter_feature_0_choice_119, transform_left_filter_feature_0_choice_120 : boolean;
+    variable transform_left_filter_feature_0_choice_121, transform_left_filter_feature_0_choice_122 : boolean;
+    variable transform_left_filter_feature_0_choice_123, transform_left_filter_feature_0_choice_124 : boolean;
+    variable transform_left_filter_feature_0_choice_125, transform_left_filter_feature_0_choice_126 : boolean;
+    variable transform_left_filter_feature_0_choice_127, transform_left_filter_feature_0_choice_128 : boolean;
+    variable transform_left_filter_feature_0_choice_129, transform_left_filter_feature_0_choice_130 : boolean;
+    variable transform_left_filter_feature_0_choice_131, transform_left_filter_feature_0_choice_132 : boolean;
+    variable transform_left_filter_feature_0_choice_133, transform_left_filter_feature_0_choice_134 : boolean;
+    variable transform_left_filter_feature_0_choice_135, transform_left_filter_feature_0_choice_136 : boolean;
+    variable transform_left_filter_feature_0_choice_137, transform_left_filter_feature_0_choice_138 : boolean;
+    variable transform_left_filter_feature_0_choice_139, transform_left_filter_feature_0_choice_140 : boolean;
+    variable transform_left_filter_feature_0_choice_141, transform_left_filter_feature_0_choice_142 : boolean;
+    variable transform_left_filter_feature_0_choice_143, transform_left_filter_feature_0_choice_144 : boolean;
+    variable transform_left_filter_feature_0_choice_145, transform_left_filter_feature_0_choice_146 : boolean;
+    variable transform_left_filter_feature_0_choice_147, transform_left_filter_feature_0_choice_148 : boolean;
+    variable transform_left_filter_feature_0_choice_149, transform_left_filter_feature_0_choice_150 : boolean;
+    variable transform_left_filter_feature_0_choice_151, transform_left_filter_feature_0_choice_152 : boolean;
+    variable transform_left_filter_feature_0_choice_153, transform_left_filter_feature_0_choice_154 : boolean;
+    variable transform_left_filter_feature_0_choice_155, transform_left_filter_feature_0_choice_156 : boolean;
+    variable transform_left_filter_feature_0_choice_157, transform_left_filter_feature_0_choice_158 : boolean;
+    variable transform_left_filter_feature_0_choice_159, transform_left_filter_feature_0_choice_160 : boolean;
+    variable transform_left_filter_feature_0_choice_161, transform_left_filter_feature_0_choice_162 : boolean;
+    variable transform_left_filter_feature_0_choice_163, transform_left_filter_feature_0_choice_164 : boolean;
+    variable transform_left_filter_feature_0_choice_165, transform_left_filter_feature_0_choice_166 : boolean;
+    variable transform_left_filter_feature_0_choice_167, transform_left_filter_feature_0_choice_168 : boolean;
+    variable transform_left_filter_feature_0_choice_169, transform_left_filter_feature_0_choice_170 : boolean;
+    variable transform_left_filter_feature_0_choice_171, transform_left_filter_feature_0_choice_172 : boolean;
+    variable transform_left_filter_feature_0_choice_173, transform_left_filter_feature_0_choice_174 : boolean;
+    variable transform_left_filter_feature_0_choice_175, transform_left_filter_feature_0_choice_176 : boolean;
+    variable transform_left_filter_feature_0_choice_177, transform_left_filter_feature_0_choice_178 : boolean;
+    variable transform_left_filter_feature_0_choice_179, transform_left_filter_feature_0_choice_180 : boolean;
+    variable transform_left_filter_feature_0_choice_181, transform_left_filter_feature_0_choice_182 : boolean;
+    variable transform_left_filter_feature_0_choice_183, transform_left_filter_feature_0_choice_184 : boolean;
+    variable transform_left_filter_feature_0_choice_185, transform_left_filter_feature_0_choice_186 : boolean;
+    variable transform_left_filter_feature_0_choice_187, transform_left_filter_feature_0_value_7 : boolean;
+    variable transform_left_filter_feature_0_choice_188, transform_left_filter_feature_0_value_8 : boolean;
+    variable transform_left_filter_feature_0_choice_189, transform_left_filter_feature_0_value_9 : boolean;
+    variable transform_left_filter_feature_0_choice_190, transform_left_filter_feature_0_value_10 : boolean;
+    variable transform_left_filter_feature_0_choice_191, transform_left_filter_feature_0_value_11 : boolean;
+    variable transform_left_filter_feature_0_choice_192, transform_left_filter_feature_0_choice_193 : boolean;
+    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_right_filter_feature_0_choice_2, transform_right_filter_feature_0_value_2 : boolean;
+    variable transform_right_filter_feature_0_choice_3, transform_right_filter_feature_0_value_3 : boolean;
+    variable transform_right_filter_feature_0_choice_4, transform_right_filter_feature_0_value_4 : boolean;
+    variable transform_right_filter_feature_0_choice_5, transform_right_filter_feature_0_value_5 : boolean;
+    variable transform_right_filter_feature_0_choice_6, transform_right_filter_feature_0_value_6 : boolean;
+    variable transform_right_filter_feature_0_choice_7, transform_right_filter_feature_0_choice_8 : boolean;
+    variable transform_right_filter_feature_0_choice_9, transform_right_filter_feature_0_choice_10 : boolean;
+    variable transform_right_filter_feature_0_choice_11, transform_right_filter_feature_0_choice_12 : boolean;
+    variable transform_right_filter_feature_0_choice_13, transform_right_filter_feature_0_choice_14 : boolean;
+    variable transform_right_filter_feature_0_choice_15, transform_right_filter_feature_0_choice_16 : boolean;
+    variable transform_right_filter_feature_0_choice_17, transform_right_filter_feature_0_choice_18 : boolean;
+    variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_choice_20 : boolean;
+    variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_choice_22 : boolean;
+    variable transform_right_filter_feature_0_choice_23, transform_right_filter_feature_0_choice_24 : boolean;
+    variable transform_right_filter_feature_0_choice_25, transform_right_filter_feature_0_choice_26 : boolean;
+    variable transform_right_filter_feature_0_choice_27, transform_right_filter_feature_0_choice_28 : boolean;
+    variable transform_right_filter_feature_0_choice_29, transform_right_filter_feature_0_choice_30 : boolean;
+    variable transform_right_filter_feature_0_choice_31, transform_right_filter_feature_0_choice_32 : boolean;
+    variable transform_right_filter_feature_0_choice_33, transform_right_filter_feature_0_choice_34 : boolean;
+    variable transform_right_filter_feature_0_choice_35, transform_right_filter_feature_0_choice_36 : boolean;
+    variable transform_right_filter_feature_0_choice_37, transform_right_filter_feature_0_choice_38 : boolean;
+    variable transform_right_filter_feature_0_choice_39, transform_right_filter_feature_0_choice_40 : boolean;
+    variable transform_right_filter_feature_0_choice_41, transform_right_filter_feature_0_choice_42 : boolean;
+    variable transform_right_filter_feature_0_choice_43, transform_right_filter_feature_0_choice_44 : boolean;
+    variable transform_right_filter_feature_0_choice_45, transform_right_filter_feature_0_choice_46 : boolean;
+    variable transform_right_filter_feature_0_choice_47, transform_right_filter_feature_0_choice_48 : boolean;
+    variable transform_right_filter_feature_0_choice_49, transform_right_filter_feature_0_choice_50 : boolean;
+    variable transform_right_filter_feature_0_choice_51, transform_right_filter_feature_0_choice_52 : boolean;
+    variable transform_right_filter_feature_0_choice_53, transform_right_filter_feature_0_choice_54 : boolean;
+    variable transform_right_filter_feature_0_choice_55, transform_right_filter_feature_0_choice_56 : boolean;
+    variable transform_right_filter_feature_0_choice_57, transform_right_filter_feature_0_choice_58 : boolean;
+    variable transform_right_filter_feature_0_choice_59, transform_right_filter_feature_0_choice_60 : boolean;
+    variable transform_right_filter_feature_0_choice_61, transform_right_filter_feature_0_choice_62 : boolean;
+    variable transform_right_filter_feature_0_choice_63, transform_right_filter_feature_0_choice_64 : boolean;
+    variable transform_right_filter_feature_0_choice_65, transform_right_filter_feature_0_choice_66 : boolean;
+    variable transform_right_filter_feature_0_choice_67, transform_right_filter_feature_0_choice_68 : boolean;
+    variable transform_right_filter_feature_0_choice_69, transform_right_filter_feature_0_choice_70 : boolean;
+    variable transform_right_filter_feature_0_choice_71, transform_right_filter_feature_0_choice_72 : boolean;
+    variable transform_right_filter_feature_0_choice_73, transform_right_filter_feature_0_choice_74 : boolean;
+    variable transform_right_filter_feature_0_choice_75, transform_right_filter_feature_0_choice_76 : boolean;
+    variable transform_right_filter_feature_0_choice_77, transform_right_filter_feature_0_choice_78 : boolean;
+    variable transform_right_filter_feature_0_choice_79, transform_right_filter_feature_0_choice_80 : boolean;
+    variable transform_right_filter_feature_0_choice_81, transform_right_filter_feature_0_choice_82 : boolean;
+    variable transform_right_filter_feature_0_choice_83, transform_right_filter_feature_0_choice_84 : boolean;
+    variable transform_right_filter_feature_0_choice_85, transform_right_filter_feature_0_choice_86 : boolean;
+    variable transform_right_filter_feature_0_choice_87, transform_right_filter_feature_0_choice_88 : boolean;
+    variable transform_right_filter_feature_0_choice_89, transform_right_filter_feature_0_choice_90 : boolean;
+    variable transform_right_filter_feature_0_choice_91, transform_right_filter_feature_0_choice_92 : boolean;
+    variable transform_right_filter_feature_0_choice_93, transform_right_filter_feature_0_choice_94 : boolean;
+    variable transform_right_filter_feature_0_choice_95, transform_right_filter_feature_0_choice_96 : boolean;
+    variable transform_right_filter_feature_0_choice_97, transform_right_filter_feature_0_choice_98 : boolean;
+    variable transform_right_filter_feature_0_choice_99, transform_right_filter_feature_0_choice_100 : boolean;
+    variable transform_right_filter_feature_0_choice_101, transform_right_filter_feature_0_choice_102 : boolean;
+    variable transform_right_filter_feature_0_choice_103, transform_right_filter_feature_0_choice_104 : boolean;
+    variable transform_right_filter_feature_0_choice_105, transform_right_filter_feature_0_choice_106 : boolean;
+    variable transform_right_filter_feature_0_choice_107, transform_right_filter_feature_0_choice_108 : boolean;
+    variable transform_right_filter_feature_0_choice_109, transform_right_filter_feature_0_choice_110 : boolean;
+    variable transform_right_filter_feature_0_choice_111, transform_right_filter_feature_0_choice_112 : boolean;
+    variable transform_right_filter_feature_0_choice_113, transform_right_filter_feature_0_choice_114 : boolean;
+    variable transform_right_filter_feature_0_choice_115, transform_right_filter_feature_0_choice_116 : boolean;
+    variable transform_right_filter_feature_0_choice_117, transform_right_filter_feature_0_choice_118 : boolean;
+    variable transform_right_filter_feature_0_choice_119, transform_right_filter_feature_0_choice_120 : boolean;
+    variable transform_right_filter_feature_0_choice_121, transform_right_filter_feature_0_choice_122 : boolean;
+    variable transform_right_filter_feature_0_choice_123, transform_right_filter_feature_0_choice_124 : boolean;
+    variable transform_right_filter_feature_0_choice_125, transform_right_filter_feature_0_choice_126 : boolean;
+    variable transform_right_filter_feature_0_choice_127, transform_right_filter_feature_0_choice_128 : boolean;
+    variable transform_right_filter_feature_0_choice_129, transform_right_filter_feature_0_choice_130 : boolean;
+    variable transform_right_filter_feature_0_choice_131, transform_right_filter_feature_0_choice_132 : boolean;
+    variable transform_right_filter_feature_0_choice_133, transform_right_filter_feature_0_choice_134 : boolean;
+    variable transform_right_filter_feature_0_choice_135, transform_right_filter_feature_0_choice_136 : boolean;
+    variable transform_right_filter_feature_0_choice_137, transform_right_filter_feature_0_choice_138 : boolean;
+    variable transform_right_filter_feature_0_choice_139, transform_right_filter_feature_0_choice_140 : boolean;
+    variable transform_right_filter_feature_0_choice_141, transform_right_filter_feature_0_choice_142 : boolean;
+    variable transform_right_filter_feature_0_choice_143, transform_right_filter_feature_0_choice_144 : boolean;
+    variable transform_right_filter_feature_0_choice_145, transform_right_filter_feature_0_choice_146 : boolean;
+    variable transform_right_filter_feature_0_choice_147, transform_right_filter_feature_0_choice_148 : boolean;
+    variable transform_right_filter_feature_0_choice_149, transform_right_filter_feature_0_choice_150 : boolean;
+    variable transform_right_filter_feature_0_choice_151, transform_right_filter_feature_0_choice_152 : boolean;
+    variable transform_right_filter_feature_0_choice_153, transform_right_filter_feature_0_choice_154 : boolean;
+    variable transform_right_filter_feature_0_choice_155, transform_right_filter_feature_0_choice_156 : boolean;
+    variable transform_right_filter_feature_0_choice_157, transform_right_filter_feature_0_choice_158 : boolean;
+    variable transform_right_filter_feature_0_choice_159, transform_right_filter_feature_0_choice_160 : boolean;
+    variable transform_right_filter_feature_0_choice_161, transform_right_filter_feature_0_choice_162 : boolean;
+    variable transform_right_filter_feature_0_choice_163, transform_right_filter_feature_0_choice_164 : boolean;
+    variable transform_right_filter_feature_0_choice_165, transform_right_filter_feature_0_choice_166 : boolean;
+    variable transform_right_filter_feature_0_choice_167, transform_right_filter_feature_0_choice_168 : boolean;
+    variable transform_right_filter_feature_0_choice_169, transform_right_filter_feature_0_choice_170 : boolean;
+    variable transform_right_filter_feature_0_choice_171, transform_right_filter_feature_0_choice_172 : boolean;
+    variable transform_right_filter_feature_0_choice_173, transform_right_filter_feature_0_choice_174 : boolean;
+    variable transform_right_filter_feature_0_choice_175, transform_right_filter_feature_0_choice_176 : boolean;
+    variable transform_right_filter_feature_0_choice_177, transform_right_filter_feature_0_choice_178 : boolean;
+    variable transform_right_filter_feature_0_choice_179, transform_right_filter_feature_0_choice_180 : boolean;
+    variable transform_right_filter_feature_0_choice_181, transform_right_filter_feature_0_choice_182 : boolean;
+    variable transform_right_filter_feature_0_choice_183, transform_right_filter_feature_0_choice_184 : boolean;
+    variable transform_right_filter_feature_0_choice_185, transform_right_filter_feature_0_choice_186 : boolean;
+    variable transform_right_filter_feature_0_choice_187, transform_right_filter_feature_0_value_7 : boolean;
+    variable transform_right_filter_feature_0_choice_188, transform_right_filter_feature_0_value_8 : boolean;
+    variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_value_9 : boolean;
+    variable transform_right_filter_feature_0_choice_190, transform_right_filter_feature_0_value_10 : boolean;
+    variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_value_11 : boolean;
+    variable transform_right_filter_feature_0_choice_192, transform_right_filter_feature_0_choice_193 : boolean;
+    variable transform_counter_column_all, transform_counter_next_frame_choice : boolean;
+    variable transform_counter_next_frame_choice_2, raster_place_group_value, raster_place_group_differs : boolean;
+    variable raster_place_group_value_2, raster_place_group_choice, raster_place_group_choice_2 : boolean;
+    variable raster_place_group_choice_3, raster_place_group_value_3, raster_place_group_differs_2 : boolean;
+    variable raster_place_group_value_4, raster_place_group_choice_4, raster_place_group_is_equal : boolean;
+    variable raster_place_group_choice_5, raster_place_group_choice_6, raster_place_group_value_5 : boolean;
+    variable raster_place_group_value_6, raster_place_group_choice_7, raster_place_group_choice_8 : boolean;
+    variable raster_place_group_choice_9, raster_place_group_differs_3, raster_place_group_value_8 : boolean;
+    variable raster_place_group_differs_4, raster_place_group_all, raster_place_group_value_9 : boolean;
+    variable raster_place_group_choice_11, raster_place_group_choice_12, raster_place_group_choice_13 : boolean;
+    variable raster_place_group_value_10, raster_place_group_choice_14, raster_place_group_choice_15 : boolean;
+    variable raster_place_group_choice_16, raster_place_group_choice_17, raster_place_group_choice_18 : boolean;
+    variable raster_place_group_choice_19, raster_place_group_choice_20, raster_place_group_choice_21 : boolean;
+    variable raster_place_group_value_11, raster_place_group_differs_5, raster_place_column_all : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_0_differs : boolean;
+    variable delay_row_inside_1_is_less, delay_tag_border_column_value, delay_tag_border_column_all : boolean;
+    variable delay_tag_first_cost_is_equal, delay_tag_map_column_choice, delay_tag_map_column_choice_2 : boolean;
+    variable delay_tag_map_column_choice_3, delay_tag_map_column_choice_4, delay_tag_map_column_value : boolean;
+    variable delay_tag_map_column_choice_5, delay_tag_map_column_choice_6 : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_value_2, slice0cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_2, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_2_value, slice0cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value, slice0cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_2, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value, slice0cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value_2, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_7_value, slice0cost_pixels_first_1_0_count_7_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_0_value, slice0cost_pixels_first_2_0_count_0_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value, slice0cost_pixels_first_2_0_count_1_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value, slice0cost_pixels_first_2_0_count_4_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value, slice0cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_7_value_2, slice1cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value, slice1cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value, slice1cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value, slice1cost_pixels_first_0_0_count_7_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_value, slice1cost_pixels_first_1_0_count_0_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value, slice1cost_pixels_first_1_0_count_1_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value_2, slice1cost_pixels_first_1_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_2, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value, slice1cost_pixels_first_1_0_count_4_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_2, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value, slice1cost_pixels_first_1_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_0_value_2, slice1cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_2, slice1cost_pixels_first_2_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_2_value, slice1cost_pixels_first_2_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value, slice1cost_pixels_first_2_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value_3, slice1cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_2, slice1cost_pixels_first_2_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value, slice1cost_pixels_first_2_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value_3, slice1cost_pixels_first_2_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_value_2, slice1cost_pixels_first_2_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_7_value, slice1cost_pixels_first_2_0_count_7_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_2_value, slice2cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value, slice2cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value, slice2cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_7_value, slice2cost_pixels_first_1_0_count_7_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_value, slice2cost_pixels_first_2_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value, slice2cost_pixels_first_2_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_value_2, slice2cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_2, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value, slice2cost_pixels_first_2_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_any, entry_order_turned_output_column_choice, entry_tag_row_start_is_equal : boolean;
+    variable entry_tag_first_group_is_equal, entry_tag_first_group_value, entry_tag_first_group_is_equal_2 : boolean;
+    variable entry_tag_first_group_all, entry_tag_first_group_value_2, entry_tag_first_group_value_3 : boolean;
+    variable entry_tag_newest_inside_all, forward_drop_cost_any, forward_path_0_value, forward_path_1_any : boolean;
+    variable forward_path_1_value, forward_path_2_any, forward_path_2_value, forward_path_3_any : boolean;
+    variable forward_path_3_value, forward_path_4_any, forward_path_4_value, forward_path_5_any : boolean;
+    variable forward_path_5_value, forward_path_6_any, forward_path_6_value, forward_path_7_any : boolean;
+    variable forward_path_7_value, forward_path_8_any, forward_path_8_value, forward_path_9_any : boolean;
+    variable forward_path_9_value, forward_path_10_any, forward_path_10_value, forward_path_11_any : boolean;
+    variable forward_path_11_value, forward_dropped_0_value, forward_dropped_1_value, forward_dropped_2_value : boolean;
+    variable forward_dropped_3_value, forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any : boolean;
+    variable forward_far_1_choice, forward_far_2_choice, forward_far_3_choice, forward_far_4_choice : boolean;
+    variable forward_far_5_choice, lastwinner1_best_cost_0_0_is_less, lastwinner1_best_cost_0_1_is_less : boolean;
+    variable lastwinner1_best_cost_0_2_is_less, lastwinner1_best_cost_0_3_is_less : boolean;
+    variable lastwinner1_best_cost_0_4_is_less, lastwinner1_best_cost_0_5_is_less : boolean;
+    variable lastwinner2_best_cost_0_0_is_less, lastwinner2_best_cost_0_1_is_less : boolean;
+    variable lastwinner2_best_cost_0_2_is_less, lastwinner3_best_cost_0_0_is_less, turn_order_address_any : boolean;
+    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable fill_out_disparity_0_all, map_counter_column_value, map_counter_column_choice : boolean;
+    variable map_counter_column_choice_2, map_counter_column_choice_3, map_counter_column_choice_4 : boolean;
+    variable map_counter_column_choice_5, map_counter_column_choice_6, map_counter_column_differs : boolean;
+    variable map_counter_column_all, map_counter_next_frame_choice, map_counter_next_frame_is_equal : boolean;
+    variable map_counter_next_frame_choice_2, map_counter_next_frame_value, map_counter_next_frame_choice_3 : boolean;
+    variable map_counter_next_frame_value_2, map_counter_next_frame_choice_4, map_counter_next_frame_choice_5 : boolean;
+    variable map_counter_next_frame_value_3, map_counter_next_frame_choice_6 : boolean;
+    variable map_counter_next_frame_is_equal_2, map_counter_next_frame_is_equal_3 : boolean;
+    variable map_counter_next_frame_choice_7, map_counter_next_frame_choice_8 : boolean;
+    variable map_counter_next_frame_is_equal_4, map_counter_next_frame_is_equal_5 : boolean;
+    variable map_counter_next_frame_choice_9, map_counter_next_frame_is_equal_6 : boolean;
+    variable map_counter_next_frame_choice_10, map_counter_next_frame_choice_11 : boolean;
+    variable map_counter_next_frame_differs, map_counter_next_frame_all, map_counter_next_frame_choice_12 : boolean;
+    variable map_counter_next_frame_choice_13, map_counter_next_frame_choice_14 : boolean;
+    variable map_counter_next_frame_choice_15, map_counter_next_frame_choice_16 : boolean;
+    variable map_counter_next_frame_choice_17, map_counter_next_frame_differs_2, map_counter_next_frame_all_2 : boolean;
+    variable map_line_ended_choice, map_at_arrives_value, map_of_column_0_b_below_a_value : boolean;
+    variable map_of_column_0_b_below_a_choice, map_of_column_0_b_below_a_value_2 : boolean;
+    variable map_of_column_0_b_below_a_choice_2, map_of_column_0_b_below_a_choice_3 : boolean;
+    variable map_of_column_0_b_below_a_choice_4, map_of_column_0_b_below_a_value_3 : boolean;
+    variable map_of_column_0_b_below_a_value_4, map_of_column_0_b_below_a_choice_5 : boolean;
+    variable map_of_column_0_b_below_a_value_5, map_of_column_0_b_below_a_value_6 : boolean;
+    variable map_of_column_0_b_below_a_choice_6, map_of_column_0_b_below_a_value_7 : boolean;
+    variable map_of_column_0_b_below_a_value_8, map_of_column_0_b_below_a_choice_7 : boolean;
+    variable map_of_column_0_b_below_a_value_9, map_of_column_0_b_below_a_value_10 : boolean;
+    variable map_of_column_0_b_below_a_choice_8, map_of_column_0_b_below_a_value_11 : boolean;
+    variable map_of_column_0_b_below_a_value_12, map_of_column_0_b_below_a_choice_9 : boolean;
+    variable map_of_column_0_c_below_a_value, map_of_column_0_c_below_a_choice : boolean;
+    variable map_of_column_0_c_below_a_value_2, map_of_column_0_c_below_a_choice_2 : boolean;
+    variable map_of_column_0_c_below_a_choice_3, map_of_column_0_c_below_a_value_3 : boolean;
+    variable map_of_column_0_c_below_a_choice_4, map_of_column_0_c_below_a_choice_5 : boolean;
+    variable map_of_column_0_c_below_a_choice_6, map_of_column_0_c_below_a_value_4 : boolean;
+    variable map_of_column_0_c_below_a_choice_7, map_of_column_0_c_below_a_choice_8 : boolean;
+    variable map_of_column_0_c_below_a_choice_9, map_of_column_0_c_below_a_value_5 : boolean;
+    variable map_of_column_0_c_below_a_choice_10, map_of_column_0_c_below_a_choice_11 : boolean;
+    variable map_of_column_0_c_below_a_choice_12, map_of_column_0_c_below_a_value_6 : boolean;
+    variable map_of_column_0_c_below_a_choice_13, map_of_column_0_c_below_a_choice_14 : boolean;
+    variable map_of_column_0_c_below_a_choice_15, map_of_column_0_c_below_a_value_7 : boolean;
+    variable map_of_column_0_c_below_a_choice_16, map_of_column_0_c_below_a_choice_17 : boolean;
+    variable map_of_column_0_c_below_a_choice_18, map_of_column_0_c_below_a_choice_19 : boolean;
+    variable map_of_column_0_c_below_a_choice_20, map_of_column_0_c_below_b_choice : boolean;
+    variable map_of_column_0_c_below_b_choice_2, map_of_column_0_c_below_b_choice_3 : boolean;
+    variable map_of_column_0_c_below_b_choice_4, map_of_column_0_c_below_b_choice_5 : boolean;
+    variable map_of_column_0_c_below_b_choice_6, map_window_complete_is_equal, map_of_low_0_b_below_a_value : boolean;
+    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_choice_2 : boolean;
+    variable map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_choice_3, map_of_low_0_b_below_a_value_3 : boolean;
+    variable map_of_low_0_b_below_a_choice_4, map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_choice_5 : boolean;
+    variable map_of_low_0_b_below_a_value_5, map_of_low_0_b_below_a_choice_6, map_of_low_0_b_below_a_value_6 : boolean;
+    variable map_of_low_0_b_below_a_choice_7, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_is_equal : boolean;
+    variable map_of_low_0_c_below_a_choice, map_of_low_0_c_below_a_choice_2, map_of_low_0_c_below_a_value_2 : boolean;
+    variable map_of_low_0_c_below_a_choice_3, map_of_low_0_c_below_a_value_3, map_of_low_0_c_below_a_choice_4 : boolean;
+    variable map_of_low_0_c_below_a_value_4, map_of_low_0_c_below_a_choice_5, map_of_low_0_c_below_a_value_5 : boolean;
+    variable map_of_low_0_c_below_a_choice_6, map_of_low_0_c_below_a_value_6, map_of_low_0_c_below_a_choice_7 : boolean;
+    variable map_of_low_0_c_below_b_value, map_of_low_0_c_below_b_choice, map_of_low_0_c_below_b_choice_2 : boolean;
+    variable map_of_low_0_c_below_b_value_2, map_of_low_0_c_below_b_choice_3, map_of_low_0_c_below_b_value_3 : boolean;
+    variable map_of_low_0_c_below_b_choice_4, map_of_low_0_c_below_b_value_4, map_of_low_0_c_below_b_choice_5 : boolean;
+    variable map_of_low_0_c_below_b_value_5, map_of_low_0_c_below_b_choice_6, map_of_low_0_c_below_b_value_6 : boolean;
+    variable map_of_low_0_c_below_b_choice_7, map_of_middle_0_b_below_a_value : boolean;
+    variable map_of_middle_0_b_below_a_choice, map_of_middle_0_b_below_a_choice_2 : boolean;
+    variable map_of_middle_0_b_below_a_value_2, map_of_middle_0_b_below_a_choice_3 : boolean;
+    variable map_of_middle_0_b_below_a_value_3, map_of_middle_0_b_below_a_choice_4 : boolean;
+    variable map_of_middle_0_b_below_a_value_4, map_of_middle_0_b_below_a_choice_5 : boolean;
+    variable map_of_middle_0_b_below_a_value_5, map_of_middle_0_b_below_a_choice_6 : boolean;
+    variable map_of_middle_0_b_below_a_value_6, map_of_middle_0_b_below_a_choice_7 : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_is_equal : boolean;
+    variable map_of_middle_0_c_below_a_choice, map_of_middle_0_c_below_a_choice_2 : boolean;
+    variable map_of_middle_0_c_below_a_value_2, map_of_middle_0_c_below_a_choice_3 : boolean;
+    variable map_of_middle_0_c_below_a_value_3, map_of_middle_0_c_below_a_choice_4 : boolean;
+    variable map_of_middle_0_c_below_a_value_4, map_of_middle_0_c_below_a_choice_5 : boolean;
+    variable map_of_middle_0_c_below_a_value_5, map_of_middle_0_c_below_a_choice_6 : boolean;
+    variable map_of_middle_0_c_below_a_value_6, map_of_middle_0_c_below_a_choice_7 : boolean;
+    variable map_of_middle_0_c_below_b_value, map_of_middle_0_c_below_b_choice : boolean;
+    variable map_of_middle_0_c_below_b_choice_2, map_of_middle_0_c_below_b_value_2 : boolean;
+    variable map_of_middle_0_c_below_b_choice_3, map_of_middle_0_c_below_b_value_3 : boolean;
+    variable map_of_middle_0_c_below_b_choice_4, map_of_middle_0_c_below_b_value_4 : boolean;
+    variable map_of_middle_0_c_below_b_choice_5, map_of_middle_0_c_below_b_value_5 : boolean;
+    variable map_of_middle_0_c_below_b_choice_6, map_of_middle_0_c_below_b_value_6 : boolean;
+    variable map_of_middle_0_c_below_b_choice_7, map_of_high_0_b_below_a_value : boolean;
+    variable map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_b_below_a_choice_2, map_of_high_0_b_below_a_value_2 : boolean;
+    variable map_of_high_0_b_below_a_value_3, map_of_high_0_b_below_a_choice_3 : boolean;
+    variable map_of_high_0_b_below_a_value_4, map_of_high_0_b_below_a_value_5 : boolean;
+    variable map_of_high_0_b_below_a_choice_4, map_of_high_0_b_below_a_value_6 : boolean;
+    variable map_of_high_0_b_below_a_value_7, map_of_high_0_b_below_a_choice_5 : boolean;
+    variable map_of_high_0_b_below_a_value_8, map_of_high_0_b_below_a_value_9 : boolean;
+    variable map_of_high_0_b_below_a_choice_6, map_of_high_0_b_below_a_value_10 : boolean;
+    variable map_of_high_0_b_below_a_value_11, map_of_high_0_b_below_a_choice_7 : boolean;
+    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice, map_of_high_0_c_below_a_choice_2 : boolean;
+    variable map_of_high_0_c_below_a_choice_3, map_of_high_0_c_below_a_choice_4 : boolean;
+    variable map_of_high_0_c_below_a_choice_5, map_of_high_0_c_below_a_choice_6 : boolean;
+    variable map_of_high_0_c_below_a_choice_7, map_of_high_0_c_below_b_choice : boolean;
+    variable map_of_high_0_c_below_b_choice_2, map_of_high_0_c_below_b_choice_3 : boolean;
+    variable map_of_high_0_c_below_b_choice_4, map_of_high_0_c_below_b_choice_5 : boolean;
+    variable map_of_high_0_c_below_b_choice_6, map_of_high_0_c_below_b_choice_7 : boolean;
+    variable map_of_all_0_b_below_a_choice, map_of_all_0_b_below_a_choice_2, map_of_all_0_b_below_a_choice_3 : boolean;
+    variable map_of_all_0_b_below_a_choice_4, map_of_all_0_b_below_a_choice_5 : boolean;
+    variable map_of_all_0_b_below_a_choice_6, map_of_all_0_b_below_a_choice_7, map_of_all_0_c_below_a_choice : boolean;
+    variable map_of_all_0_c_below_a_choice_2, map_of_all_0_c_below_a_choice_3 : boolean;
+    variable map_of_all_0_c_below_a_choice_4, map_of_all_0_c_below_a_choice_5 : boolean;
+    variable map_of_all_0_c_below_a_choice_6, map_of_all_0_c_below_a_choice_7, map_of_all_0_c_below_b_choice : boolean;
+    variable map_of_all_0_c_below_b_choice_2, map_of_all_0_c_below_b_choice_3 : boolean;
+    variable map_of_all_0_c_below_b_choice_4, map_of_all_0_c_below_b_choice_5 : boolean;
+    variable map_of_all_0_c_below_b_choice_6, map_of_all_0_c_below_b_choice_7, map_low_0_0_all : boolean;
+    variable map_low_0_0_all_2 : boolean;
+    variable settings_occlusion_cost_choice : natural range 0 to 127;
+    variable transform_counter_group_value_7, raster_place_group_value_7 : natural range 0 to 3;
+    variable entry_tag_first_group_choice, entry_tag_first_group_choice_2 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_3, entry_tag_first_group_choice_4 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_5, entry_tag_first_group_choice_6 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_7, entry_tag_first_group_choice_8 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_9, entry_tag_first_group_choice_10 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_11, entry_tag_first_group_choice_12 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_13, entry_tag_first_group_choice_14 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_15, entry_tag_first_group_choice_16 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_17, entry_tag_first_group_choice_18 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_19, entry_tag_first_group_choice_20 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_21, entry_tag_first_group_choice_22 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_23, entry_tag_first_group_choice_24 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_25, entry_tag_first_group_choice_26 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_27, entry_tag_first_group_choice_28 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_29, entry_tag_first_group_choice_30 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_31, entry_tag_first_group_choice_32 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_33, entry_tag_first_group_choice_34 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_35, entry_tag_first_group_choice_36 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_37, entry_tag_first_group_choice_38 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_39, entry_tag_first_group_choice_40 : natural range 0 to 3;
+    variable entry_tag_first_group_choice_41 : natural range 0 to 3;
+    variable transform_counter_group_choice_10, transform_counter_group_choice_22 : natural range 0 to 31;
+    variable transform_counter_group_choice_23, transform_left_filter_feature_0_choice_194 : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_194, raster_place_group_choice_10 : natural range 0 to 31;
+    variable raster_place_group_choice_22, raster_place_group_choice_23 : natural range 0 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 31;
+    variable map_counter_group_choice, map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 31;
+    variable transform_read_row_inside_0_difference, delay_row_inside_0_difference : integer range -31 to 31;
+    variable transform_left_filter_feature_0_choice_195 : natural range 0 to 1023;
+    variable transform_right_filter_feature_0_choice_195 : natural range 0 to 1023;
+    variable transform_left_filter_feature_0_choice_196 : natural range 0 to 8191;
+    variable transform_right_filter_feature_0_choice_196 : natural range 0 to 8191;
+    variable transform_left_filter_feature_0_choice_197 : natural range 0 to 524287;
+    variable transform_right_filter_feature_0_choice_197 : natural range 0 to 524287;
+    variable entry_tag_first_group_sum : natural range 1 to 256;
+    variable entry_tag_first_group_sum_2 : natural range 3 to 130;
+    variable entry_tag_first_group_sum_3 : natural range 255 to 510;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 4095;
+    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_2_choice : natural range 0 to 4095;
+    variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_3_choice : natural range 0 to 4095;
+    variable forward_path_3_choice_2, forward_path_3_choice_3, forward_path_4_choice : natural range 0 to 4095;
+    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_5_choice : natural range 0 to 4095;
+    variable forward_path_5_choice_2, forward_path_5_choice_3, forward_path_6_choice : natural range 0 to 4095;
+    variable forward_path_6_choice_2, forward_path_6_choice_3, forward_path_7_choice : natural range 0 to 4095;
+    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_8_choice : natural range 0 to 4095;
+    variable forward_path_8_choice_2, forward_path_8_choice_3, forward_path_9_choice : natural range 0 to 4095;
+    variable forward_path_9_choice_2, forward_path_9_choice_3, forward_path_10_choice : natural range 0 to 4095;
+    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_11_choice : natural range 0 to 4095;
+    variable forward_path_11_choice_2, forward_path_11_choice_3, forward_dropped_0_choice : natural range 0 to 4095;
+    variable forward_dropped_1_choice, forward_dropped_2_choice, forward_dropped_3_choice : natural range 0 to 4095;
+    variable forward_dropped_4_choice, forward_dropped_5_choice : natural range 0 to 4095;
+    variable forward_far_6_choice, forward_far_7_choice, forward_far_8_choice : natural range 1 to 2;
+    variable forward_far_9_choice, forward_far_10_choice, forward_far_11_choice : natural range 1 to 2;
+    variable forward_far_6_choice_2, forward_far_7_choice_2, forward_far_8_choice_2 : natural range 0 to 2;
+    variable forward_far_9_choice_2, forward_far_10_choice_2 : natural range 0 to 2;
+    variable last_path_0_2_difference : integer range -2047 to 2048;
+    variable traceback_state_choice, traceback_state_choice_2, traceback_state_choice_3 : natural range 0 to 255;
+    variable fill_out_disparity_0_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 255;
+    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 255;
+    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 255;
+    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 255;
+    variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 255;
+    variable map_median_middle_0_choice_4, map_smallest_high_0_choice : natural range 0 to 255;
+    variable map_smallest_high_0_choice_2, map_out_disparity_0_choice : natural range 0 to 255;
+    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 255;
+    variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 255;
+    variable map_high_0_0_choice : natural range 0 to 255;
+  begin
+    if rising_edge(clock) then
+      -- settings
+      settings_occlusion_cost_is_less := in_occlusion_cost < 90;
+      if settings_occlusion_cost_is_less then
+        settings_occlusion_cost_choice := in_occlusion_cost mod 128;
+      else
+        settings_occlusion_cost_choice := 90;
+      end if;
+      settings_drop_cost_any := (not in_start_of_frame) or (not in_valid);
+      if not settings_drop_cost_any then
+        settings_drop_cost <= in_drop_cost mod 64 when in_drop_cost < 40 else 40;
+        settings_occlusion_cost <= 1 when (not (settings_occlusion_cost_is_less and ((in_occlusion_cost mod 2) = 1)))
+          and ((settings_occlusion_cost_choice / 2) = 0) else settings_occlusion_cost_choice;
+      end if;
+      -- size
+      size_windows_last_column <= (in_image_width + 63) mod 64;
+      size_windows_last_group <= (in_image_height + 15) mod 16;
+      size_windows_groups <= in_image_height mod 32;
+      size_windows_idle <= (in_image_height + 1) mod 32;
+      size_map_last_column <= (((((in_image_width mod 64) / 4) + 5) mod 8) * 4) + (in_image_width mod 4);
+      size_transform_idle <= (((((in_image_height mod 32) / 2) + 1) mod 16) * 2) + (in_image_height mod 2);
+      -- transform
+      transform_counter_group_value := ((transform_counter_group / 8) mod 2) = 1;
+      transform_counter_group_differs := transform_counter_group_value /= (not ((size_windows_last_group / 8) = 1));
+      transform_counter_group_value_2 := ((transform_counter_group / 2) mod 2) = 1;
+      transform_counter_group_is_equal := (size_windows_last_group mod 4) = 3;
+      transform_counter_group_is_equal_2 := (size_windows_last_group mod 4) = 2;
+      transform_counter_group_choice := transform_counter_group_is_equal when (transform_counter_group mod 2) = 1 else
+        transform_counter_group_is_equal_2;
+      transform_counter_group_is_equal_3 := (size_windows_last_group mod 4) = 1;
+      transform_counter_group_is_equal_4 := (size_windows_last_group mod 4) = 0;
+      transform_counter_group_choice_2 := transform_counter_group_is_equal_3 when (transform_counter_group mod 2) = 1
+        else transform_counter_group_is_equal_4;
+      transform_counter_group_choice_3 := transform_counter_group_choice when transform_counter_group_value_2 else
+        transform_counter_group_choice_2;
+      transform_counter_group_value_3 := ((transform_counter_group / 4) mod 2) = 1;
+      transform_counter_group_value_4 := ((size_windows_last_group / 4) mod 2) = 1;
+      transform_counter_group_differs_2 := transform_counter_group_value_3 /= (not transform_counter_group_value_4);
+      transform_counter_group_value_5 := ((transform_counter_column / 16) mod 2) = 1;
+      transform_counter_group_choice_4 := (size_windows_last_column / 16) = 3 when transform_counter_group_value_5 else
+        (size_windows_last_column / 16) = 2;
+      transform_counter_group_choice_5 := (size_windows_last_column / 16) = 1 when transform_counter_group_value_5 else
+        (size_windows_last_column / 16) = 0;
+      transform_counter_group_choice_6 := transform_counter_group_choice_4 when (transform_counter_column / 32) = 1
+        else transform_counter_group_choice_5;
+      transform_counter_group_value_6 := ((transform_counter_column / 2) mod 2) = 1;
+      transform_counter_group_value_7 := (size_windows_last_column / 2) mod 4;
+      transform_counter_group_choice_7 := transform_counter_group_value_7 = 3 when transform_counter_group_value_6 else
+        transform_counter_group_value_7 = 2;
+      transform_counter_group_choice_8 := transform_counter_group_value_7 = 1 when transform_counter_group_value_6 else
+        transform_counter_group_value_7 = 0;
+      transform_counter_group_choice_9 := transform_counter_group_choice_7 when ((transform_counter_column / 4) mod 2)
+        = 1 else transform_counter_group_choice_8;
+      transform_counter_group_differs_3 := ((transform_counter_column mod 2) = 1) /= (not ((size_windows_last_column
+        mod 2) = 1));
+      transform_counter_group_value_8 := ((size_windows_last_column / 8) mod 2) = 1;
+      transform_counter_group_differs_4 := (((transform_counter_column / 8) mod 2) = 1) /= (not
+        transform_counter_group_value_8);
+      transform_counter_group_all := (not ((transform_counter_group / 16) = 1)) and transform_counter_group_differs and
+        transform_counter_group_choice_3 and transform_counter_group_differs_2 and transform_counter_group_choice_6 and
+        transform_counter_group_choice_9 and transform_counter_group_differs_3 and transform_counter_group_differs_4;
+      transform_counter_group_choice_10 := size_windows_groups when transform_counter_group_all else 0;
+      transform_counter_group_choice_11 := (not transform_counter_group_value_2) or (not ((transform_counter_group mod
+        2) = 1)) when (size_transform_idle mod 2) = 1 else not transform_counter_group_value_2;
+      transform_counter_group_choice_12 := transform_counter_group_choice_11 when ((size_transform_idle / 2) mod 2) = 1
+        else ((size_transform_idle mod 2) = 1) and ((transform_counter_group mod 4) = 0);
+      transform_counter_group_choice_13 := (not (((size_transform_idle / 4) mod 2) = 1)) and
+        transform_counter_group_value_3 when transform_counter_group_choice_12 else (not (((size_transform_idle / 4)
+        mod 2) = 1)) or transform_counter_group_value_3;
+      transform_counter_group_choice_14 := (not (((size_transform_idle / 8) mod 2) = 1)) or
+        transform_counter_group_value when transform_counter_group_choice_13 else (not (((size_transform_idle / 8) mod
+        2) = 1)) and transform_counter_group_value;
+      transform_counter_group_choice_15 := (not ((size_transform_idle / 16) = 1)) or ((transform_counter_group / 16) =
+        1) when transform_counter_group_choice_14 else (not ((size_transform_idle / 16) = 1)) and
+        ((transform_counter_group / 16) = 1);
+      transform_counter_group_choice_16 := (size_windows_idle / 8) = 3 when transform_counter_group_value else
+        (size_windows_idle / 8) = 2;
+      transform_counter_group_choice_17 := (size_windows_idle / 8) = 1 when transform_counter_group_value else
+        (size_windows_idle / 8) = 0;
+      transform_counter_group_choice_18 := transform_counter_group_choice_16 when (transform_counter_group / 16) = 1
+        else transform_counter_group_choice_17;
+      transform_counter_group_choice_19 := (size_windows_idle mod 4) = 3 when (transform_counter_group mod 2) = 1 else
+        (size_windows_idle mod 4) = 2;
+      transform_counter_group_is_equal_5 := (size_windows_idle mod 4) = 0;
+      transform_counter_group_choice_20 := (size_windows_idle mod 4) = 1 when (transform_counter_group mod 2) = 1 else
+        transform_counter_group_is_equal_5;
+      transform_counter_group_choice_21 := transform_counter_group_choice_19 when transform_counter_group_value_2 else
+        transform_counter_group_choice_20;
+      transform_counter_group_value_9 := ((size_windows_idle / 4) mod 2) = 1;
+      transform_counter_group_differs_5 := transform_counter_group_value_3 /= (not transform_counter_group_value_9);
+      transform_counter_group_choice_22 := 2 when transform_counter_group_choice_18 and
+        transform_counter_group_choice_21 and transform_counter_group_differs_5 and transform_counter_next_frame else
+        (transform_counter_group + 1) mod 32;
+      transform_counter_group_choice_23 := transform_counter_group_choice_22 when (not
+        transform_counter_group_choice_15) and transform_counter_group_choice_6 and transform_counter_group_choice_9
+        and transform_counter_group_differs_3 and transform_counter_group_differs_4 and in_valid else
+        transform_counter_group;
+      transform_read_row_inside_0_difference := transform_counter_group - size_windows_groups;
+      transform_read_row_inside_1_is_equal := ((transform_counter_group / 4) mod 4) = 0;
+      transform_read_row_inside_1_choice := (not ((transform_counter_group mod 2) = 1)) and
+        transform_read_row_inside_1_is_equal when transform_counter_group_value_2 else
+        transform_read_row_inside_1_is_equal;
+      transform_read_row_inside_1_is_less := transform_read_row_inside_0_difference < 3;
+      transform_read_row_inside_2_is_equal := (transform_counter_group / 4) = 0;
+      transform_read_row_inside_2_is_less := transform_read_row_inside_0_difference < 2;
+      transform_read_row_inside_3_is_less := transform_read_row_inside_0_difference < 1;
+      transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
+      transform_read_column_inside_1_is_equal_2 := (transform_counter_column / 2) = 0;
+      transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0 when
+        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column mod 2) = 1) or
+        transform_counter_group_value_6;
+      transform_read_column_inside_1_differs := (transform_counter_column / 2) /= 0;
+      transform_read_column_inside_3_choice := ((transform_counter_column / 2) mod 8) = 0 when
+        (transform_counter_column mod 2) = 1 else ((transform_counter_column / 4) mod 4) = 0;
+      transform_read_column_inside_3_choice_2 := (transform_counter_column / 16) = 0 when
+        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column / 32) = 1) or
+        transform_counter_group_value_5;
+      transform_left_filter_feature_0_value := ((transform_left_filter_column_2_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+        ((transform_left_filter_column_2_2 mod 2) = 1));
+      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2_2 mod 4) = 0;
+      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
+        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_2_2 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
+        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_2_2 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
+        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_2_2 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
+        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_2_2 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
+        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_2_2 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
+        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
+        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
+        ((transform_left_filter_column_4_1 / 2) mod 2) = 1 else ((transform_left_filter_column_4_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
+        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
+        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
+        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
+        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
+        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
+        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
+        ((transform_left_filter_column_4_2 / 2) mod 2) = 1 else ((transform_left_filter_column_4_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
+        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
+        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
+        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
+        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
+        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
+        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
+        ((transform_left_filter_column_4_3 / 2) mod 2) = 1 else ((transform_left_filter_column_4_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
+        (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
+        (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
+        (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
+        (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
+        (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
+        ((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
+        ((transform_left_filter_column_4_4 / 2) mod 2) = 1 else ((transform_left_filter_column_4_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
+        (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
+        (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
+        (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
+        (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
+        (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
+        ((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
+        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
+        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
+        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
+        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
+        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
+        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
+        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
+        ((transform_left_filter_column_3_1 / 2) mod 2) = 1 else ((transform_left_filter_column_3_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
+        (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
+        (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
+        (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
+        (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
+        (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
+        ((transform_left_filter_column_3_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
+        ((transform_left_filter_column_3_2 / 2) mod 2) = 1 else ((transform_left_filter_column_3_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
+        (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
+        (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
+        (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
+        (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
+        (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
+        ((transform_left_filter_column_3_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
+        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
+        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
+        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
+        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
+        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
+        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
+        ((transform_left_filter_column_3_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
+        ((transform_left_filter_column_3_4 / 2) mod 2) = 1 else ((transform_left_filter_column_3_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_74 else (not
+        (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_75 else (not
+        (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_76 else (not
+        (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_77 else (not
+        (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_78 else (not
+        (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_79 else
+        ((transform_left_filter_column_3_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81 when
+        ((transform_left_filter_column_2_4 / 2) mod 2) = 1 else ((transform_left_filter_column_2_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_82 else (not
+        (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_83 else (not
+        (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_84 else (not
+        (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_85 else (not
+        (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
+        (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 when
+        (transform_left_filter_column_2_4 / 128) = 1 else transform_filtering_0_column_inside_2 and (not
+        ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_89 := ((transform_left_filter_column_2_4 / 128) = 1) and
+        transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
+        transform_left_filter_feature_0_choice_87 else transform_left_filter_feature_0_choice_88;
+      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_91 := transform_left_filter_feature_0_choice_90 when
+        ((transform_left_filter_column_2_1 / 2) mod 2) = 1 else ((transform_left_filter_column_2_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_91 else (not
+        (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_92 else (not
+        (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_93 else (not
+        (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_94 else (not
+        (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_96 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_95 else (not
+        (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_96 else
+        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_99 := transform_left_filter_feature_0_choice_98 when
+        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_99 else (not
+        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_100 else (not
+        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_101 else (not
+        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_102 else (not
+        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_103 else (not
+        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_105 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_104 else
+        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_107 := transform_left_filter_feature_0_choice_106 when
+        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_107 else (not
+        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_108 else (not
+        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_109 else (not
+        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_110 else (not
+        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_111 else (not
+        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_112 else
+        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114 when
+        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_115 else (not
+        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_116 else (not
+        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_117 else (not
+        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_118 else (not
+        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_119 else (not
+        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_121 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_120 else
+        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_123 := transform_left_filter_feature_0_choice_122 when
+        ((transform_left_filter_column_1_4 / 2) mod 2) = 1 else ((transform_left_filter_column_1_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_123 else (not
+        (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_124 else (not
+        (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_125 else (not
+        (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_126 else (not
+        (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_127 else (not
+        (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_129 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_128 else
+        ((transform_left_filter_column_1_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_131 := transform_left_filter_feature_0_choice_130 when
+        ((transform_left_filter_column_1_2 / 2) mod 2) = 1 else ((transform_left_filter_column_1_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_131 else (not
+        (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_132 else (not
+        (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_133 else (not
+        (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_134 else (not
+        (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_136 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_135 else (not
+        (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_137 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_136 else
+        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_139 := transform_left_filter_feature_0_choice_138 when
+        ((transform_left_filter_column_1_1 / 2) mod 2) = 1 else ((transform_left_filter_column_1_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_139 else (not
+        (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_140 else (not
+        (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_141 else (not
+        (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_142 else (not
+        (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_144 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_143 else (not
+        (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_145 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_144 else
+        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_147 := transform_left_filter_feature_0_choice_146 when
+        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_147 else (not
+        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_148 else (not
+        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_149 else (not
+        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_150 else (not
+        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_152 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_151 else (not
+        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_153 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_152 else
+        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_155 := transform_left_filter_feature_0_choice_154 when
+        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_155 else (not
+        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_156 else (not
+        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_157 else (not
+        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_158 else (not
+        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_159 else (not
+        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_161 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_160 else
+        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_163 := transform_left_filter_feature_0_choice_162 when
+        ((transform_left_filter_column_0_4 / 2) mod 2) = 1 else ((transform_left_filter_column_0_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_163 else (not
+        (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_164 else (not
+        (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_165 else (not
+        (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_166 else (not
+        (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_168 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_167 else (not
+        (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_169 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_168 else
+        ((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_171 := transform_left_filter_feature_0_choice_170 when
+        ((transform_left_filter_column_0_2 / 2) mod 2) = 1 else ((transform_left_filter_column_0_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_171 else (not
+        (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_172 else (not
+        (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_173 else (not
+        (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_174 else (not
+        (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_176 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_175 else (not
+        (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_177 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_176 else
+        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_179 := transform_left_filter_feature_0_choice_178 when
+        ((transform_left_filter_column_0_1 / 2) mod 2) = 1 else ((transform_left_filter_column_0_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_179 else (not
+        (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_180 else (not
+        (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_181 else (not
+        (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_182 else (not
+        (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_184 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_183 else (not
+        (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_185 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_184 else
+        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_186 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
+        (transform_left_filter_column_2_2 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
+      transform_left_filter_feature_0_choice_187 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
+        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
+        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_186;
+      transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_2) and
+        transform_left_filter_feature_0_value_7 when transform_left_filter_feature_0_choice_187 else (not
+        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_7;
+      transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_3) or
+        transform_left_filter_feature_0_value_8 when transform_left_filter_feature_0_choice_188 else (not
+        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_8;
+      transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_4) or
+        transform_left_filter_feature_0_value_9 when transform_left_filter_feature_0_choice_189 else (not
+        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_9;
+      transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_5) or
+        transform_left_filter_feature_0_value_10 when transform_left_filter_feature_0_choice_190 else (not
+        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_10;
+      transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_192 := (not transform_left_filter_feature_0_value_6) or
+        transform_left_filter_feature_0_value_11 when transform_left_filter_feature_0_choice_191 else (not
+        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_11;
+      transform_left_filter_feature_0_choice_193 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
+        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_192 else (not
+        ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_filtering_0_column_inside_0 then
+        transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_161) * 8) +
+          (as_number(transform_left_filter_feature_0_choice_169) * 16) +
+          (as_number(transform_left_filter_feature_0_choice_177) * 4) +
+          (as_number(transform_left_filter_feature_0_choice_185) * 2) +
+          as_number(transform_left_filter_feature_0_choice_193);
+      else
+        transform_left_filter_feature_0_choice_194 := 0;
+      end if;
+      if transform_filtering_0_column_inside_1 then
+        transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_121) * 256) +
+          (as_number(transform_left_filter_feature_0_choice_129) * 512) +
+          (as_number(transform_left_filter_feature_0_choice_137) * 128) +
+          (as_number(transform_left_filter_feature_0_choice_145) * 64) +
+          (as_number(transform_left_filter_feature_0_choice_153) * 32) + transform_left_filter_feature_0_choice_194;
+      else
+        transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
+      end if;
+      if transform_filtering_0_column_inside_2 then
+        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_97) * 2048) +
+          (as_number(transform_left_filter_feature_0_choice_105) * 4096) +
+          (as_number(transform_left_filter_feature_0_choice_113) * 1024) + transform_left_filter_feature_0_choice_195;
+      else
+        transform_left_filter_feature_0_choice_196 := transform_left_filter_feature_0_choice_195;
+      end if;
+      if transform_filtering_0_column_inside_3 then
+        transform_left_filter_feature_0_choice_197 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
+          (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
+          (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
+          (as_number(transform_left_filter_feature_0_choice_72) * 131072) +
+          (as_number(transform_left_filter_feature_0_choice_80) * 262144) +
+          (as_number(transform_left_filter_feature_0_choice_89) * 8192) + transform_left_filter_feature_0_choice_196;
+      else
+        transform_left_filter_feature_0_choice_197 := (as_number(transform_left_filter_feature_0_choice_89) * 8192) +
+          transform_left_filter_feature_0_choice_196;
+      end if;
+      transform_right_filter_feature_0_value := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+        ((transform_right_filter_column_2_2 mod 2) = 1));
+      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2_2 mod 4) = 0;
+      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
+        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_2_2 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
+        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_2_2 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
+        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_2_2 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
+        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_2_2 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
+        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_2_2 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
+        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
+        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
+        ((transform_right_filter_column_4_1 / 2) mod 2) = 1 else ((transform_right_filter_column_4_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
+        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
+        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
+        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
+        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
+        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
+        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
+        ((transform_right_filter_column_4_2 / 2) mod 2) = 1 else ((transform_right_filter_column_4_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
+        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
+        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
+        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
+        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
+        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
+        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
+        ((transform_right_filter_column_4_3 / 2) mod 2) = 1 else ((transform_right_filter_column_4_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
+        (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
+        (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
+        (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
+        (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
+        (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
+        ((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
+        ((transform_right_filter_column_4_4 / 2) mod 2) = 1 else ((transform_right_filter_column_4_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
+        (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
+        (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
+        (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
+        (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
+        (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
+        ((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
+        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
+        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
+        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
+        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
+        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
+        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
+        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
+        ((transform_right_filter_column_3_1 / 2) mod 2) = 1 else ((transform_right_filter_column_3_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
+        (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
+        (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
+        (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
+        (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
+        (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
+        ((transform_right_filter_column_3_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
+        ((transform_right_filter_column_3_2 / 2) mod 2) = 1 else ((transform_right_filter_column_3_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
+        (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
+        (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
+        (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
+        (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
+        (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
+        ((transform_right_filter_column_3_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
+        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
+        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
+        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
+        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
+        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
+        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
+        ((transform_right_filter_column_3_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
+        ((transform_right_filter_column_3_4 / 2) mod 2) = 1 else ((transform_right_filter_column_3_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_74 else (not
+        (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_75 else (not
+        (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_76 else (not
+        (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_77 else (not
+        (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_78 else (not
+        (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_79 else
+        ((transform_right_filter_column_3_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81 when
+        ((transform_right_filter_column_2_4 / 2) mod 2) = 1 else ((transform_right_filter_column_2_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_82 else (not
+        (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_83 else (not
+        (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_84 else (not
+        (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_85 else (not
+        (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
+        (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 when
+        (transform_right_filter_column_2_4 / 128) = 1 else (not ((transform_right_filter_column_2_2 / 128) = 1)) and
+        transform_filtering_0_column_inside_2;
+      transform_right_filter_feature_0_choice_89 := ((transform_right_filter_column_2_4 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) and transform_filtering_0_column_inside_2 when
+        transform_right_filter_feature_0_choice_87 else transform_right_filter_feature_0_choice_88;
+      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_choice_90 when
+        ((transform_right_filter_column_2_1 / 2) mod 2) = 1 else ((transform_right_filter_column_2_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_91 else (not
+        (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_92 else (not
+        (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_93 else (not
+        (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_94 else (not
+        (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_95 else (not
+        (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_97 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_96 else
+        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_choice_98 when
+        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_99 else (not
+        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_100 else (not
+        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_101 else (not
+        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_102 else (not
+        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_103 else (not
+        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_105 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_104 else
+        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_choice_106 when
+        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_107 else (not
+        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_108 else (not
+        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_109 else (not
+        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_110 else (not
+        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_111 else (not
+        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_113 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_112 else
+        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_115 := transform_right_filter_feature_0_choice_114 when
+        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_115 else (not
+        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_116 else (not
+        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_117 else (not
+        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_118 else (not
+        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_119 else (not
+        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_121 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_120 else
+        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_123 := transform_right_filter_feature_0_choice_122 when
+        ((transform_right_filter_column_1_4 / 2) mod 2) = 1 else ((transform_right_filter_column_1_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_123 else (not
+        (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_124 else (not
+        (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_125 else (not
+        (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_126 else (not
+        (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_127 else (not
+        (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_129 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_128 else
+        ((transform_right_filter_column_1_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_131 := transform_right_filter_feature_0_choice_130 when
+        ((transform_right_filter_column_1_2 / 2) mod 2) = 1 else ((transform_right_filter_column_1_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_131 else (not
+        (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_132 else (not
+        (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_133 else (not
+        (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_134 else (not
+        (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_136 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_135 else (not
+        (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_137 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_136 else
+        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_139 := transform_right_filter_feature_0_choice_138 when
+        ((transform_right_filter_column_1_1 / 2) mod 2) = 1 else ((transform_right_filter_column_1_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_139 else (not
+        (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_140 else (not
+        (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_141 else (not
+        (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_142 else (not
+        (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_144 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_143 else (not
+        (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_145 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_144 else
+        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_147 := transform_right_filter_feature_0_choice_146 when
+        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_147 else (not
+        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_148 else (not
+        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_149 else (not
+        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_150 else (not
+        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_152 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_151 else (not
+        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_153 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_152 else
+        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_155 := transform_right_filter_feature_0_choice_154 when
+        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_155 else (not
+        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_156 else (not
+        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_157 else (not
+        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_158 else (not
+        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_159 else (not
+        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_161 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_160 else
+        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_163 := transform_right_filter_feature_0_choice_162 when
+        ((transform_right_filter_column_0_4 / 2) mod 2) = 1 else ((transform_right_filter_column_0_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_163 else (not
+        (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_164 else (not
+        (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_165 else (not
+        (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_166 else (not
+        (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_168 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_167 else (not
+        (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_169 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_168 else
+        ((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_171 := transform_right_filter_feature_0_choice_170 when
+        ((transform_right_filter_column_0_2 / 2) mod 2) = 1 else ((transform_right_filter_column_0_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_171 else (not
+        (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_172 else (not
+        (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_173 else (not
+        (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_174 else (not
+        (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_175 else (not
+        (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_177 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_176 else
+        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_179 := transform_right_filter_feature_0_choice_178 when
+        ((transform_right_filter_column_0_1 / 2) mod 2) = 1 else ((transform_right_filter_column_0_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_179 else (not
+        (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_180 else (not
+        (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_181 else (not
+        (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_182 else (not
+        (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_183 else (not
+        (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_185 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_184 else
+        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_186 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
+        (transform_right_filter_column_2_2 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
+      transform_right_filter_feature_0_choice_187 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
+        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
+        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_186;
+      transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_2) and
+        transform_right_filter_feature_0_value_7 when transform_right_filter_feature_0_choice_187 else (not
+        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_7;
+      transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_3) or
+        transform_right_filter_feature_0_value_8 when transform_right_filter_feature_0_choice_188 else (not
+        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_8;
+      transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_4) or
+        transform_right_filter_feature_0_value_9 when transform_right_filter_feature_0_choice_189 else (not
+        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_9;
+      transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_5) or
+        transform_right_filter_feature_0_value_10 when transform_right_filter_feature_0_choice_190 else (not
+        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_10;
+      transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_192 := (not transform_right_filter_feature_0_value_6) or
+        transform_right_filter_feature_0_value_11 when transform_right_filter_feature_0_choice_191 else (not
+        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_11;
+      transform_right_filter_feature_0_choice_193 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
+        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_192 else (not
+        ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_filtering_0_column_inside_0 then
+        transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_161) * 8) +
+          (as_number(transform_right_filter_feature_0_choice_169) * 16) +
+          (as_number(transform_right_filter_feature_0_choice_177) * 4) +
+          (as_number(transform_right_filter_feature_0_choice_185) * 2) +
+          as_number(transform_right_filter_feature_0_choice_193);
+      else
+        transform_right_filter_feature_0_choice_194 := 0;
+      end if;
+      if transform_filtering_0_column_inside_1 then
+        transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_121) * 256) +
+          (as_number(transform_right_filter_feature_0_choice_129) * 512) +
+          (as_number(transform_right_filter_feature_0_choice_137) * 128) +
+          (as_number(transform_right_filter_feature_0_choice_145) * 64) +
+          (as_number(transform_right_filter_feature_0_choice_153) * 32) + transform_right_filter_feature_0_choice_194;
+      else
+        transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
+      end if;
+      if transform_filtering_0_column_inside_2 then
+        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_97) * 2048) +
+          (as_number(transform_right_filter_feature_0_choice_105) * 4096) +
+          (as_number(transform_right_filter_feature_0_choice_113) * 1024) + transform_right_filter_feature_0_choice_195;
+      else
+        transform_right_filter_feature_0_choice_196 := transform_right_filter_feature_0_choice_195;
+      end if;
+      if transform_filtering_0_column_inside_3 then
+        transform_right_filter_feature_0_choice_197 := (as_number(transform_right_filter_feature_0_choice_48) * 16384)
+          + (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
+          (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
+          (as_number(transform_right_filter_feature_0_choice_72) * 131072) +
+          (as_number(transform_right_filter_feature_0_choice_80) * 262144) +
+          (as_number(transform_right_filter_feature_0_choice_89) * 8192) + transform_right_filter_feature_0_choice_196;
+      else
+        transform_right_filter_feature_0_choice_197 := (as_number(transform_right_filter_feature_0_choice_89) * 8192) +
+          transform_right_filter_feature_0_choice_196;
+      end if;
+      transform_left_0 <= in_left_pixel;
+      transform_right_0 <= in_right_pixel;
+      transform_valid <= in_valid;
+      transform_counter_group <= transform_counter_group_choice_10 when in_start_of_frame and in_valid else
+        transform_counter_group_choice_23;
+      transform_left_rows_read_newest_0 <= transform_left_0;
+      transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
+      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+      transform_right_rows_read_newest_0 <= transform_right_0;
+      transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
+      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+      transform_read_column <= transform_counter_column;
+      transform_read_row_inside_0 <= (transform_read_row_inside_0_difference < 4) and (((transform_counter_group / 16)
+        = 1) or transform_counter_group_value or transform_counter_group_value_3);
+      transform_read_row_inside_1 <= transform_read_row_inside_1_is_less and ((transform_counter_group / 16) = 1) when
+        transform_read_row_inside_1_choice else transform_read_row_inside_1_is_less;
+      transform_read_row_inside_2 <= transform_read_row_inside_2_is_less and transform_counter_group_value_2 when
+        transform_read_row_inside_2_is_equal else transform_read_row_inside_2_is_less;
+      transform_read_row_inside_3 <= transform_read_row_inside_3_is_less and (transform_counter_group_value_2 or
+        ((transform_counter_group mod 2) = 1)) when transform_read_row_inside_2_is_equal else
+        transform_read_row_inside_3_is_less;
+      transform_read_row_inside_4 <= transform_read_row_inside_0_difference < 0;
+      transform_read_column_inside_0 <= (((transform_counter_column / 2) mod 16) /= 0) or ((transform_counter_column /
+        32) = 1);
+      transform_read_column_inside_1 <= transform_read_column_inside_1_choice when
+        transform_read_column_inside_1_is_equal else transform_read_column_inside_1_differs;
+      transform_read_column_inside_2 <= true;
+      transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
+        transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
+      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal /=
+        transform_read_column_inside_1_differs;
+      transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
+      transform_read_valid <= transform_valid;
+      transform_ready_column <= transform_read_column;
+      transform_ready_row_inside_0 <= transform_read_row_inside_0;
+      transform_ready_row_inside_1 <= transform_read_row_inside_1;
+      transform_ready_row_inside_2 <= transform_read_row_inside_2;
+      transform_ready_row_inside_3 <= transform_read_row_inside_3;
+      transform_ready_row_inside_4 <= transform_read_row_inside_4;
+      transform_ready_column_inside_0 <= transform_read_column_inside_0;
+      transform_ready_column_inside_1 <= transform_read_column_inside_1;
+      transform_ready_column_inside_2 <= transform_read_column_inside_2;
+      transform_ready_column_inside_3 <= transform_read_column_inside_3;
+      transform_ready_column_inside_4 <= transform_read_column_inside_4;
+      transform_ready_start_of_frame <= transform_read_start_of_frame;
+      transform_ready_valid <= transform_read_valid;
+      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
+      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column_3 <= to_integer(transform_left_rows_ready_words_0(31 downto 24));
+      transform_left_column_4 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column_1 <= to_integer(transform_right_rows_ready_words_0(15 downto 8));
+      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column_3 <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
+      transform_right_column_4 <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
+      transform_columns_row_inside_1 <= transform_ready_row_inside_1;
+      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
+      transform_columns_row_inside_3 <= transform_ready_row_inside_3;
+      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
+      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
+      transform_columns_column_inside_1 <= transform_ready_column_inside_1;
+      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
+      transform_columns_column_inside_3 <= transform_ready_column_inside_3;
+      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
+      transform_columns_start_of_frame <= transform_ready_start_of_frame;
+      transform_columns_valid <= transform_ready_valid;
+      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_197
+        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_197;
+      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_197
+        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_197;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_counter_column_all := transform_counter_group_choice_6 and transform_counter_group_choice_9 and
+        transform_counter_group_differs_3 and transform_counter_group_differs_4;
+      transform_counter_next_frame_choice := (not (transform_counter_group_choice_18 and
+        transform_counter_group_choice_21 and transform_counter_group_differs_5)) and transform_counter_next_frame when
+        transform_counter_column_all else transform_counter_next_frame;
+      transform_counter_next_frame_choice_2 := transform_counter_next_frame when transform_counter_group_choice_15 else
+        transform_counter_next_frame_choice;
+      if in_valid then
+        transform_counter_column <= 0 when transform_counter_column_all or in_start_of_frame else
+          (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
+          transform_counter_next_frame_choice_2 else (not ((transform_counter_group / 16) = 1)) and
+          transform_counter_group_differs and transform_counter_group_choice_3 and transform_counter_group_differs_2
+          and transform_counter_group_choice_6 and transform_counter_group_choice_9 and
+          transform_counter_group_differs_3 and transform_counter_group_differs_4 and in_start_of_frame;
+      end if;
+      if transform_ready_valid then
+        transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
+          transform_left_rows_ready_words_0(31 downto 8);
+        transform_right_rows_write_words_0 <= to_unsigned(transform_right_rows_ready_newest_0, 8) &
+          transform_right_rows_ready_words_0(31 downto 8);
+        transform_write_column <= transform_ready_column;
+      end if;
+      if transform_columns_valid then
+        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
+        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
+        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_2 else 0;
+        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
+        transform_left_filter_column_0_4 <= transform_left_column_4 when transform_columns_row_inside_4 else 0;
+        transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
+        transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
+        transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
+        transform_left_filter_column_1_3 <= transform_left_filter_column_0_3;
+        transform_left_filter_column_1_4 <= transform_left_filter_column_0_4;
+        transform_left_filter_column_2_0 <= transform_left_filter_column_1_0;
+        transform_left_filter_column_2_1 <= transform_left_filter_column_1_1;
+        transform_left_filter_column_2_2 <= transform_left_filter_column_1_2;
+        transform_left_filter_column_2_3 <= transform_left_filter_column_1_3;
+        transform_left_filter_column_2_4 <= transform_left_filter_column_1_4;
+        transform_left_filter_column_3_0 <= transform_left_filter_column_2_0;
+        transform_left_filter_column_3_1 <= transform_left_filter_column_2_1;
+        transform_left_filter_column_3_2 <= transform_left_filter_column_2_2;
+        transform_left_filter_column_3_3 <= transform_left_filter_column_2_3;
+        transform_left_filter_column_3_4 <= transform_left_filter_column_2_4;
+        transform_left_filter_column_4_0 <= transform_left_filter_column_3_0;
+        transform_left_filter_column_4_1 <= transform_left_filter_column_3_1;
+        transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
+        transform_left_filter_column_4_3 <= transform_left_filter_column_3_3;
+        transform_left_filter_column_4_4 <= transform_left_filter_column_3_4;
+        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
+        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
+        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_2 else 0;
+        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
+        transform_right_filter_column_0_4 <= transform_right_column_4 when transform_columns_row_inside_4 else 0;
+        transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
+        transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
+        transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
+        transform_right_filter_column_1_3 <= transform_right_filter_column_0_3;
+        transform_right_filter_column_1_4 <= transform_right_filter_column_0_4;
+        transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
+        transform_right_filter_column_2_1 <= transform_right_filter_column_1_1;
+        transform_right_filter_column_2_2 <= transform_right_filter_column_1_2;
+        transform_right_filter_column_2_3 <= transform_right_filter_column_1_3;
+        transform_right_filter_column_2_4 <= transform_right_filter_column_1_4;
+        transform_right_filter_column_3_0 <= transform_right_filter_column_2_0;
+        transform_right_filter_column_3_1 <= transform_right_filter_column_2_1;
+        transform_right_filter_column_3_2 <= transform_right_filter_column_2_2;
+        transform_right_filter_column_3_3 <= transform_right_filter_column_2_3;
+        transform_right_filter_column_3_4 <= transform_right_filter_column_2_4;
+        transform_right_filter_column_4_0 <= transform_right_filter_column_3_0;
+        transform_right_filter_column_4_1 <= transform_right_filter_column_3_1;
+        transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
+        transform_right_filter_column_4_3 <= transform_right_filter_column_3_3;
+        transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
+      end if;
+      -- raster
+      raster_place_group_value := ((raster_place_group / 8) mod 2) = 1;
+      raster_place_group_differs := raster_place_group_value /= (not ((size_windows_last_group / 8) = 1));
+      raster_place_group_value_2 := ((raster_place_group / 2) mod 2) = 1;
+      raster_place_group_choice := transform_counter_group_is_equal when raster_place_group_value_2 else
+        transform_counter_group_is_equal_3;
+      raster_place_group_choice_2 := transform_counter_group_is_equal_2 when raster_place_group_value_2 else
+        transform_counter_group_is_equal_4;
+      raster_place_group_choice_3 := raster_place_group_choice when (raster_place_group mod 2) = 1 else
+        raster_place_group_choice_2;
+      raster_place_group_value_3 := ((raster_place_group / 4) mod 2) = 1;
+      raster_place_group_differs_2 := raster_place_group_value_3 /= (not transform_counter_group_value_4);
+      raster_place_group_value_4 := ((size_windows_last_column / 16) mod 2) = 1;
+      raster_place_group_choice_4 := (raster_place_column / 16) = 3 when raster_place_group_value_4 else
+        (raster_place_column / 16) = 2;
+      raster_place_group_is_equal := (raster_place_column / 16) = 0;
+      raster_place_group_choice_5 := (raster_place_column / 16) = 1 when raster_place_group_value_4 else
+        raster_place_group_is_equal;
+      raster_place_group_choice_6 := raster_place_group_choice_4 when (size_windows_last_column / 32) = 1 else
+        raster_place_group_choice_5;
+      raster_place_group_value_5 := ((size_windows_last_column / 4) mod 2) = 1;
+      raster_place_group_value_6 := ((size_windows_last_column / 2) mod 2) = 1;
+      raster_place_group_value_7 := (raster_place_column / 2) mod 4;
+      raster_place_group_choice_7 := raster_place_group_value_7 = 3 when raster_place_group_value_6 else
+        raster_place_group_value_7 = 2;
+      raster_place_group_choice_8 := raster_place_group_value_7 = 1 when raster_place_group_value_6 else
+        raster_place_group_value_7 = 0;
+      raster_place_group_choice_9 := raster_place_group_choice_7 when raster_place_group_value_5 else
+        raster_place_group_choice_8;
+      raster_place_group_differs_3 := ((size_windows_last_column mod 2) = 1) /= (not ((raster_place_column mod 2) = 1));
+      raster_place_group_value_8 := ((raster_place_column / 8) mod 2) = 1;
+      raster_place_group_differs_4 := transform_counter_group_value_8 /= (not raster_place_group_value_8);
+      raster_place_group_all := (not ((raster_place_group / 16) = 1)) and raster_place_group_differs and
+        raster_place_group_choice_3 and raster_place_group_differs_2 and raster_place_group_choice_6 and
+        raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4;
+      raster_place_group_choice_10 := size_windows_groups when raster_place_group_all else 0;
+      raster_place_group_value_9 := ((size_windows_idle / 2) mod 2) = 1;
+      raster_place_group_choice_11 := (not raster_place_group_value_9) or (not ((size_windows_idle mod 2) = 1)) when
+        raster_place_group_value_2 else transform_counter_group_is_equal_5;
+      raster_place_group_choice_12 := raster_place_group_value_2 or (not raster_place_group_value_9) when
+        (raster_place_group mod 2) = 1 else raster_place_group_choice_11;
+      raster_place_group_choice_13 := (not raster_place_group_value_3) and transform_counter_group_value_9 when
+        raster_place_group_choice_12 else (not raster_place_group_value_3) or transform_counter_group_value_9;
+      raster_place_group_value_10 := ((size_windows_idle / 8) mod 2) = 1;
+      raster_place_group_choice_14 := (not raster_place_group_value) or raster_place_group_value_10 when
+        raster_place_group_choice_13 else (not raster_place_group_value) and raster_place_group_value_10;
+      raster_place_group_choice_15 := (not ((raster_place_group / 16) = 1)) or ((size_windows_idle / 16) = 1) when
+        raster_place_group_choice_14 else (not ((raster_place_group / 16) = 1)) and ((size_windows_idle / 16) = 1);
+      raster_place_group_choice_16 := (size_windows_groups / 8) = 3 when raster_place_group_value else
+        (size_windows_groups / 8) = 2;
+      raster_place_group_choice_17 := (size_windows_groups / 8) = 1 when raster_place_group_value else
+        (size_windows_groups / 8) = 0;
+      raster_place_group_choice_18 := raster_place_group_choice_16 when (raster_place_group / 16) = 1 else
+        raster_place_group_choice_17;
+      raster_place_group_choice_19 := (size_windows_groups mod 4) = 3 when raster_place_group_value_2 else
+        (size_windows_groups mod 4) = 1;
+      raster_place_group_choice_20 := (size_windows_groups mod 4) = 2 when raster_place_group_value_2 else
+        (size_windows_groups mod 4) = 0;
+      raster_place_group_choice_21 := raster_place_group_choice_19 when (raster_place_group mod 2) = 1 else
+        raster_place_group_choice_20;
+      raster_place_group_value_11 := ((size_windows_groups / 4) mod 2) = 1;
+      raster_place_group_differs_5 := raster_place_group_value_3 /= (not raster_place_group_value_11);
+      raster_place_group_choice_22 := 1 when raster_place_group_choice_18 and raster_place_group_choice_21 and
+        raster_place_group_differs_5 and raster_place_next_frame else (raster_place_group + 1) mod 32;
+      raster_place_group_choice_23 := raster_place_group_choice_22 when raster_place_group_choice_6 and
+        raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4 and
+        raster_place_group_choice_15 and transform_filtering_1_valid else raster_place_group;
+      raster_features_search_0 <= transform_right_filter_feature_0;
+      raster_features_reference_0 <= transform_left_filter_feature_0;
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= raster_place_group_choice_10 when transform_filtering_1_start_of_frame and
+        transform_filtering_1_valid else raster_place_group_choice_23;
+      raster_place_column_all := raster_place_group_choice_6 and raster_place_group_choice_9 and
+        raster_place_group_differs_3 and raster_place_group_differs_4;
+      raster_place_next_frame_choice := (not raster_place_group_choice_15) and raster_place_next_frame when
+        raster_place_column_all else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_choice_18 and
+        raster_place_group_choice_21 and raster_place_group_differs_5 else raster_place_next_frame;
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_column_all or transform_filtering_1_start_of_frame else
+          (raster_place_column + 1) mod 64;
+        raster_place_next_frame <= raster_place_group_all or (not transform_filtering_1_start_of_frame) when
+          raster_place_next_frame_choice_2 else (not ((raster_place_group / 16) = 1)) and raster_place_group_differs
+          and raster_place_group_choice_3 and raster_place_group_differs_2 and raster_place_group_choice_6 and
+          raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4 and
+          transform_filtering_1_start_of_frame;
+      end if;
+      -- delay
+      delay_row_inside_0_differs := (raster_place_group / 2) /= 0;
+      delay_row_inside_0_difference := raster_place_group - size_windows_groups;
+      delay_row_inside_1_is_less := delay_row_inside_0_difference < 1;
+      delay_tag_border_column_value := ((raster_place_column / 4) mod 2) = 1;
+      delay_tag_border_column_all := (not (raster_place_group_value_8 and (delay_tag_border_column_value or
+        ((raster_place_column mod 4) = 3)))) and raster_place_group_is_equal;
+      delay_tag_first_cost_is_equal := raster_place_column = 11;
+      delay_tag_map_column_choice := not (((raster_place_column / 2) mod 2) = 1) when (size_windows_last_column mod 2)
+        = 1 else (raster_place_column mod 4) = 0;
+      delay_tag_map_column_choice_2 := ((size_windows_last_column mod 2) = 1) or (not (((raster_place_column / 2) mod
+        2) = 1)) or (not ((raster_place_column mod 2) = 1)) when raster_place_group_value_6 else
+        delay_tag_map_column_choice;
+      delay_tag_map_column_choice_3 := (not raster_place_group_value_5) and delay_tag_border_column_value when
+        delay_tag_map_column_choice_2 else (not raster_place_group_value_5) or delay_tag_border_column_value;
+      delay_tag_map_column_choice_4 := (not transform_counter_group_value_8) or raster_place_group_value_8 when
+        delay_tag_map_column_choice_3 else (not transform_counter_group_value_8) and raster_place_group_value_8;
+      delay_tag_map_column_value := ((raster_place_column / 16) mod 2) = 1;
+      delay_tag_map_column_choice_5 := (not raster_place_group_value_4) or delay_tag_map_column_value when
+        delay_tag_map_column_choice_4 else (not raster_place_group_value_4) and delay_tag_map_column_value;
+      delay_tag_map_column_choice_6 := (not delay_tag_border_column_all) and ((size_windows_last_column / 32) = 1) and
+        (not ((raster_place_column / 32) = 1)) when delay_tag_map_column_choice_5 else (not
+        delay_tag_border_column_all) and (((size_windows_last_column / 32) = 1) or (not ((raster_place_column / 32) =
+        1)));
+      delay_ahead_0 <= raster_features_reference_0;
+      delay_delayed_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= delay_row_inside_0_differs and (delay_row_inside_0_difference < 2);
+      delay_row_inside_1 <= delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1) when (raster_place_group /
+        2) = 0 else delay_row_inside_1_is_less;
+      delay_row_inside_2 <= delay_row_inside_0_difference < 0;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= delay_tag_border_column_all;
+      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag_map_column <= delay_tag_map_column_choice_6;
+      delay_tag_output_column <= raster_place_group_choice_15 and delay_tag_map_column_choice_6 and
+        (delay_row_inside_0_differs or ((raster_place_group mod 2) = 1));
+      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
+      delay_tag_end_of_line <= raster_place_column_all;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_delayed_0;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= delay_ahead_0;
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_first_cost <= delay_tag_first_cost;
+      rows_read_tag_map_column <= delay_tag_map_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
+      rows_ready_tag_map_column <= rows_read_tag_map_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_first_cost <= rows_ready_tag_first_cost;
+      rows_tag_map_column <= rows_ready_tag_map_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1;
+        rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_rows_write_words_0 <= rows_reference_rows_ready_words_1;
+        rows_reference_rows_write_words_1 <= rows_reference_rows_ready_newest_0;
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= rows_search_0;
+        slice0shift_search_0_1 <= slice0shift_search_0_0;
+        slice0shift_search_0_2 <= slice0shift_search_0_1;
+        slice0shift_search_0_3 <= slice0shift_search_0_2;
+        slice0shift_search_0_4 <= slice0shift_search_0_3;
+        slice0shift_search_1_0 <= rows_search_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_0;
+        slice0shift_search_1_2 <= slice0shift_search_1_1;
+        slice0shift_search_1_3 <= slice0shift_search_1_2;
+        slice0shift_search_1_4 <= slice0shift_search_1_3;
+        slice0shift_search_2_0 <= rows_search_2;
+        slice0shift_search_2_1 <= slice0shift_search_2_0;
+        slice0shift_search_2_2 <= slice0shift_search_2_1;
+        slice0shift_search_2_3 <= slice0shift_search_2_2;
+        slice0shift_search_2_4 <= slice0shift_search_2_3;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_search_out_0 <= slice0shift_search_0_4;
+      slice0shift_search_out_1 <= slice0shift_search_1_4;
+      slice0shift_search_out_2 <= slice0shift_search_2_4;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_first_cost <= rows_tag_first_cost;
+      slice0shift_tag_map_column <= rows_tag_map_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pixels_first_0_0_count_0_value := ((slice0shift_reference_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_reference_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_2_value := ((slice0shift_reference_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_reference_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value := ((slice0shift_reference_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value := ((slice0shift_reference_0 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value := ((slice0shift_reference_0 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value := ((slice0shift_reference_0 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_7_value := ((slice0shift_reference_0 / 2097152) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_reference_1 / 2) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_2_value := ((slice0shift_reference_1 / 256) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_reference_1 / 64) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value := ((slice0shift_reference_1 / 512) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value := ((slice0shift_reference_1 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value := ((slice0shift_reference_1 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value := ((slice0shift_reference_1 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_7_value := ((slice0shift_reference_1 / 2097152) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_0_value := ((slice0shift_reference_2 / 4) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_reference_2 / 2) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_2_value := ((slice0shift_reference_2 / 256) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_reference_2 / 64) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value := ((slice0shift_reference_2 / 512) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value := ((slice0shift_reference_2 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value := ((slice0shift_reference_2 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value := ((slice0shift_reference_2 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_7_value := ((slice0shift_reference_2 / 2097152) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value /=
+        (((slice0shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice0shift_search_0_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (((slice0shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice0shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice0shift_search_0_0 / 16) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (((slice0shift_search_0_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (((slice0shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice0shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice0shift_search_0_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (((slice0shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice0shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice0shift_search_0_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (((slice0shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice0shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice0shift_search_0_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (((slice0shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice0shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice0shift_search_0_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (((slice0shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_0 / 8388608) = 1) /=
+        ((slice0shift_search_0_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice0shift_search_0_0 / 4194304) mod 2) = 1)));
+      slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
+      slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((((slice0shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((((slice0shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((((slice0shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((((slice0shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_1 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
+      slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
+      slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((((slice0shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((((slice0shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((((slice0shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((((slice0shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_2 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
+      slice0cost_pixels_first_0_3_count_0 <= as_number((((slice0shift_search_0_3 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_3_count_1 <= as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
+      slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_3 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_3_count_3 <= as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_3_count_4 <= as_number(((((slice0shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_3_count_5 <= as_number(((((slice0shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_3_count_6 <= as_number(((((slice0shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_3_count_7 <= as_number(((((slice0shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_3 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
+      slice0cost_pixels_first_0_4_count_0 <= as_number((((slice0shift_search_0_4 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_4_count_1 <= as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
+      slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_4 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_4_count_3 <= as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_4_count_4 <= as_number(((((slice0shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_4_count_5 <= as_number(((((slice0shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_4_count_6 <= as_number(((((slice0shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_4_count_7 <= as_number(((((slice0shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_4 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
+      slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value /=
+        (((slice0shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice0shift_search_1_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_1 <= as_number((slice0cost_pixels_first_1_0_count_1_value /=
+        (((slice0shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice0shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice0shift_search_1_0 / 16) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
+        as_number((slice0cost_pixels_first_1_0_count_2_value /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_2_value_2 /= (((slice0shift_search_1_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_3 <= as_number((slice0cost_pixels_first_1_0_count_3_value /=
+        (((slice0shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice0shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice0shift_search_1_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_4 <= as_number((slice0cost_pixels_first_1_0_count_4_value /=
+        (((slice0shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice0shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice0shift_search_1_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_5 <= as_number((slice0cost_pixels_first_1_0_count_5_value /=
+        (((slice0shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice0shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice0shift_search_1_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_6 <= as_number((slice0cost_pixels_first_1_0_count_6_value /=
+        (((slice0shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice0shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice0shift_search_1_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_7 <= as_number((slice0cost_pixels_first_1_0_count_7_value /=
+        (((slice0shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_1 / 8388608) = 1) /=
+        ((slice0shift_search_1_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice0shift_search_1_0 / 4194304) mod 2) = 1)));
+      slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_1_count_1 <= as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
+      slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_1_count_3 <= as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_1_count_4 <= as_number(((((slice0shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_1_count_5 <= as_number(((((slice0shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_1_count_6 <= as_number(((((slice0shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_1_count_7 <= as_number(((((slice0shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_1 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
+      slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_2_count_1 <= as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
+      slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_2_count_3 <= as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_2_count_4 <= as_number(((((slice0shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_2_count_5 <= as_number(((((slice0shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_2_count_6 <= as_number(((((slice0shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_2_count_7 <= as_number(((((slice0shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_2 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
+      slice0cost_pixels_first_1_3_count_0 <= as_number((((slice0shift_search_1_3 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_3_count_1 <= as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
+      slice0cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_3 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_3_count_3 <= as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_3_count_4 <= as_number(((((slice0shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_3_count_5 <= as_number(((((slice0shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_3_count_6 <= as_number(((((slice0shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_3_count_7 <= as_number(((((slice0shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_3 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
+      slice0cost_pixels_first_1_4_count_0 <= as_number((((slice0shift_search_1_4 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_4_count_1 <= as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
+      slice0cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_4 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_4_count_3 <= as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_4_count_4 <= as_number(((((slice0shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_4_count_5 <= as_number(((((slice0shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_4_count_6 <= as_number(((((slice0shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_4_count_7 <= as_number(((((slice0shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_4 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
+      slice0cost_pixels_first_2_0_count_0 <= as_number((((slice0shift_search_2_0 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value /=
+        (((slice0shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice0shift_search_2_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_1 <= as_number((slice0cost_pixels_first_2_0_count_1_value /=
+        (((slice0shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice0shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice0shift_search_2_0 / 16) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
+        as_number((slice0cost_pixels_first_2_0_count_2_value /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_2_value_2 /= (((slice0shift_search_2_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_3 <= as_number((slice0cost_pixels_first_2_0_count_3_value /=
+        (((slice0shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice0shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice0shift_search_2_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_4 <= as_number((slice0cost_pixels_first_2_0_count_4_value /=
+        (((slice0shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice0shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice0shift_search_2_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_5 <= as_number((slice0cost_pixels_first_2_0_count_5_value /=
+        (((slice0shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice0shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice0shift_search_2_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_6 <= as_number((slice0cost_pixels_first_2_0_count_6_value /=
+        (((slice0shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice0shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice0shift_search_2_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_7 <= as_number((slice0cost_pixels_first_2_0_count_7_value /=
+        (((slice0shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_2 / 8388608) = 1) /=
+        ((slice0shift_search_2_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice0shift_search_2_0 / 4194304) mod 2) = 1)));
+      slice0cost_pixels_first_2_1_count_0 <= as_number((((slice0shift_search_2_1 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_1_count_1 <= as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
+      slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_1_count_3 <= as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_1_count_4 <= as_number(((((slice0shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_1_count_5 <= as_number(((((slice0shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_1_count_6 <= as_number(((((slice0shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_1_count_7 <= as_number(((((slice0shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_1 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
+      slice0cost_pixels_first_2_2_count_0 <= as_number((((slice0shift_search_2_2 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_2_count_1 <= as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
+      slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_2_count_3 <= as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_2_count_4 <= as_number(((((slice0shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_2_count_5 <= as_number(((((slice0shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_2_count_6 <= as_number(((((slice0shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_2_count_7 <= as_number(((((slice0shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_2 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
+      slice0cost_pixels_first_2_3_count_0 <= as_number((((slice0shift_search_2_3 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_3_count_1 <= as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
+      slice0cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_3 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_3_count_3 <= as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_3_count_4 <= as_number(((((slice0shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_3_count_5 <= as_number(((((slice0shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_3_count_6 <= as_number(((((slice0shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_3_count_7 <= as_number(((((slice0shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_3 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
+      slice0cost_pixels_first_2_4_count_0 <= as_number((((slice0shift_search_2_4 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_4_count_1 <= as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
+      slice0cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_4 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_4_count_3 <= as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_4_count_4 <= as_number(((((slice0shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_4_count_5 <= as_number(((((slice0shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_4_count_6 <= as_number(((((slice0shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_4_count_7 <= as_number(((((slice0shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_4 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
+      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
+      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
+      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_cost_0_0 <= slice0cost_pixels_first_0_0_count_0 + slice0cost_pixels_first_0_0_count_2 +
+        slice0cost_pixels_first_0_0_count_3 + slice0cost_pixels_first_0_0_count_5 + slice0cost_pixels_first_0_0_count_6
+        + slice0cost_pixels_first_0_0_count_4 + slice0cost_pixels_first_0_0_count_7 +
+        slice0cost_pixels_first_0_0_count_1;
+      slice0cost_pixels_cost_0_1 <= slice0cost_pixels_first_0_1_count_0 + slice0cost_pixels_first_0_1_count_2 +
+        slice0cost_pixels_first_0_1_count_3 + slice0cost_pixels_first_0_1_count_5 + slice0cost_pixels_first_0_1_count_6
+        + slice0cost_pixels_first_0_1_count_4 + slice0cost_pixels_first_0_1_count_7 +
+        slice0cost_pixels_first_0_1_count_1;
+      slice0cost_pixels_cost_0_2 <= slice0cost_pixels_first_0_2_count_0 + slice0cost_pixels_first_0_2_count_2 +
+        slice0cost_pixels_first_0_2_count_3 + slice0cost_pixels_first_0_2_count_5 + slice0cost_pixels_first_0_2_count_6
+        + slice0cost_pixels_first_0_2_count_4 + slice0cost_pixels_first_0_2_count_7 +
+        slice0cost_pixels_first_0_2_count_1;
+      slice0cost_pixels_cost_0_3 <= slice0cost_pixels_first_0_3_count_0 + slice0cost_pixels_first_0_3_count_2 +
+        slice0cost_pixels_first_0_3_count_3 + slice0cost_pixels_first_0_3_count_5 + slice0cost_pixels_first_0_3_count_6
+        + slice0cost_pixels_first_0_3_count_4 + slice0cost_pixels_first_0_3_count_7 +
+        slice0cost_pixels_first_0_3_count_1;
+      slice0cost_pixels_cost_0_4 <= slice0cost_pixels_first_0_4_count_0 + slice0cost_pixels_first_0_4_count_2 +
+        slice0cost_pixels_first_0_4_count_3 + slice0cost_pixels_first_0_4_count_5 + slice0cost_pixels_first_0_4_count_6
+        + slice0cost_pixels_first_0_4_count_4 + slice0cost_pixels_first_0_4_count_7 +
+        slice0cost_pixels_first_0_4_count_1;
+      slice0cost_pixels_cost_1_0 <= slice0cost_pixels_first_1_0_count_0 + slice0cost_pixels_first_1_0_count_2 +
+        slice0cost_pixels_first_1_0_count_3 + slice0cost_pixels_first_1_0_count_5 + slice0cost_pixels_first_1_0_count_6
+        + slice0cost_pixels_first_1_0_count_4 + slice0cost_pixels_first_1_0_count_7 +
+        slice0cost_pixels_first_1_0_count_1;
+      slice0cost_pixels_cost_1_1 <= slice0cost_pixels_first_1_1_count_0 + slice0cost_pixels_first_1_1_count_2 +
+        slice0cost_pixels_first_1_1_count_3 + slice0cost_pixels_first_1_1_count_5 + slice0cost_pixels_first_1_1_count_6
+        + slice0cost_pixels_first_1_1_count_4 + slice0cost_pixels_first_1_1_count_7 +
+        slice0cost_pixels_first_1_1_count_1;
+      slice0cost_pixels_cost_1_2 <= slice0cost_pixels_first_1_2_count_0 + slice0cost_pixels_first_1_2_count_2 +
+        slice0cost_pixels_first_1_2_count_3 + slice0cost_pixels_first_1_2_count_5 + slice0cost_pixels_first_1_2_count_6
+        + slice0cost_pixels_first_1_2_count_4 + slice0cost_pixels_first_1_2_count_7 +
+        slice0cost_pixels_first_1_2_count_1;
+      slice0cost_pixels_cost_1_3 <= slice0cost_pixels_first_1_3_count_0 + slice0cost_pixels_first_1_3_count_2 +
+        slice0cost_pixels_first_1_3_count_3 + slice0cost_pixels_first_1_3_count_5 + slice0cost_pixels_first_1_3_count_6
+        + slice0cost_pixels_first_1_3_count_4 + slice0cost_pixels_first_1_3_count_7 +
+        slice0cost_pixels_first_1_3_count_1;
+      slice0cost_pixels_cost_1_4 <= slice0cost_pixels_first_1_4_count_0 + slice0cost_pixels_first_1_4_count_2 +
+        slice0cost_pixels_first_1_4_count_3 + slice0cost_pixels_first_1_4_count_5 + slice0cost_pixels_first_1_4_count_6
+        + slice0cost_pixels_first_1_4_count_4 + slice0cost_pixels_first_1_4_count_7 +
+        slice0cost_pixels_first_1_4_count_1;
+      slice0cost_pixels_cost_2_0 <= slice0cost_pixels_first_2_0_count_0 + slice0cost_pixels_first_2_0_count_2 +
+        slice0cost_pixels_first_2_0_count_3 + slice0cost_pixels_first_2_0_count_5 + slice0cost_pixels_first_2_0_count_6
+        + slice0cost_pixels_first_2_0_count_4 + slice0cost_pixels_first_2_0_count_7 +
+        slice0cost_pixels_first_2_0_count_1;
+      slice0cost_pixels_cost_2_1 <= slice0cost_pixels_first_2_1_count_0 + slice0cost_pixels_first_2_1_count_2 +
+        slice0cost_pixels_first_2_1_count_3 + slice0cost_pixels_first_2_1_count_5 + slice0cost_pixels_first_2_1_count_6
+        + slice0cost_pixels_first_2_1_count_4 + slice0cost_pixels_first_2_1_count_7 +
+        slice0cost_pixels_first_2_1_count_1;
+      slice0cost_pixels_cost_2_2 <= slice0cost_pixels_first_2_2_count_0 + slice0cost_pixels_first_2_2_count_2 +
+        slice0cost_pixels_first_2_2_count_3 + slice0cost_pixels_first_2_2_count_5 + slice0cost_pixels_first_2_2_count_6
+        + slice0cost_pixels_first_2_2_count_4 + slice0cost_pixels_first_2_2_count_7 +
+        slice0cost_pixels_first_2_2_count_1;
+      slice0cost_pixels_cost_2_3 <= slice0cost_pixels_first_2_3_count_0 + slice0cost_pixels_first_2_3_count_2 +
+        slice0cost_pixels_first_2_3_count_3 + slice0cost_pixels_first_2_3_count_5 + slice0cost_pixels_first_2_3_count_6
+        + slice0cost_pixels_first_2_3_count_4 + slice0cost_pixels_first_2_3_count_7 +
+        slice0cost_pixels_first_2_3_count_1;
+      slice0cost_pixels_cost_2_4 <= slice0cost_pixels_first_2_4_count_0 + slice0cost_pixels_first_2_4_count_2 +
+        slice0cost_pixels_first_2_4_count_3 + slice0cost_pixels_first_2_4_count_5 + slice0cost_pixels_first_2_4_count_6
+        + slice0cost_pixels_first_2_4_count_4 + slice0cost_pixels_first_2_4_count_7 +
+        slice0cost_pixels_first_2_4_count_1;
+      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
+      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
+      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
+      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
+      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
+      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
+      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
+      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
+        slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
+        slice0cost_single_0_4;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
+        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
+        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
+        slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
+        slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+        slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
+        slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+        slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      end if;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
+      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_map_column <= slice0window_centre_map_column_0;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_first_column <= slice0window_centre_first_column_0;
+      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      -- slice0
+      slice0_held_0_0 <= slice0window_sum_0_0 / 16;
+      slice0_held_0_1 <= slice0window_sum_0_1 / 16;
+      slice0_held_0_2 <= slice0window_sum_0_2 / 16;
+      slice0_held_0_3 <= slice0window_sum_0_3 / 16;
+      slice0_held_0_4 <= slice0window_sum_0_4 / 16;
+      slice0_held_1_0 <= slice0_held_0_0;
+      slice0_held_1_1 <= slice0_held_0_1;
+      slice0_held_1_2 <= slice0_held_0_2;
+      slice0_held_1_3 <= slice0_held_0_3;
+      slice0_held_1_4 <= slice0_held_0_4;
+      slice0_held_2_0 <= slice0_held_1_0;
+      slice0_held_2_1 <= slice0_held_1_1;
+      slice0_held_2_2 <= slice0_held_1_2;
+      slice0_held_2_3 <= slice0_held_1_3;
+      slice0_held_2_4 <= slice0_held_1_4;
+      slice0_tag_0_valid <= slice0window_tag_valid;
+      slice0_tag_0_map_column <= slice0window_tag_map_column;
+      slice0_tag_0_output_column <= slice0window_tag_output_column;
+      slice0_tag_0_first_column <= slice0window_tag_first_column;
+      slice0_tag_0_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0_tag_0_end_of_line <= slice0window_tag_end_of_line;
+      slice0_tag_1_valid <= slice0_tag_0_valid;
+      slice0_tag_1_map_column <= slice0_tag_0_map_column;
+      slice0_tag_1_output_column <= slice0_tag_0_output_column;
+      slice0_tag_1_first_column <= slice0_tag_0_first_column;
+      slice0_tag_1_start_of_frame <= slice0_tag_0_start_of_frame;
+      slice0_tag_1_end_of_line <= slice0_tag_0_end_of_line;
+      slice0_tag_2_valid <= slice0_tag_1_valid;
+      slice0_tag_2_map_column <= slice0_tag_1_map_column;
+      slice0_tag_2_output_column <= slice0_tag_1_output_column;
+      slice0_tag_2_first_column <= slice0_tag_1_first_column;
+      slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
+      slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice0shift_search_out_0;
+        slice1shift_search_0_1 <= slice1shift_search_0_0;
+        slice1shift_search_0_2 <= slice1shift_search_0_1;
+        slice1shift_search_0_3 <= slice1shift_search_0_2;
+        slice1shift_search_0_4 <= slice1shift_search_0_3;
+        slice1shift_search_1_0 <= slice0shift_search_out_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_0;
+        slice1shift_search_1_2 <= slice1shift_search_1_1;
+        slice1shift_search_1_3 <= slice1shift_search_1_2;
+        slice1shift_search_1_4 <= slice1shift_search_1_3;
+        slice1shift_search_2_0 <= slice0shift_search_out_2;
+        slice1shift_search_2_1 <= slice1shift_search_2_0;
+        slice1shift_search_2_2 <= slice1shift_search_2_1;
+        slice1shift_search_2_3 <= slice1shift_search_2_2;
+        slice1shift_search_2_4 <= slice1shift_search_2_3;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_search_out_0 <= slice1shift_search_0_4;
+      slice1shift_search_out_1 <= slice1shift_search_1_4;
+      slice1shift_search_out_2 <= slice1shift_search_2_4;
+      -- slice1cost
+      slice1cost_pixels_first_0_0_count_0_value := ((slice1shift_reference_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_reference_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_2_value := ((slice1shift_reference_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_reference_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value := ((slice1shift_reference_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value := ((slice1shift_reference_0 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value := ((slice1shift_reference_0 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value := ((slice1shift_reference_0 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_7_value := ((slice1shift_reference_0 / 2097152) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_reference_1 / 2) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_2_value := ((slice1shift_reference_1 / 256) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_reference_1 / 64) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value := ((slice1shift_reference_1 / 512) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value := ((slice1shift_reference_1 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value := ((slice1shift_reference_1 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value := ((slice1shift_reference_1 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_7_value := ((slice1shift_reference_1 / 2097152) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_0_value := ((slice1shift_reference_2 / 4) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_reference_2 / 2) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_2_value := ((slice1shift_reference_2 / 256) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_reference_2 / 64) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value := ((slice1shift_reference_2 / 512) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value := ((slice1shift_reference_2 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value := ((slice1shift_reference_2 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value := ((slice1shift_reference_2 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_7_value := ((slice1shift_reference_2 / 2097152) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value /=
+        (((slice1shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice1shift_search_0_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
+        (((slice1shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice1shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice1shift_search_0_0 / 16) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
+        as_number((slice1cost_pixels_first_0_0_count_2_value /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (((slice1shift_search_0_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
+        (((slice1shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice1shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice1shift_search_0_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_4 <= as_number((slice1cost_pixels_first_0_0_count_4_value /=
+        (((slice1shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice1shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice1shift_search_0_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_5 <= as_number((slice1cost_pixels_first_0_0_count_5_value /=
+        (((slice1shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice1shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice1shift_search_0_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_6 <= as_number((slice1cost_pixels_first_0_0_count_6_value /=
+        (((slice1shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice1shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice1shift_search_0_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
+        (((slice1shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_0 / 8388608) = 1) /=
+        ((slice1shift_search_0_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice1shift_search_0_0 / 4194304) mod 2) = 1)));
+      slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_1_count_1 <= as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
+      slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_1_count_3 <= as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_1_count_4 <= as_number(((((slice1shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_1_count_5 <= as_number(((((slice1shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_1_count_6 <= as_number(((((slice1shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_1_count_7 <= as_number(((((slice1shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_1 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
+      slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_2_count_1 <= as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
+      slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_2_count_3 <= as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_2_count_4 <= as_number(((((slice1shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_2_count_5 <= as_number(((((slice1shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_2_count_6 <= as_number(((((slice1shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_2_count_7 <= as_number(((((slice1shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_2 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
+      slice1cost_pixels_first_0_3_count_0 <= as_number((((slice1shift_search_0_3 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_3_count_1 <= as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
+      slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_3 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_3_count_3 <= as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_3_count_4 <= as_number(((((slice1shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_3_count_5 <= as_number(((((slice1shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_3_count_6 <= as_number(((((slice1shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_3_count_7 <= as_number(((((slice1shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_3 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
+      slice1cost_pixels_first_0_4_count_0 <= as_number((((slice1shift_search_0_4 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_4_count_1 <= as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
+      slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_4 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_4_count_3 <= as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_4_count_4 <= as_number(((((slice1shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_4_count_5 <= as_number(((((slice1shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_4_count_6 <= as_number(((((slice1shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_4_count_7 <= as_number(((((slice1shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_4 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
+      slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value /=
+        (((slice1shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice1shift_search_1_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_1 <= as_number((slice1cost_pixels_first_1_0_count_1_value /=
+        (((slice1shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice1shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice1shift_search_1_0 / 16) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
+        as_number((slice1cost_pixels_first_1_0_count_2_value /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_count_2_value_2 /= (((slice1shift_search_1_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_3 <= as_number((slice1cost_pixels_first_1_0_count_3_value /=
+        (((slice1shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice1shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice1shift_search_1_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_4 <= as_number((slice1cost_pixels_first_1_0_count_4_value /=
+        (((slice1shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice1shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice1shift_search_1_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_5 <= as_number((slice1cost_pixels_first_1_0_count_5_value /=
+        (((slice1shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice1shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice1shift_search_1_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_6 <= as_number((slice1cost_pixels_first_1_0_count_6_value /=
+        (((slice1shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice1shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice1shift_search_1_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_7 <= as_number((slice1cost_pixels_first_1_0_count_7_value /=
+        (((slice1shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_1 / 8388608) = 1) /=
+        ((slice1shift_search_1_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice1shift_search_1_0 / 4194304) mod 2) = 1)));
+      slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_1_count_1 <= as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
+      slice1cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_1_count_3 <= as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_1_count_4 <= as_number(((((slice1shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_1_count_5 <= as_number(((((slice1shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_1_count_6 <= as_number(((((slice1shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_1_count_7 <= as_number(((((slice1shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_1 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
+      slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_2_count_1 <= as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
+      slice1cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_2_count_3 <= as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_2_count_4 <= as_number(((((slice1shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_2_count_5 <= as_number(((((slice1shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_2_count_6 <= as_number(((((slice1shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_2_count_7 <= as_number(((((slice1shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_2 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
+      slice1cost_pixels_first_1_3_count_0 <= as_number((((slice1shift_search_1_3 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_3_count_1 <= as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
+      slice1cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_3 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_3_count_3 <= as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_3_count_4 <= as_number(((((slice1shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_3_count_5 <= as_number(((((slice1shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_3_count_6 <= as_number(((((slice1shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_3_count_7 <= as_number(((((slice1shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_3 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
+      slice1cost_pixels_first_1_4_count_0 <= as_number((((slice1shift_search_1_4 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_4_count_1 <= as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
+      slice1cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_4 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_4_count_3 <= as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_4_count_4 <= as_number(((((slice1shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_4_count_5 <= as_number(((((slice1shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_4_count_6 <= as_number(((((slice1shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_4_count_7 <= as_number(((((slice1shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_4 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
+      slice1cost_pixels_first_2_0_count_0 <= as_number((((slice1shift_search_2_0 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value /=
+        (((slice1shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice1shift_search_2_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_1 <= as_number((slice1cost_pixels_first_2_0_count_1_value /=
+        (((slice1shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice1shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice1shift_search_2_0 / 16) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
+        as_number((slice1cost_pixels_first_2_0_count_2_value /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_count_2_value_2 /= (((slice1shift_search_2_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_3 <= as_number((slice1cost_pixels_first_2_0_count_3_value /=
+        (((slice1shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice1shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice1shift_search_2_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_4 <= as_number((slice1cost_pixels_first_2_0_count_4_value /=
+        (((slice1shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice1shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice1shift_search_2_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_5 <= as_number((slice1cost_pixels_first_2_0_count_5_value /=
+        (((slice1shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice1shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice1shift_search_2_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_6 <= as_number((slice1cost_pixels_first_2_0_count_6_value /=
+        (((slice1shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice1shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice1shift_search_2_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_7 <= as_number((slice1cost_pixels_first_2_0_count_7_value /=
+        (((slice1shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_2 / 8388608) = 1) /=
+        ((slice1shift_search_2_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice1shift_search_2_0 / 4194304) mod 2) = 1)));
+      slice1cost_pixels_first_2_1_count_0 <= as_number((((slice1shift_search_2_1 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_1_count_1 <= as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
+      slice1cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_1_count_3 <= as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_1_count_4 <= as_number(((((slice1shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_1_count_5 <= as_number(((((slice1shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_1_count_6 <= as_number(((((slice1shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_1_count_7 <= as_number(((((slice1shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_1 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
+      slice1cost_pixels_first_2_2_count_0 <= as_number((((slice1shift_search_2_2 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_2_count_1 <= as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
+      slice1cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_2_count_3 <= as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_2_count_4 <= as_number(((((slice1shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_2_count_5 <= as_number(((((slice1shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_2_count_6 <= as_number(((((slice1shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_2_count_7 <= as_number(((((slice1shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_2 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
+      slice1cost_pixels_first_2_3_count_0 <= as_number((((slice1shift_search_2_3 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_3_count_1 <= as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
+      slice1cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_3 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_3_count_3 <= as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_3_count_4 <= as_number(((((slice1shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_3_count_5 <= as_number(((((slice1shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_3_count_6 <= as_number(((((slice1shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_3_count_7 <= as_number(((((slice1shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_3 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
+      slice1cost_pixels_first_2_4_count_0 <= as_number((((slice1shift_search_2_4 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_4_count_1 <= as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
+      slice1cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_4 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_4_count_3 <= as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_4_count_4 <= as_number(((((slice1shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_4_count_5 <= as_number(((((slice1shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_4_count_6 <= as_number(((((slice1shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_4_count_7 <= as_number(((((slice1shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_4 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
+      slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_2 +
+        slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_5 + slice1cost_pixels_first_0_0_count_6
+        + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_7 +
+        slice1cost_pixels_first_0_0_count_1;
+      slice1cost_pixels_cost_0_1 <= slice1cost_pixels_first_0_1_count_0 + slice1cost_pixels_first_0_1_count_2 +
+        slice1cost_pixels_first_0_1_count_3 + slice1cost_pixels_first_0_1_count_5 + slice1cost_pixels_first_0_1_count_6
+        + slice1cost_pixels_first_0_1_count_4 + slice1cost_pixels_first_0_1_count_7 +
+        slice1cost_pixels_first_0_1_count_1;
+      slice1cost_pixels_cost_0_2 <= slice1cost_pixels_first_0_2_count_0 + slice1cost_pixels_first_0_2_count_2 +
+        slice1cost_pixels_first_0_2_count_3 + slice1cost_pixels_first_0_2_count_5 + slice1cost_pixels_first_0_2_count_6
+        + slice1cost_pixels_first_0_2_count_4 + slice1cost_pixels_first_0_2_count_7 +
+        slice1cost_pixels_first_0_2_count_1;
+      slice1cost_pixels_cost_0_3 <= slice1cost_pixels_first_0_3_count_0 + slice1cost_pixels_first_0_3_count_2 +
+        slice1cost_pixels_first_0_3_count_3 + slice1cost_pixels_first_0_3_count_5 + slice1cost_pixels_first_0_3_count_6
+        + slice1cost_pixels_first_0_3_count_4 + slice1cost_pixels_first_0_3_count_7 +
+        slice1cost_pixels_first_0_3_count_1;
+      slice1cost_pixels_cost_0_4 <= slice1cost_pixels_first_0_4_count_0 + slice1cost_pixels_first_0_4_count_2 +
+        slice1cost_pixels_first_0_4_count_3 + slice1cost_pixels_first_0_4_count_5 + slice1cost_pixels_first_0_4_count_6
+        + slice1cost_pixels_first_0_4_count_4 + slice1cost_pixels_first_0_4_count_7 +
+        slice1cost_pixels_first_0_4_count_1;
+      slice1cost_pixels_cost_1_0 <= slice1cost_pixels_first_1_0_count_0 + slice1cost_pixels_first_1_0_count_2 +
+        slice1cost_pixels_first_1_0_count_3 + slice1cost_pixels_first_1_0_count_5 + slice1cost_pixels_first_1_0_count_6
+        + slice1cost_pixels_first_1_0_count_4 + slice1cost_pixels_first_1_0_count_7 +
+        slice1cost_pixels_first_1_0_count_1;
+      slice1cost_pixels_cost_1_1 <= slice1cost_pixels_first_1_1_count_0 + slice1cost_pixels_first_1_1_count_2 +
+        slice1cost_pixels_first_1_1_count_3 + slice1cost_pixels_first_1_1_count_5 + slice1cost_pixels_first_1_1_count_6
+        + slice1cost_pixels_first_1_1_count_4 + slice1cost_pixels_first_1_1_count_7 +
+        slice1cost_pixels_first_1_1_count_1;
+      slice1cost_pixels_cost_1_2 <= slice1cost_pixels_first_1_2_count_0 + slice1cost_pixels_first_1_2_count_2 +
+        slice1cost_pixels_first_1_2_count_3 + slice1cost_pixels_first_1_2_count_5 + slice1cost_pixels_first_1_2_count_6
+        + slice1cost_pixels_first_1_2_count_4 + slice1cost_pixels_first_1_2_count_7 +
+        slice1cost_pixels_first_1_2_count_1;
+      slice1cost_pixels_cost_1_3 <= slice1cost_pixels_first_1_3_count_0 + slice1cost_pixels_first_1_3_count_2 +
+        slice1cost_pixels_first_1_3_count_3 + slice1cost_pixels_first_1_3_count_5 + slice1cost_pixels_first_1_3_count_6
+        + slice1cost_pixels_first_1_3_count_4 + slice1cost_pixels_first_1_3_count_7 +
+        slice1cost_pixels_first_1_3_count_1;
+      slice1cost_pixels_cost_1_4 <= slice1cost_pixels_first_1_4_count_0 + slice1cost_pixels_first_1_4_count_2 +
+        slice1cost_pixels_first_1_4_count_3 + slice1cost_pixels_first_1_4_count_5 + slice1cost_pixels_first_1_4_count_6
+        + slice1cost_pixels_first_1_4_count_4 + slice1cost_pixels_first_1_4_count_7 +
+        slice1cost_pixels_first_1_4_count_1;
+      slice1cost_pixels_cost_2_0 <= slice1cost_pixels_first_2_0_count_0 + slice1cost_pixels_first_2_0_count_2 +
+        slice1cost_pixels_first_2_0_count_3 + slice1cost_pixels_first_2_0_count_5 + slice1cost_pixels_first_2_0_count_6
+        + slice1cost_pixels_first_2_0_count_4 + slice1cost_pixels_first_2_0_count_7 +
+        slice1cost_pixels_first_2_0_count_1;
+      slice1cost_pixels_cost_2_1 <= slice1cost_pixels_first_2_1_count_0 + slice1cost_pixels_first_2_1_count_2 +
+        slice1cost_pixels_first_2_1_count_3 + slice1cost_pixels_first_2_1_count_5 + slice1cost_pixels_first_2_1_count_6
+        + slice1cost_pixels_first_2_1_count_4 + slice1cost_pixels_first_2_1_count_7 +
+        slice1cost_pixels_first_2_1_count_1;
+      slice1cost_pixels_cost_2_2 <= slice1cost_pixels_first_2_2_count_0 + slice1cost_pixels_first_2_2_count_2 +
+        slice1cost_pixels_first_2_2_count_3 + slice1cost_pixels_first_2_2_count_5 + slice1cost_pixels_first_2_2_count_6
+        + slice1cost_pixels_first_2_2_count_4 + slice1cost_pixels_first_2_2_count_7 +
+        slice1cost_pixels_first_2_2_count_1;
+      slice1cost_pixels_cost_2_3 <= slice1cost_pixels_first_2_3_count_0 + slice1cost_pixels_first_2_3_count_2 +
+        slice1cost_pixels_first_2_3_count_3 + slice1cost_pixels_first_2_3_count_5 + slice1cost_pixels_first_2_3_count_6
+        + slice1cost_pixels_first_2_3_count_4 + slice1cost_pixels_first_2_3_count_7 +
+        slice1cost_pixels_first_2_3_count_1;
+      slice1cost_pixels_cost_2_4 <= slice1cost_pixels_first_2_4_count_0 + slice1cost_pixels_first_2_4_count_2 +
+        slice1cost_pixels_first_2_4_count_3 + slice1cost_pixels_first_2_4_count_5 + slice1cost_pixels_first_2_4_count_6
+        + slice1cost_pixels_first_2_4_count_4 + slice1cost_pixels_first_2_4_count_7 +
+        slice1cost_pixels_first_2_4_count_1;
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
+      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
+      slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
+        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
+        slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
+      end if;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
+      slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
+      -- slice1
+      slice1_held_0_0 <= slice1window_sum_0_0 / 16;
+      slice1_held_0_1 <= slice1window_sum_0_1 / 16;
+      slice1_held_0_2 <= slice1window_sum_0_2 / 16;
+      slice1_held_0_3 <= slice1window_sum_0_3 / 16;
+      slice1_held_0_4 <= slice1window_sum_0_4 / 16;
+      slice1_held_1_0 <= slice1_held_0_0;
+      slice1_held_1_1 <= slice1_held_0_1;
+      slice1_held_1_2 <= slice1_held_0_2;
+      slice1_held_1_3 <= slice1_held_0_3;
+      slice1_held_1_4 <= slice1_held_0_4;
+      -- slice2shift
+      if slice0cost_pixels_first_tag_valid then
+        slice2shift_search_0_0 <= slice1shift_search_out_0;
+        slice2shift_search_0_1 <= slice2shift_search_0_0;
+        slice2shift_search_1_0 <= slice1shift_search_out_1;
+        slice2shift_search_1_1 <= slice2shift_search_1_0;
+        slice2shift_search_2_0 <= slice1shift_search_out_2;
+        slice2shift_search_2_1 <= slice2shift_search_2_0;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      -- slice2cost
+      slice2cost_pixels_first_0_0_count_0_value := ((slice2shift_reference_0 / 4) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_reference_0 / 2) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value := ((slice2shift_reference_0 / 8) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_reference_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 16) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_2_value := ((slice2shift_reference_0 / 256) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_reference_0 / 64) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value := ((slice2shift_reference_0 / 512) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value := ((slice2shift_reference_0 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value := ((slice2shift_reference_0 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value := ((slice2shift_reference_0 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_7_value := ((slice2shift_reference_0 / 2097152) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_reference_1 / 2) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_reference_1 / 32) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 16) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_2_value := ((slice2shift_reference_1 / 256) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_reference_1 / 64) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value := ((slice2shift_reference_1 / 512) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value := ((slice2shift_reference_1 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value := ((slice2shift_reference_1 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value := ((slice2shift_reference_1 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_7_value := ((slice2shift_reference_1 / 2097152) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_0_value := ((slice2shift_reference_2 / 4) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_reference_2 / 2) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value := ((slice2shift_reference_2 / 8) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_reference_2 / 32) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 16) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_2_value := ((slice2shift_reference_2 / 256) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_reference_2 / 64) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value := ((slice2shift_reference_2 / 512) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value := ((slice2shift_reference_2 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value := ((slice2shift_reference_2 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value := ((slice2shift_reference_2 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_7_value := ((slice2shift_reference_2 / 2097152) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value /=
+        (((slice2shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice2shift_search_0_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
+        (((slice2shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice2shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice2shift_search_0_0 / 16) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
+        as_number((slice2cost_pixels_first_0_0_count_2_value /= (((slice2shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (((slice2shift_search_0_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
+        (((slice2shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice2shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice2shift_search_0_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_4 <= as_number((slice2cost_pixels_first_0_0_count_4_value /=
+        (((slice2shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice2shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice2shift_search_0_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_5 <= as_number((slice2cost_pixels_first_0_0_count_5_value /=
+        (((slice2shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice2shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice2shift_search_0_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_6 <= as_number((slice2cost_pixels_first_0_0_count_6_value /=
+        (((slice2shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice2shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice2shift_search_0_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
+        (((slice2shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_0 / 8388608) = 1) /=
+        ((slice2shift_search_0_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice2shift_search_0_0 / 4194304) mod 2) = 1)));
+      slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value_2));
+      slice2cost_pixels_first_0_1_count_1 <= as_number(((((slice2shift_search_0_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((((slice2shift_search_0_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice2shift_search_0_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_3));
+      slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_0_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_0_0_count_2_value)) + as_number(((((slice2shift_search_0_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_0_0_count_2_value_2));
+      slice2cost_pixels_first_0_1_count_3 <= as_number(((((slice2shift_search_0_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((((slice2shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice2shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_3));
+      slice2cost_pixels_first_0_1_count_4 <= as_number(((((slice2shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value)) + as_number(((((slice2shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice2shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_3));
+      slice2cost_pixels_first_0_1_count_5 <= as_number(((((slice2shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value)) + as_number(((((slice2shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice2shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_3));
+      slice2cost_pixels_first_0_1_count_6 <= as_number(((((slice2shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value)) + as_number(((((slice2shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_3));
+      slice2cost_pixels_first_0_1_count_7 <= as_number(((((slice2shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_1 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
+      slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value /=
+        (((slice2shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice2shift_search_1_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_1 <= as_number((slice2cost_pixels_first_1_0_count_1_value /=
+        (((slice2shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice2shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice2shift_search_1_0 / 16) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
+        as_number((slice2cost_pixels_first_1_0_count_2_value /= (((slice2shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_1_0_count_2_value_2 /= (((slice2shift_search_1_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_3 <= as_number((slice2cost_pixels_first_1_0_count_3_value /=
+        (((slice2shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice2shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice2shift_search_1_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_4 <= as_number((slice2cost_pixels_first_1_0_count_4_value /=
+        (((slice2shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice2shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice2shift_search_1_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_5 <= as_number((slice2cost_pixels_first_1_0_count_5_value /=
+        (((slice2shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice2shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice2shift_search_1_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_6 <= as_number((slice2cost_pixels_first_1_0_count_6_value /=
+        (((slice2shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice2shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice2shift_search_1_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_7 <= as_number((slice2cost_pixels_first_1_0_count_7_value /=
+        (((slice2shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_1 / 8388608) = 1) /=
+        ((slice2shift_search_1_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice2shift_search_1_0 / 4194304) mod 2) = 1)));
+      slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value_2));
+      slice2cost_pixels_first_1_1_count_1 <= as_number(((((slice2shift_search_1_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value)) + as_number(((((slice2shift_search_1_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice2shift_search_1_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_3));
+      slice2cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_1_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_1_0_count_2_value)) + as_number(((((slice2shift_search_1_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_1_0_count_2_value_2));
+      slice2cost_pixels_first_1_1_count_3 <= as_number(((((slice2shift_search_1_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value)) + as_number(((((slice2shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice2shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_3));
+      slice2cost_pixels_first_1_1_count_4 <= as_number(((((slice2shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value)) + as_number(((((slice2shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice2shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_3));
+      slice2cost_pixels_first_1_1_count_5 <= as_number(((((slice2shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value)) + as_number(((((slice2shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice2shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_3));
+      slice2cost_pixels_first_1_1_count_6 <= as_number(((((slice2shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value)) + as_number(((((slice2shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_3));
+      slice2cost_pixels_first_1_1_count_7 <= as_number(((((slice2shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_1 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
+      slice2cost_pixels_first_2_0_count_0 <= as_number((((slice2shift_search_2_0 mod 2) = 1) /=
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value /=
+        (((slice2shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice2shift_search_2_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_1 <= as_number((slice2cost_pixels_first_2_0_count_1_value /=
+        (((slice2shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice2shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice2shift_search_2_0 / 16) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
+        as_number((slice2cost_pixels_first_2_0_count_2_value /= (((slice2shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_2_0_count_2_value_2 /= (((slice2shift_search_2_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_3 <= as_number((slice2cost_pixels_first_2_0_count_3_value /=
+        (((slice2shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice2shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice2shift_search_2_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_4 <= as_number((slice2cost_pixels_first_2_0_count_4_value /=
+        (((slice2shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice2shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice2shift_search_2_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_5 <= as_number((slice2cost_pixels_first_2_0_count_5_value /=
+        (((slice2shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice2shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice2shift_search_2_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_6 <= as_number((slice2cost_pixels_first_2_0_count_6_value /=
+        (((slice2shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice2shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice2shift_search_2_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_7 <= as_number((slice2cost_pixels_first_2_0_count_7_value /=
+        (((slice2shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_2 / 8388608) = 1) /=
+        ((slice2shift_search_2_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice2shift_search_2_0 / 4194304) mod 2) = 1)));
+      slice2cost_pixels_first_2_1_count_0 <= as_number((((slice2shift_search_2_1 mod 2) = 1) /=
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number(((((slice2shift_search_2_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value)) + as_number(((((slice2shift_search_2_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value_2));
+      slice2cost_pixels_first_2_1_count_1 <= as_number(((((slice2shift_search_2_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value)) + as_number(((((slice2shift_search_2_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice2shift_search_2_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_3));
+      slice2cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_2_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_2_0_count_2_value)) + as_number(((((slice2shift_search_2_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_2_0_count_2_value_2));
+      slice2cost_pixels_first_2_1_count_3 <= as_number(((((slice2shift_search_2_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value)) + as_number(((((slice2shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice2shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_3));
+      slice2cost_pixels_first_2_1_count_4 <= as_number(((((slice2shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value)) + as_number(((((slice2shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice2shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_3));
+      slice2cost_pixels_first_2_1_count_5 <= as_number(((((slice2shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value)) + as_number(((((slice2shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice2shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_3));
+      slice2cost_pixels_first_2_1_count_6 <= as_number(((((slice2shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value)) + as_number(((((slice2shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice2shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_3));
+      slice2cost_pixels_first_2_1_count_7 <= as_number(((((slice2shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value)) + as_number((((slice2shift_search_2_1 / 8388608) = 1) /=
+        ((slice2shift_reference_2 / 8388608) = 1))) + as_number(((((slice2shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value_2));
+      slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_2 +
+        slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_5 + slice2cost_pixels_first_0_0_count_6
+        + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_7 +
+        slice2cost_pixels_first_0_0_count_1;
+      slice2cost_pixels_cost_0_1 <= slice2cost_pixels_first_0_1_count_0 + slice2cost_pixels_first_0_1_count_2 +
+        slice2cost_pixels_first_0_1_count_3 + slice2cost_pixels_first_0_1_count_5 + slice2cost_pixels_first_0_1_count_6
+        + slice2cost_pixels_first_0_1_count_4 + slice2cost_pixels_first_0_1_count_7 +
+        slice2cost_pixels_first_0_1_count_1;
+      slice2cost_pixels_cost_1_0 <= slice2cost_pixels_first_1_0_count_0 + slice2cost_pixels_first_1_0_count_2 +
+        slice2cost_pixels_first_1_0_count_3 + slice2cost_pixels_first_1_0_count_5 + slice2cost_pixels_first_1_0_count_6
+        + slice2cost_pixels_first_1_0_count_4 + slice2cost_pixels_first_1_0_count_7 +
+        slice2cost_pixels_first_1_0_count_1;
+      slice2cost_pixels_cost_1_1 <= slice2cost_pixels_first_1_1_count_0 + slice2cost_pixels_first_1_1_count_2 +
+        slice2cost_pixels_first_1_1_count_3 + slice2cost_pixels_first_1_1_count_5 + slice2cost_pixels_first_1_1_count_6
+        + slice2cost_pixels_first_1_1_count_4 + slice2cost_pixels_first_1_1_count_7 +
+        slice2cost_pixels_first_1_1_count_1;
+      slice2cost_pixels_cost_2_0 <= slice2cost_pixels_first_2_0_count_0 + slice2cost_pixels_first_2_0_count_2 +
+        slice2cost_pixels_first_2_0_count_3 + slice2cost_pixels_first_2_0_count_5 + slice2cost_pixels_first_2_0_count_6
+        + slice2cost_pixels_first_2_0_count_4 + slice2cost_pixels_first_2_0_count_7 +
+        slice2cost_pixels_first_2_0_count_1;
+      slice2cost_pixels_cost_2_1 <= slice2cost_pixels_first_2_1_count_0 + slice2cost_pixels_first_2_1_count_2 +
+        slice2cost_pixels_first_2_1_count_3 + slice2cost_pixels_first_2_1_count_5 + slice2cost_pixels_first_2_1_count_6
+        + slice2cost_pixels_first_2_1_count_4 + slice2cost_pixels_first_2_1_count_7 +
+        slice2cost_pixels_first_2_1_count_1;
+      slice2cost_pair_0_0 <= slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
+      slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
+      -- slice2window
+      if slice0_tag_0_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      -- slice2
+      slice2_held_0_0 <= slice2window_sum_0_0 / 16;
+      slice2_held_0_1 <= slice2window_sum_0_1 / 16;
+      -- entry
+      entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_order_inside;
+      entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside);
+      entry_order_complete_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column);
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
+      entry_next_cost_0 <= slice0_held_2_0;
+      entry_next_cost_1 <= slice0_held_2_1;
+      entry_next_cost_2 <= slice0_held_2_2;
+      entry_next_cost_3 <= slice0_held_2_3;
+      entry_next_cost_4 <= slice0_held_2_4;
+      entry_next_cost_5 <= slice1_held_1_0;
+      entry_next_cost_6 <= slice1_held_1_1;
+      entry_next_cost_7 <= slice1_held_1_2;
+      entry_next_cost_8 <= slice1_held_1_3;
+      entry_next_cost_9 <= slice1_held_1_4;
+      entry_next_cost_10 <= slice2_held_0_0;
+      entry_next_cost_11 <= slice2_held_0_1;
+      entry_next_tag_valid <= slice0_tag_2_valid;
+      entry_next_tag_map_column <= slice0_tag_2_map_column;
+      entry_next_tag_first_column <= slice0_tag_2_first_column;
+      entry_next_tag_start_of_frame <= slice0_tag_2_start_of_frame;
+      entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
+      entry_order_last_value <= (size_windows_last_column + 21) mod 32;
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column) when
+        slice0_tag_2_end_of_line else entry_order_complete and entry_order_complete_any;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_start_of_frame <= slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside)
+        and entry_next_top and entry_order_output and entry_order_complete;
+      entry_cost_0 <= entry_next_cost_0;
+      entry_cost_1 <= entry_next_cost_1;
+      entry_cost_2 <= entry_next_cost_2;
+      entry_cost_3 <= entry_next_cost_3;
+      entry_cost_4 <= entry_next_cost_4;
+      entry_cost_5 <= entry_next_cost_5;
+      entry_cost_6 <= entry_next_cost_6;
+      entry_cost_7 <= entry_next_cost_7;
+      entry_cost_8 <= entry_next_cost_8;
+      entry_cost_9 <= entry_next_cost_9;
+      entry_cost_10 <= entry_next_cost_10;
+      entry_cost_11 <= entry_next_cost_11;
+      entry_tag_valid <= entry_next_tag_valid;
+      entry_tag_map_column <= entry_next_tag_map_column;
+      entry_tag_first_column <= entry_next_tag_first_column;
+      entry_tag_start_of_frame <= entry_next_tag_start_of_frame;
+      entry_tag_end_of_line <= entry_next_tag_end_of_line;
+      entry_place <= entry_order_address;
+      entry_turned_output_column <= entry_order_turned_output_column;
+      entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      entry_tag_row_start_is_equal := entry_tag_row_start = 0;
+      entry_tag_first_group_is_equal := entry_tag_row_start = 1;
+      entry_tag_first_group_sum := traceback_state + 1;
+      entry_tag_first_group_value := (((entry_tag_first_group_sum mod 256) / 2) mod 2) = 1;
+      entry_tag_first_group_choice := entry_tag_border_column when (entry_tag_first_group_sum mod 2) = 1 else
+        entry_tag_first_cost;
+      entry_tag_first_group_choice_2 := entry_tag_leaves_window when (entry_tag_first_group_sum mod 2) = 1 else
+        entry_next_tag_row_start;
+      entry_tag_first_group_choice_3 := entry_tag_first_group_choice when entry_tag_first_group_value else
+        entry_tag_first_group_choice_2;
+      entry_tag_first_group_choice_4 := entry_next_tag_first_group when (entry_tag_first_group_sum mod 2) = 1 else
+        entry_next_tag_newest_inside;
+      entry_tag_first_group_choice_5 := entry_next_tag_border_column when (entry_tag_first_group_sum mod 2) = 1 else
+        entry_next_tag_first_cost;
+      entry_tag_first_group_choice_6 := entry_tag_first_group_choice_4 when entry_tag_first_group_value else
+        entry_tag_first_group_choice_5;
+      entry_tag_first_group_choice_7 := entry_next_tag_leaves_window when (entry_tag_first_group_sum mod 2) = 1 else
+        entry_order_turned_row_start;
+      entry_tag_first_group_choice_8 := entry_order_turned_first_group when (entry_tag_first_group_sum mod 2) = 1 else
+        entry_order_turned_newest_inside;
+      entry_tag_first_group_choice_9 := entry_tag_first_group_choice_7 when entry_tag_first_group_value else
+        entry_tag_first_group_choice_8;
+      entry_tag_first_group_choice_10 := entry_tag_first_group_choice_6 when (((entry_tag_first_group_sum mod 256) / 4)
+        mod 2) = 1 else entry_tag_first_group_choice_9;
+      entry_tag_first_group_choice_11 := entry_tag_first_group_choice_3 when (((entry_tag_first_group_sum mod 256) / 8)
+        mod 2) = 1 else entry_tag_first_group_choice_10;
+      entry_tag_first_group_is_equal_2 := entry_tag_row_start = 2;
+      entry_tag_first_group_sum_2 := (traceback_state / 2) + 3;
+      entry_tag_first_group_choice_12 := entry_tag_border_column when (traceback_state mod 2) = 1 else
+        entry_tag_first_cost;
+      entry_tag_first_group_choice_13 := entry_tag_leaves_window when (traceback_state mod 2) = 1 else
+        entry_next_tag_row_start;
+      entry_tag_first_group_choice_14 := entry_tag_first_group_choice_12 when (entry_tag_first_group_sum_2 mod 2) = 1
+        else entry_tag_first_group_choice_13;
+      entry_tag_first_group_choice_15 := entry_next_tag_first_group when (traceback_state mod 2) = 1 else
+        entry_next_tag_newest_inside;
+      entry_tag_first_group_choice_16 := entry_next_tag_border_column when (traceback_state mod 2) = 1 else
+        entry_next_tag_first_cost;
+      entry_tag_first_group_choice_17 := entry_tag_first_group_choice_15 when (entry_tag_first_group_sum_2 mod 2) = 1
+        else entry_tag_first_group_choice_16;
+      entry_tag_first_group_choice_18 := entry_next_tag_leaves_window when (traceback_state mod 2) = 1 else
+        entry_order_turned_row_start;
+      entry_tag_first_group_choice_19 := entry_order_turned_first_group when (traceback_state mod 2) = 1 else
+        entry_order_turned_newest_inside;
+      entry_tag_first_group_choice_20 := entry_tag_first_group_choice_18 when (entry_tag_first_group_sum_2 mod 2) = 1
+        else entry_tag_first_group_choice_19;
+      entry_tag_first_group_choice_21 := entry_tag_first_group_choice_17 when (((entry_tag_first_group_sum_2 mod 128) /
+        2) mod 2) = 1 else entry_tag_first_group_choice_20;
+      entry_tag_first_group_choice_22 := entry_tag_first_group_choice_14 when (((entry_tag_first_group_sum_2 mod 128) /
+        4) mod 2) = 1 else entry_tag_first_group_choice_21;
+      entry_tag_first_group_all := (entry_tag_first_group = 3) and entry_tag_row_start_is_equal;
+      entry_tag_first_group_sum_3 := traceback_state + 255;
+      entry_tag_first_group_value_2 := (((entry_tag_first_group_sum_3 mod 256) / 2) mod 2) = 1;
+      entry_tag_first_group_choice_23 := entry_tag_border_column when (entry_tag_first_group_sum_3 mod 2) = 1 else
+        entry_tag_first_cost;
+      entry_tag_first_group_choice_24 := entry_tag_leaves_window when (entry_tag_first_group_sum_3 mod 2) = 1 else
+        entry_next_tag_row_start;
+      entry_tag_first_group_choice_25 := entry_tag_first_group_choice_23 when entry_tag_first_group_value_2 else
+        entry_tag_first_group_choice_24;
+      entry_tag_first_group_choice_26 := entry_next_tag_first_group when (entry_tag_first_group_sum_3 mod 2) = 1 else
+        entry_next_tag_newest_inside;
+      entry_tag_first_group_choice_27 := entry_next_tag_border_column when (entry_tag_first_group_sum_3 mod 2) = 1 else
+        entry_next_tag_first_cost;
+      entry_tag_first_group_choice_28 := entry_tag_first_group_choice_26 when entry_tag_first_group_value_2 else
+        entry_tag_first_group_choice_27;
+      entry_tag_first_group_choice_29 := entry_next_tag_leaves_window when (entry_tag_first_group_sum_3 mod 2) = 1 else
+        entry_order_turned_row_start;
+      entry_tag_first_group_choice_30 := entry_order_turned_first_group when (entry_tag_first_group_sum_3 mod 2) = 1
+        else entry_order_turned_newest_inside;
+      entry_tag_first_group_choice_31 := entry_tag_first_group_choice_29 when entry_tag_first_group_value_2 else
+        entry_tag_first_group_choice_30;
+      entry_tag_first_group_choice_32 := entry_tag_first_group_choice_28 when (((entry_tag_first_group_sum_3 mod 256) /
+        4) mod 2) = 1 else entry_tag_first_group_choice_31;
+      entry_tag_first_group_choice_33 := entry_tag_first_group_choice_25 when (((entry_tag_first_group_sum_3 mod 256) /
+        8) mod 2) = 1 else entry_tag_first_group_choice_32;
+      entry_tag_first_group_value_3 := ((traceback_state / 2) mod 2) = 1;
+      entry_tag_first_group_choice_34 := entry_tag_first_group_choice_12 when entry_tag_first_group_value_3 else
+        entry_tag_first_group_choice_13;
+      entry_tag_first_group_choice_35 := entry_tag_first_group_choice_15 when entry_tag_first_group_value_3 else
+        entry_tag_first_group_choice_16;
+      entry_tag_first_group_choice_36 := entry_tag_first_group_choice_18 when entry_tag_first_group_value_3 else
+        entry_tag_first_group_choice_19;
+      entry_tag_first_group_choice_37 := entry_tag_first_group_choice_35 when ((traceback_state / 4) mod 2) = 1 else
+        entry_tag_first_group_choice_36;
+      entry_tag_first_group_choice_38 := entry_tag_first_group_choice_34 when ((traceback_state / 8) mod 2) = 1 else
+        entry_tag_first_group_choice_37;
+      entry_tag_first_group_choice_39 := entry_tag_first_group_choice_33 when entry_tag_first_group_all else
+        entry_tag_first_group_choice_38;
+      entry_tag_first_group_choice_40 := entry_tag_first_group_choice_22 when entry_tag_first_group_is_equal_2 else
+        entry_tag_first_group_choice_39;
+      entry_tag_first_group_choice_41 := entry_tag_first_group_choice_11 when entry_tag_first_group_is_equal else
+        entry_tag_first_group_choice_40;
+      if entry_tag_valid then
+        entry_next_tag_row_start <= to_integer(slice2cost_pair_1(17 downto 16));
+        entry_next_tag_first_group <= to_integer(slice2cost_pair_1(15 downto 14));
+        entry_next_tag_newest_inside <= to_integer(slice2cost_pair_1(13 downto 12));
+        entry_next_tag_border_column <= to_integer(slice2cost_pair_1(11 downto 10));
+        entry_next_tag_first_cost <= to_integer(slice2cost_pair_1(9 downto 8));
+        entry_next_tag_leaves_window <= to_integer(slice2cost_pair_1(7 downto 0)) / 64;
+        entry_order_turned_row_start <= (to_integer(slice2cost_pair_1(7 downto 0)) / 16) mod 4;
+        entry_order_turned_first_group <= (to_integer(slice2cost_pair_1(7 downto 0)) / 4) mod 4;
+        entry_order_turned_newest_inside <= to_integer(slice2cost_pair_1(1 downto 0));
+        entry_tag_row_start <= entry_tag_first_group when ((((entry_tag_first_group + 255) mod 256) / 2) = 0) and
+          decisions_comes_0 and entry_tag_row_start_is_equal else 0;
+        entry_tag_first_group <= entry_tag_first_group_choice_41 when decisions_comes_0 else 0;
+        entry_tag_border_column <= to_integer(slice2cost_pair_1(23 downto 22));
+        entry_tag_first_cost <= to_integer(slice2cost_pair_1(21 downto 20));
+        entry_tag_leaves_window <= to_integer(slice2cost_pair_1(19 downto 18));
+      end if;
+      if entry_order_falls_all then
+        entry_next_top <= slice0_tag_2_start_of_frame;
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
+      end if;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else entry_order_last_value;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2;
+      end if;
+      if slice0_tag_2_valid then
+        entry_order_inside <= slice0_tag_2_map_column;
+      end if;
+      entry_tag_newest_inside_all := decisions_comes_2 and entry_tag_valid;
+      if entry_tag_newest_inside_all then
+        entry_tag_newest_inside <= (forward_decision_1 * 1048576) + (forward_decision_0 * 4194304) +
+          (forward_decision_2 * 262144) + (forward_decision_3 * 65536) + (forward_decision_4 * 16384) +
+          (forward_decision_5 * 4096) + (forward_far_6 * 1024) + (forward_far_7 * 256) + (forward_far_8 * 64) +
+          (forward_far_9 * 16) + forward_far_11 + (forward_far_10 * 4);
+      end if;
+      -- forward
+      forward_drop_cost_any := (not entry_tag_start_of_frame) or (not entry_tag_first_column) or (not entry_tag_valid);
+      if not forward_drop_cost_any then
+        forward_drop_cost <= settings_drop_cost;
+        forward_occlusion_cost <= settings_occlusion_cost;
+      end if;
+      forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 4096) / 2048) = 1;
+      forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
+      forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
+      forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_0 - forward_dropped_1) mod 4096) / 2048) = 1));
+      forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 4096) / 2048) = 1;
+      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
+      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
+      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_1 - forward_dropped_2) mod 4096) / 2048) = 1));
+      forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 4096) / 2048) = 1;
+      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
+      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
+      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_2 - forward_dropped_3) mod 4096) / 2048) = 1));
+      forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 4096) / 2048) = 1;
+      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
+      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
+      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_3 - forward_dropped_4) mod 4096) / 2048) = 1));
+      forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 4096) / 2048) = 1;
+      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
+      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
+      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_4 - forward_dropped_5) mod 4096) / 2048) = 1));
+      forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 4096) / 2048) = 1;
+      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
+      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
+      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_5 - forward_dropped_6) mod 4096) / 2048) = 1));
+      forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 4096) / 2048) = 1;
+      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
+      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
+      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_6 - forward_dropped_7) mod 4096) / 2048) = 1));
+      forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 4096) / 2048) = 1;
+      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
+      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
+      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_7 - forward_dropped_8) mod 4096) / 2048) = 1));
+      forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 4096) / 2048) = 1;
+      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
+      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
+      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_8 - forward_dropped_9) mod 4096) / 2048) = 1));
+      forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 4096) / 2048) = 1;
+      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
+      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
+      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_9 - forward_dropped_10) mod 4096) / 2048) = 1));
+      forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 4096) / 2048) = 1;
+      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
+      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
+      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 4096) / 2048) = 1)) or (not
+        ((((forward_occluding_10 - forward_dropped_11) mod 4096) / 2048) = 1));
+      forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 4096) / 2048) = 1;
+      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
+      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
+      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
+      forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 4096) / 2048) = 1;
+      forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
+      forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 4096) / 2048) = 1;
+      forward_dropped_1_choice := forward_path_7 when forward_dropped_1_value else forward_path_2;
+      forward_dropped_2_value := (((forward_path_8 - forward_path_3) mod 4096) / 2048) = 1;
+      forward_dropped_2_choice := forward_path_8 when forward_dropped_2_value else forward_path_3;
+      forward_dropped_3_value := (((forward_path_9 - forward_path_4) mod 4096) / 2048) = 1;
+      forward_dropped_3_choice := forward_path_9 when forward_dropped_3_value else forward_path_4;
+      forward_dropped_4_value := (((forward_path_10 - forward_path_5) mod 4096) / 2048) = 1;
+      forward_dropped_4_choice := forward_path_10 when forward_dropped_4_value else forward_path_5;
+      forward_dropped_5_value := (((forward_path_11 - forward_path_6) mod 4096) / 2048) = 1;
+      forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
+      forward_far_6_choice := 2 when forward_far_5 else 1;
+      forward_far_6_choice_2 := forward_far_6_choice when forward_path_5_value else 0;
+      forward_far_7_choice := 2 when forward_far_4 else 1;
+      forward_far_7_choice_2 := forward_far_7_choice when forward_path_4_value else 0;
+      forward_far_8_choice := 2 when forward_far_3 else 1;
+      forward_far_8_choice_2 := forward_far_8_choice when forward_path_3_value else 0;
+      forward_far_9_choice := 2 when forward_far_2 else 1;
+      forward_far_9_choice_2 := forward_far_9_choice when forward_path_2_value else 0;
+      forward_far_10_choice := 2 when forward_far_1 else 1;
+      forward_far_10_choice_2 := forward_far_10_choice when forward_path_1_value else 0;
+      forward_far_11_choice := 2 when forward_far_0 else 1;
+      if entry_tag_valid then
+        forward_next_cost_0 <= entry_cost_0;
+        forward_next_cost_1 <= entry_cost_1;
+        forward_next_cost_2 <= entry_cost_2;
+        forward_next_cost_3 <= entry_cost_3;
+        forward_next_cost_4 <= entry_cost_4;
+        forward_next_cost_5 <= entry_cost_5;
+        forward_next_cost_6 <= entry_cost_6;
+        forward_next_cost_7 <= entry_cost_7;
+        forward_next_cost_8 <= entry_cost_8;
+        forward_next_cost_9 <= entry_cost_9;
+        forward_next_cost_10 <= entry_cost_10;
+        forward_next_cost_11 <= entry_cost_11;
+        forward_next_first <= entry_tag_first_column;
+        forward_pair_cost_0 <= entry_cost_0 + forward_next_cost_0 + forward_drop_cost;
+        forward_pair_cost_1 <= entry_cost_1 + forward_next_cost_1 + forward_drop_cost;
+        forward_pair_cost_2 <= entry_cost_2 + forward_next_cost_2 + forward_drop_cost;
+        forward_pair_cost_3 <= entry_cost_3 + forward_next_cost_3 + forward_drop_cost;
+        forward_pair_cost_4 <= entry_cost_4 + forward_next_cost_4 + forward_drop_cost;
+        forward_pair_cost_5 <= entry_cost_5 + forward_next_cost_5 + forward_drop_cost;
+        forward_pair_cost_6 <= entry_cost_6 + forward_next_cost_6 + forward_drop_cost;
+        forward_pair_cost_7 <= entry_cost_7 + forward_next_cost_7 + forward_drop_cost;
+        forward_pair_cost_8 <= entry_cost_8 + forward_next_cost_8 + forward_drop_cost;
+        forward_pair_cost_9 <= entry_cost_9 + forward_next_cost_9 + forward_drop_cost;
+        forward_pair_cost_10 <= entry_cost_10 + forward_next_cost_10 + forward_drop_cost;
+        forward_pair_cost_11 <= entry_cost_11 + forward_next_cost_11 + forward_drop_cost;
+        forward_path_0 <= forward_path_0_choice_2;
+        forward_path_1 <= forward_path_1_choice_3;
+        forward_path_2 <= forward_path_2_choice_3;
+        forward_path_3 <= forward_path_3_choice_3;
+        forward_path_4 <= forward_path_4_choice_3;
+        forward_path_5 <= forward_path_5_choice_3;
+        forward_path_6 <= forward_path_6_choice_3;
+        forward_path_7 <= forward_path_7_choice_3;
+        forward_path_8 <= forward_path_8_choice_3;
+        forward_path_9 <= forward_path_9_choice_3;
+        forward_path_10 <= forward_path_10_choice_3;
+        forward_path_11 <= forward_path_11_choice_3;
+        forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 4096;
+        forward_stayed_1 <= (forward_path_1_choice_3 + forward_next_cost_1) mod 4096;
+        forward_stayed_2 <= (forward_path_2_choice_3 + forward_next_cost_2) mod 4096;
+        forward_stayed_3 <= (forward_path_3_choice_3 + forward_next_cost_3) mod 4096;
+        forward_stayed_4 <= (forward_path_4_choice_3 + forward_next_cost_4) mod 4096;
+        forward_stayed_5 <= (forward_path_5_choice_3 + forward_next_cost_5) mod 4096;
+        forward_stayed_6 <= (forward_path_6_choice_3 + forward_next_cost_6) mod 4096;
+        forward_stayed_7 <= (forward_path_7_choice_3 + forward_next_cost_7) mod 4096;
+        forward_stayed_8 <= (forward_path_8_choice_3 + forward_next_cost_8) mod 4096;
+        forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 4096;
+        forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 4096;
+        forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 4096;
+        forward_occluding_0 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_0_choice_2) mod
+          4096;
+        forward_occluding_1 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_1_choice_3) mod
+          4096;
+        forward_occluding_2 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_2_choice_3) mod
+          4096;
+        forward_occluding_3 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_3_choice_3) mod
+          4096;
+        forward_occluding_4 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_4_choice_3) mod
+          4096;
+        forward_occluding_5 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_5_choice_3) mod
+          4096;
+        forward_occluding_6 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_6_choice_3) mod
+          4096;
+        forward_occluding_7 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_7_choice_3) mod
+          4096;
+        forward_occluding_8 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_8_choice_3) mod
+          4096;
+        forward_occluding_9 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_9_choice_3) mod
+          4096;
+        forward_occluding_10 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_10_choice_3)
+          mod 4096;
+        forward_dropped_0 <= 1024 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod
+          4096;
+        forward_dropped_1 <= 1024 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod
+          4096;
+        forward_dropped_2 <= 1024 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod
+          4096;
+        forward_dropped_3 <= 1024 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod
+          4096;
+        forward_dropped_4 <= 1024 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod
+          4096;
+        forward_dropped_5 <= 1024 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod
+          4096;
+        forward_dropped_6 <= 1024 when forward_next_first else (forward_pair_cost_6 + forward_path_7) mod 4096;
+        forward_dropped_7 <= 1024 when forward_next_first else (forward_pair_cost_7 + forward_path_8) mod 4096;
+        forward_dropped_8 <= 1024 when forward_next_first else (forward_pair_cost_8 + forward_path_9) mod 4096;
+        forward_dropped_9 <= 1024 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 4096;
+        forward_dropped_10 <= 1024 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 4096;
+        forward_dropped_11 <= 1024 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 4096;
+        forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
+        forward_far_6 <= forward_far_6_choice_2 when forward_path_5_any else 3;
+        forward_far_7 <= forward_far_7_choice_2 when forward_path_4_any else 3;
+        forward_far_8 <= forward_far_8_choice_2 when forward_path_3_any else 3;
+        forward_far_9 <= forward_far_9_choice_2 when forward_path_2_any else 3;
+        forward_far_10 <= forward_far_10_choice_2 when forward_path_1_any else 3;
+        forward_far_11 <= forward_far_11_choice when forward_path_0_value else 0;
+        forward_decision_0 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
+        forward_decision_1 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
+        forward_decision_2 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
+        forward_decision_3 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
+        forward_decision_4 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
+        forward_decision_5 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
+      end if;
+      forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
+      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
+      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
+      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
+      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
+      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
+      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
+        (not forward_next_first);
+      -- decisions
+      if entry_tag_valid then
+        decisions_ready_inside <= entry_tag_map_column;
+        decisions_comes_0 <= entry_tag_map_column;
+        decisions_comes_1 <= decisions_ready_inside;
+        decisions_comes_2 <= last_tags_held_1_map_column;
+        decisions_place_0 <= entry_place;
+        decisions_place_1 <= decisions_place_0;
+        decisions_place_2 <= decisions_place_1;
+      end if;
+      if entry_tag_newest_inside_all then
+        decisions_write_place <= decisions_place_2;
+      end if;
+      -- last
+      if entry_tag_valid then
+        last_tags_held_0_end_of_line <= entry_tag_end_of_line;
+        last_tags_held_1_map_column <= decisions_comes_0;
+        last_tags_held_1_end_of_line <= last_tags_held_0_end_of_line;
+        last_tags_held_2_map_column <= decisions_comes_1;
+        last_tags_held_2_end_of_line <= last_tags_held_1_end_of_line;
+      end if;
+      last_path_0_2_difference := 2048 - forward_path_0;
+      last_tags_moved <= entry_tag_valid;
+      last_path_0_0 <= 2048;
+      last_path_0_1 <= ((((((forward_path_1 / 2048) + 1) mod 2) * 2048) + (forward_path_1 mod 2048)) - forward_path_0)
+        mod 4096;
+      last_path_0_2 <= (last_path_0_2_difference + forward_path_2) mod 4096;
+      last_path_0_3 <= (last_path_0_2_difference + forward_path_3) mod 4096;
+      last_path_0_4 <= (last_path_0_2_difference + forward_path_4) mod 4096;
+      last_path_0_5 <= (last_path_0_2_difference + forward_path_5) mod 4096;
+      last_path_0_6 <= (last_path_0_2_difference + forward_path_6) mod 4096;
+      last_path_0_7 <= (last_path_0_2_difference + forward_path_7) mod 4096;
+      last_path_0_8 <= (last_path_0_2_difference + forward_path_8) mod 4096;
+      last_path_0_9 <= (last_path_0_2_difference + forward_path_9) mod 4096;
+      last_path_0_10 <= (last_path_0_2_difference + forward_path_10) mod 4096;
+      last_path_0_11 <= (last_path_0_2_difference + forward_path_11) mod 4096;
+      last_tag_valid <= last_tags_moved;
+      last_tag_map_column <= last_tags_held_2_map_column;
+      last_tag_end_of_line <= last_tags_held_2_end_of_line;
+      if not ((not lastwinner4_tag_end_of_line) or (not lastwinner4_tag_map_column) or (not lastwinner4_tag_valid)) then
+        last_state <= lastwinner4_best_index_0_0;
+      end if;
+      -- lastwinner1
+      lastwinner1_best_cost_0_0_is_less := (last_path_0_1 - last_path_0_0) < 0;
+      lastwinner1_best_cost_0_1_is_less := (last_path_0_3 - last_path_0_2) < 0;
+      lastwinner1_best_cost_0_2_is_less := (last_path_0_5 - last_path_0_4) < 0;
+      lastwinner1_best_cost_0_3_is_less := (last_path_0_7 - last_path_0_6) < 0;
+      lastwinner1_best_cost_0_4_is_less := (last_path_0_9 - last_path_0_8) < 0;
+      lastwinner1_best_cost_0_5_is_less := (last_path_0_11 - last_path_0_10) < 0;
+      lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
+      lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
+      lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
+      lastwinner1_best_cost_0_3 <= last_path_0_7 when lastwinner1_best_cost_0_3_is_less else last_path_0_6;
+      lastwinner1_best_cost_0_4 <= last_path_0_9 when lastwinner1_best_cost_0_4_is_less else last_path_0_8;
+      lastwinner1_best_cost_0_5 <= last_path_0_11 when lastwinner1_best_cost_0_5_is_less else last_path_0_10;
+      lastwinner1_best_index_0_0 <= lastwinner1_best_cost_0_0_is_less;
+      lastwinner1_best_index_0_1 <= 3 when lastwinner1_best_cost_0_1_is_less else 2;
+      lastwinner1_best_index_0_2 <= 5 when lastwinner1_best_cost_0_2_is_less else 4;
+      lastwinner1_best_index_0_3 <= 7 when lastwinner1_best_cost_0_3_is_less else 6;
+      lastwinner1_best_index_0_4 <= 9 when lastwinner1_best_cost_0_4_is_less else 8;
+      lastwinner1_best_index_0_5 <= 11 when lastwinner1_best_cost_0_5_is_less else 10;
+      lastwinner1_tag_valid <= last_tag_valid;
+      lastwinner1_tag_map_column <= last_tag_map_column;
+      lastwinner1_tag_end_of_line <= last_tag_end_of_line;
+      -- lastwinner2
+      lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
+      lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
+      lastwinner2_best_cost_0_2_is_less := (lastwinner1_best_cost_0_5 - lastwinner1_best_cost_0_4) < 0;
+      lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
+        lastwinner1_best_cost_0_0;
+      lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
+        lastwinner1_best_cost_0_2;
+      lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5 when lastwinner2_best_cost_0_2_is_less else
+        lastwinner1_best_cost_0_4;
+      lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1 when lastwinner2_best_cost_0_0_is_less else
+        as_number(lastwinner1_best_index_0_0);
+      lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3 when lastwinner2_best_cost_0_1_is_less else
+        lastwinner1_best_index_0_2;
+      lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5 when lastwinner2_best_cost_0_2_is_less else
+        lastwinner1_best_index_0_4;
+      lastwinner2_tag_valid <= lastwinner1_tag_valid;
+      lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
+      lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
+      -- lastwinner3
+      lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
+      lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
+        lastwinner2_best_cost_0_0;
+      lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
+      lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1 when lastwinner3_best_cost_0_0_is_less else
+        lastwinner2_best_index_0_0;
+      lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_2;
+      lastwinner3_tag_valid <= lastwinner2_tag_valid;
+      lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
+      lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
+      -- lastwinner4
+      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when (lastwinner3_best_cost_0_1 -
+        lastwinner3_best_cost_0_0) < 0 else lastwinner3_best_index_0_0;
+      lastwinner4_tag_valid <= lastwinner3_tag_valid;
+      lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
+      lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
+      -- traceback
+      if entry_tag_first_group_all then
+        traceback_state_choice := entry_tag_first_group_sum_3 mod 256;
+      else
+        traceback_state_choice := traceback_state;
+      end if;
+      if entry_tag_first_group_is_equal_2 then
+        traceback_state_choice_2 := ((entry_tag_first_group_sum_2 mod 128) * 2) + (traceback_state mod 2);
+      else
+        traceback_state_choice_2 := traceback_state_choice;
+      end if;
+      if entry_tag_first_group_is_equal then
+        traceback_state_choice_3 := entry_tag_first_group_sum mod 256;
+      else
+        traceback_state_choice_3 := traceback_state_choice_2;
+      end if;
+      if entry_tag_valid then
+        traceback_state <= traceback_state_choice_3 when decisions_comes_0 else last_state;
+        traceback_tags_held_0_output_column <= entry_turned_output_column;
+        traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
+        traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
+        traceback_tags_held_1_start_of_frame <= traceback_tags_held_0_start_of_frame;
+      end if;
+      traceback_out_disparity_0 <= traceback_state;
+      traceback_out_passed <= ((entry_tag_row_start / 2) = 1) or ((entry_tag_row_start mod 2) = 1) or (not
+        ((entry_tag_first_group / 2) = 1)) or (not ((entry_tag_first_group mod 2) = 1));
+      traceback_out_tag_map_column <= decisions_comes_1;
+      traceback_out_tag_output_column <= traceback_tags_held_1_output_column;
+      traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
+      traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
+      -- turn
+      turn_order_address_any := turn_order_inside or (not traceback_out_tag_map_column) or (not last_tag_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else entry_order_last_value;
+      turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2;
+      end if;
+      turn_order_falls_all := (not turn_order_inside) and traceback_out_tag_map_column and last_tag_valid;
+      turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when traceback_out_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
+      turn_order_turned_map_column <= traceback_out_tag_map_column;
+      turn_order_turned_first_column <= turn_order_falls_all;
+      turn_newest <= (as_number(traceback_out_passed) * 256) + traceback_out_disparity_0;
+      turn_comes <= turn_order_complete_all;
+      turn_read_tag_map_column <= turn_order_turned_map_column;
+      turn_read_tag_first_column <= turn_order_turned_first_column;
+      turn_ready <= to_integer(turn_read_words_0);
+      turn_ready_tag_map_column <= turn_read_tag_map_column;
+      turn_ready_tag_first_column <= turn_read_tag_first_column;
+      if last_tag_valid then
+        turn_order_inside <= traceback_out_tag_map_column;
+      end if;
+      if turn_order_falls_all then
+        turn_order_output <= traceback_out_tag_output_column;
+        turn_order_first <= traceback_out_tag_start_of_frame;
+      end if;
+      if turn_comes then
+        turn_write_words_0 <= turn_newest;
+        turn_write_place <= turn_order_address;
+      end if;
+      -- fill
+      fill_out_disparity_0_choice := 0 when turn_ready_tag_first_column else fill_out_disparity_0;
+      fill_out_disparity_0_all := lastwinner3_tag_valid and turn_ready_tag_map_column;
+      if fill_out_disparity_0_all then
+        fill_out_disparity_0 <= turn_ready mod 256 when (turn_ready / 256) = 1 else fill_out_disparity_0_choice;
+      end if;
+      fill_out_passed_0 <= (turn_ready / 256) = 1;
+      fill_out_tag_map_column <= turn_ready_tag_map_column;
+      -- map
+      map_counter_column_value := ((size_map_last_column / 8) mod 2) = 1;
+      map_counter_column_choice := (map_counter_column / 8) = 3 when map_counter_column_value else (map_counter_column
+        / 8) = 2;
+      map_counter_column_choice_2 := (map_counter_column / 8) = 1 when map_counter_column_value else
+        (map_counter_column / 8) = 0;
+      map_counter_column_choice_3 := map_counter_column_choice when (size_map_last_column / 16) = 1 else
+        map_counter_column_choice_2;
+      map_counter_column_choice_4 := (map_counter_column mod 4) = 3 when (size_map_last_column mod 2) = 1 else
+        (map_counter_column mod 4) = 2;
+      map_counter_column_choice_5 := (map_counter_column mod 4) = 1 when (size_map_last_column mod 2) = 1 else
+        (map_counter_column mod 4) = 0;
+      map_counter_column_choice_6 := map_counter_column_choice_4 when ((size_map_last_column / 2) mod 2) = 1 else
+        map_counter_column_choice_5;
+      map_counter_column_differs := (((size_map_last_column / 4) mod 2) = 1) /= (not (((map_counter_column / 4) mod 2)
+        = 1));
+      map_counter_column_all := map_counter_column_choice_3 and map_counter_column_choice_6 and
+        map_counter_column_differs;
+      map_counter_next_frame_choice := (not (((map_counter_group / 2) mod 2) = 1)) or (not ((map_counter_group mod 2) =
+        1)) when (size_windows_idle mod 2) = 1 else not (((map_counter_group / 2) mod 2) = 1);
+      map_counter_next_frame_is_equal := (map_counter_group mod 4) = 0;
+      map_counter_next_frame_choice_2 := map_counter_next_frame_choice when raster_place_group_value_9 else
+        ((size_windows_idle mod 2) = 1) and map_counter_next_frame_is_equal;
+      map_counter_next_frame_value := ((map_counter_group / 4) mod 2) = 1;
+      map_counter_next_frame_choice_3 := (not transform_counter_group_value_9) and map_counter_next_frame_value when
+        map_counter_next_frame_choice_2 else (not transform_counter_group_value_9) or map_counter_next_frame_value;
+      map_counter_next_frame_value_2 := ((map_counter_group / 8) mod 2) = 1;
+      map_counter_next_frame_choice_4 := (not raster_place_group_value_10) or map_counter_next_frame_value_2 when
+        map_counter_next_frame_choice_3 else (not raster_place_group_value_10) and map_counter_next_frame_value_2;
+      map_counter_next_frame_choice_5 := (not ((size_windows_idle / 16) = 1)) or ((map_counter_group / 16) = 1) when
+        map_counter_next_frame_choice_4 else (not ((size_windows_idle / 16) = 1)) and ((map_counter_group / 16) = 1);
+      map_counter_next_frame_value_3 := ((size_windows_groups / 8) mod 2) = 1;
+      map_counter_next_frame_choice_6 := (map_counter_group / 8) = 3 when map_counter_next_frame_value_3 else
+        (map_counter_group / 8) = 2;
+      map_counter_next_frame_is_equal_2 := (map_counter_group / 8) = 1;
+      map_counter_next_frame_is_equal_3 := (map_counter_group / 8) = 0;
+      map_counter_next_frame_choice_7 := map_counter_next_frame_is_equal_2 when map_counter_next_frame_value_3 else
+        map_counter_next_frame_is_equal_3;
+      map_counter_next_frame_choice_8 := map_counter_next_frame_choice_6 when (size_windows_groups / 16) = 1 else
+        map_counter_next_frame_choice_7;
+      map_counter_next_frame_is_equal_4 := (map_counter_group mod 4) = 3;
+      map_counter_next_frame_is_equal_5 := (map_counter_group mod 4) = 2;
+      map_counter_next_frame_choice_9 := map_counter_next_frame_is_equal_4 when (size_windows_groups mod 2) = 1 else
+        map_counter_next_frame_is_equal_5;
+      map_counter_next_frame_is_equal_6 := (map_counter_group mod 4) = 1;
+      map_counter_next_frame_choice_10 := map_counter_next_frame_is_equal_6 when (size_windows_groups mod 2) = 1 else
+        map_counter_next_frame_is_equal;
+      map_counter_next_frame_choice_11 := map_counter_next_frame_choice_9 when ((size_windows_groups / 2) mod 2) = 1
+        else map_counter_next_frame_choice_10;
+      map_counter_next_frame_differs := raster_place_group_value_11 /= (not map_counter_next_frame_value);
+      map_counter_next_frame_all := map_counter_next_frame_choice_8 and map_counter_next_frame_choice_11 and
+        map_counter_next_frame_differs;
+      map_counter_next_frame_choice_12 := (not map_counter_next_frame_all) and map_counter_next_frame when
+        map_counter_column_all else map_counter_next_frame;
+      map_counter_next_frame_choice_13 := map_counter_next_frame when map_counter_next_frame_choice_5 else
+        map_counter_next_frame_choice_12;
+      map_counter_next_frame_choice_14 := map_counter_next_frame_is_equal_2 when (size_windows_last_group / 8) = 1 else
+        map_counter_next_frame_is_equal_3;
+      map_counter_next_frame_choice_15 := map_counter_next_frame_is_equal_4 when (size_windows_last_group mod 2) = 1
+        else map_counter_next_frame_is_equal_5;
+      map_counter_next_frame_choice_16 := map_counter_next_frame_is_equal_6 when (size_windows_last_group mod 2) = 1
+        else map_counter_next_frame_is_equal;
+      map_counter_next_frame_choice_17 := map_counter_next_frame_choice_15 when ((size_windows_last_group / 2) mod 2) =
+        1 else map_counter_next_frame_choice_16;
+      map_counter_next_frame_differs_2 := transform_counter_group_value_4 /= (not map_counter_next_frame_value);
+      map_counter_next_frame_all_2 := map_counter_next_frame_choice_14 and map_counter_next_frame_choice_17 and
+        map_counter_next_frame_differs_2 and map_counter_column_choice_3 and map_counter_column_choice_6 and
+        map_counter_column_differs;
+      if other_1 then
+        map_counter_column <= 0 when map_counter_column_all or ((other_5 mod 2) = 1) else (map_counter_column + 1) mod
+          32;
+        map_counter_next_frame <= map_counter_next_frame_all_2 or (not ((other_5 mod 2) = 1)) when
+          map_counter_next_frame_choice_13 else map_counter_next_frame_choice_14 and map_counter_next_frame_choice_17
+          and map_counter_next_frame_differs_2 and map_counter_column_choice_3 and map_counter_column_choice_6 and
+          map_counter_column_differs and ((other_5 mod 2) = 1);
+      end if;
+      map_counter_group_choice := size_windows_groups when map_counter_next_frame_all_2 else 0;
+      map_counter_group_choice_2 := 1 when map_counter_next_frame_choice_8 and map_counter_next_frame_choice_11 and
+        map_counter_next_frame_differs and map_counter_next_frame else (map_counter_group + 1) mod 32;
+      map_counter_group_choice_3 := map_counter_group_choice_2 when (not map_counter_next_frame_choice_5) and
+        map_counter_column_choice_3 and map_counter_column_choice_6 and map_counter_column_differs and other_1 else
+        map_counter_group;
+      map_line_ended_choice := 255 < other_5 when lastwinner4_tag_valid else map_line_ended;
+      map_at_arrives_value := to_integer(other_2(16 downto 16)) = 1;
+      map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
+      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else ((other_3 / 4) mod 2) =
+        1;
+      map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2 when map_at_top else ((other_3 / 2) mod
+        2) = 1;
+      map_of_column_0_b_below_a_choice_3 := ((map_column_1 / 2) mod 4) = 3 when map_of_column_0_b_below_a_choice_2 else
+        map_of_column_0_b_below_a_value;
+      map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3 when map_of_column_0_b_below_a_choice
+        else (not map_of_column_0_b_below_a_choice_2) or map_of_column_0_b_below_a_value or
+        map_of_column_0_b_below_a_value_2;
+      map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_value_4 := ((other_3 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_5 := (not map_of_column_0_b_below_a_value_3) and
+        map_of_column_0_b_below_a_value_4 and (not map_at_top) when map_of_column_0_b_below_a_choice_4 else (not
+        map_of_column_0_b_below_a_value_3) or map_of_column_0_b_below_a_value_4 or map_at_top;
+      map_of_column_0_b_below_a_value_5 := ((map_column_1 / 16) mod 2) = 1;
+      map_of_column_0_b_below_a_value_6 := ((other_3 / 16) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_6 := (not map_of_column_0_b_below_a_value_5) or
+        map_of_column_0_b_below_a_value_6 or map_at_top when map_of_column_0_b_below_a_choice_5 else (not
+        map_of_column_0_b_below_a_value_5) and map_of_column_0_b_below_a_value_6 and (not map_at_top);
+      map_of_column_0_b_below_a_value_7 := ((map_column_1 / 32) mod 2) = 1;
+      map_of_column_0_b_below_a_value_8 := ((other_3 / 32) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_7 := (not map_of_column_0_b_below_a_value_7) or
+        map_of_column_0_b_below_a_value_8 or map_at_top when map_of_column_0_b_below_a_choice_6 else (not
+        map_of_column_0_b_below_a_value_7) and map_of_column_0_b_below_a_value_8 and (not map_at_top);
+      map_of_column_0_b_below_a_value_9 := ((map_column_1 / 64) mod 2) = 1;
+      map_of_column_0_b_below_a_value_10 := ((other_3 / 64) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_8 := (not map_of_column_0_b_below_a_value_9) or
+        map_of_column_0_b_below_a_value_10 or map_at_top when map_of_column_0_b_below_a_choice_7 else (not
+        map_of_column_0_b_below_a_value_9) and map_of_column_0_b_below_a_value_10 and (not map_at_top);
+      map_of_column_0_b_below_a_value_11 := ((map_column_1 / 128) mod 2) = 1;
+      map_of_column_0_b_below_a_value_12 := ((other_3 / 128) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_9 := (not map_of_column_0_b_below_a_value_11) or
+        map_of_column_0_b_below_a_value_12 or map_at_top when map_of_column_0_b_below_a_choice_8 else (not
+        map_of_column_0_b_below_a_value_11) and map_of_column_0_b_below_a_value_12 and (not map_at_top);
+      map_of_column_0_c_below_a_value := ((map_column_2 / 4) mod 2) = 1;
+      map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value when map_at_bottom else
+        map_of_column_0_c_below_a_value;
+      map_of_column_0_c_below_a_value_2 := ((map_column_2 / 2) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) and map_at_bottom when
+        map_of_column_0_c_below_a_value_2 else (not map_of_column_0_b_below_a_value_2) or (not map_at_bottom);
+      map_of_column_0_c_below_a_choice_3 := (not (map_of_column_0_b_below_a_choice_2 and
+        map_of_column_0_c_below_a_choice_2)) or (not map_of_column_0_b_below_a_choice) when
+        map_of_column_0_c_below_a_choice else (not (map_of_column_0_b_below_a_choice_2 and
+        map_of_column_0_c_below_a_choice_2)) and (not map_of_column_0_b_below_a_choice);
+      map_of_column_0_c_below_a_value_3 := ((map_column_2 / 8) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_3 when map_at_bottom else
+        map_of_column_0_c_below_a_value_3;
+      map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_3 when map_at_top else
+        map_of_column_0_b_below_a_value_4;
+      map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) and
+        map_of_column_0_c_below_a_choice_5 when map_of_column_0_c_below_a_choice_3 else (not
+        map_of_column_0_c_below_a_choice_4) or map_of_column_0_c_below_a_choice_5;
+      map_of_column_0_c_below_a_value_4 := ((map_column_2 / 16) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_7 := map_of_column_0_b_below_a_value_5 when map_at_bottom else
+        map_of_column_0_c_below_a_value_4;
+      map_of_column_0_c_below_a_choice_8 := map_of_column_0_b_below_a_value_5 when map_at_top else
+        map_of_column_0_b_below_a_value_6;
+      map_of_column_0_c_below_a_choice_9 := (not map_of_column_0_c_below_a_choice_7) or
+        map_of_column_0_c_below_a_choice_8 when map_of_column_0_c_below_a_choice_6 else (not
+        map_of_column_0_c_below_a_choice_7) and map_of_column_0_c_below_a_choice_8;
+      map_of_column_0_c_below_a_value_5 := ((map_column_2 / 32) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_10 := map_of_column_0_b_below_a_value_7 when map_at_bottom else
+        map_of_column_0_c_below_a_value_5;
+      map_of_column_0_c_below_a_choice_11 := map_of_column_0_b_below_a_value_7 when map_at_top else
+        map_of_column_0_b_below_a_value_8;
+      map_of_column_0_c_below_a_choice_12 := (not map_of_column_0_c_below_a_choice_10) or
+        map_of_column_0_c_below_a_choice_11 when map_of_column_0_c_below_a_choice_9 else (not
+        map_of_column_0_c_below_a_choice_10) and map_of_column_0_c_below_a_choice_11;
+      map_of_column_0_c_below_a_value_6 := ((map_column_2 / 64) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_13 := map_of_column_0_b_below_a_value_9 when map_at_bottom else
+        map_of_column_0_c_below_a_value_6;
+      map_of_column_0_c_below_a_choice_14 := map_of_column_0_b_below_a_value_9 when map_at_top else
+        map_of_column_0_b_below_a_value_10;
+      map_of_column_0_c_below_a_choice_15 := (not map_of_column_0_c_below_a_choice_13) or
+        map_of_column_0_c_below_a_choice_14 when map_of_column_0_c_below_a_choice_12 else (not
+        map_of_column_0_c_below_a_choice_13) and map_of_column_0_c_below_a_choice_14;
+      map_of_column_0_c_below_a_value_7 := ((map_column_2 / 128) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_16 := map_of_column_0_b_below_a_value_11 when map_at_bottom else
+        map_of_column_0_c_below_a_value_7;
+      map_of_column_0_c_below_a_choice_17 := map_of_column_0_b_below_a_value_11 when map_at_top else
+        map_of_column_0_b_below_a_value_12;
+      map_of_column_0_c_below_a_choice_18 := (not map_of_column_0_c_below_a_choice_16) or
+        map_of_column_0_c_below_a_choice_17 when map_of_column_0_c_below_a_choice_15 else (not
+        map_of_column_0_c_below_a_choice_16) and map_of_column_0_c_below_a_choice_17;
+      map_of_column_0_c_below_a_choice_19 := (map_column_1 / 256) = 1 when map_at_bottom else (map_column_2 / 256) = 1;
+      map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1 when map_at_top else (other_3 / 256) = 1;
+      map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value) and
+        (not map_at_bottom) when (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and (not
+        map_at_bottom) else map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or map_at_bottom;
+      map_of_column_0_c_below_b_choice_2 := (not map_of_column_0_c_below_a_value_3) and
+        map_of_column_0_b_below_a_value_3 and (not map_at_bottom) when map_of_column_0_c_below_b_choice else (not
+        map_of_column_0_c_below_a_value_3) or map_of_column_0_b_below_a_value_3 or map_at_bottom;
+      map_of_column_0_c_below_b_choice_3 := (not map_of_column_0_c_below_a_value_4) or
+        map_of_column_0_b_below_a_value_5 or map_at_bottom when map_of_column_0_c_below_b_choice_2 else (not
+        map_of_column_0_c_below_a_value_4) and map_of_column_0_b_below_a_value_5 and (not map_at_bottom);
+      map_of_column_0_c_below_b_choice_4 := (not map_of_column_0_c_below_a_value_5) or
+        map_of_column_0_b_below_a_value_7 or map_at_bottom when map_of_column_0_c_below_b_choice_3 else (not
+        map_of_column_0_c_below_a_value_5) and map_of_column_0_b_below_a_value_7 and (not map_at_bottom);
+      map_of_column_0_c_below_b_choice_5 := (not map_of_column_0_c_below_a_value_6) or
+        map_of_column_0_b_below_a_value_9 or map_at_bottom when map_of_column_0_c_below_b_choice_4 else (not
+        map_of_column_0_c_below_a_value_6) and map_of_column_0_b_below_a_value_9 and (not map_at_bottom);
+      map_of_column_0_c_below_b_choice_6 := (not map_of_column_0_c_below_a_value_7) or
+        map_of_column_0_b_below_a_value_11 or map_at_bottom when map_of_column_0_c_below_b_choice_5 else (not
+        map_of_column_0_c_below_a_value_7) and map_of_column_0_b_below_a_value_11 and (not map_at_bottom);
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
+      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
+      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
+      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
+      map_window_complete_is_equal := map_sorted_column = 0;
+      map_of_low_0_b_below_a_value := ((map_smallest_high_0 / 2) mod 2) = 1;
+      map_of_low_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
+      map_of_low_0_b_below_a_choice := not (((map_median_middle_0 / 2) mod 2) = 1) when (map_smallest_high_0 mod 2) = 1
+        else map_of_low_0_b_below_a_is_equal;
+      map_of_low_0_b_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2) =
+        1)) or (not ((map_median_middle_0 mod 2) = 1)) when map_of_low_0_b_below_a_value else
+        map_of_low_0_b_below_a_choice;
+      map_of_low_0_b_below_a_value_2 := ((map_median_middle_0 / 4) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+        map_of_low_0_b_below_a_value_2 when map_of_low_0_b_below_a_choice_2 else (not (((map_smallest_high_0 / 4) mod
+        2) = 1)) or map_of_low_0_b_below_a_value_2;
+      map_of_low_0_b_below_a_value_3 := ((map_median_middle_0 / 8) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
+        map_of_low_0_b_below_a_value_3 when map_of_low_0_b_below_a_choice_3 else (not (((map_smallest_high_0 / 8) mod
+        2) = 1)) and map_of_low_0_b_below_a_value_3;
+      map_of_low_0_b_below_a_value_4 := ((map_median_middle_0 / 16) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
+        map_of_low_0_b_below_a_value_4 when map_of_low_0_b_below_a_choice_4 else (not (((map_smallest_high_0 / 16) mod
+        2) = 1)) and map_of_low_0_b_below_a_value_4;
+      map_of_low_0_b_below_a_value_5 := ((map_median_middle_0 / 32) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
+        map_of_low_0_b_below_a_value_5 when map_of_low_0_b_below_a_choice_5 else (not (((map_smallest_high_0 / 32) mod
+        2) = 1)) and map_of_low_0_b_below_a_value_5;
+      map_of_low_0_b_below_a_value_6 := ((map_median_middle_0 / 64) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
+        map_of_low_0_b_below_a_value_6 when map_of_low_0_b_below_a_choice_6 else (not (((map_smallest_high_0 / 64) mod
+        2) = 1)) and map_of_low_0_b_below_a_value_6;
+      map_of_low_0_c_below_a_value := ((map_low_2_0 / 2) mod 2) = 1;
+      map_of_low_0_c_below_a_is_equal := (map_low_0_0 mod 4) = 0;
+      map_of_low_0_c_below_a_choice := not (((map_low_0_0 / 2) mod 2) = 1) when (map_low_2_0 mod 2) = 1 else
+        map_of_low_0_c_below_a_is_equal;
+      map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_0_0 / 2) mod 2) = 1)) or (not
+        ((map_low_0_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_a_choice;
+      map_of_low_0_c_below_a_value_2 := ((map_low_0_0 / 4) mod 2) = 1;
+      map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_c_below_a_value_2 when
+        map_of_low_0_c_below_a_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_c_below_a_value_2;
+      map_of_low_0_c_below_a_value_3 := ((map_low_0_0 / 8) mod 2) = 1;
+      map_of_low_0_c_below_a_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_c_below_a_value_3 when
+        map_of_low_0_c_below_a_choice_3 else (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_c_below_a_value_3;
+      map_of_low_0_c_below_a_value_4 := ((map_low_0_0 / 16) mod 2) = 1;
+      map_of_low_0_c_below_a_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_c_below_a_value_4 when
+        map_of_low_0_c_below_a_choice_4 else (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_c_below_a_value_4;
+      map_of_low_0_c_below_a_value_5 := ((map_low_0_0 / 32) mod 2) = 1;
+      map_of_low_0_c_below_a_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_c_below_a_value_5 when
+        map_of_low_0_c_below_a_choice_5 else (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_c_below_a_value_5;
+      map_of_low_0_c_below_a_value_6 := ((map_low_0_0 / 64) mod 2) = 1;
+      map_of_low_0_c_below_a_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_c_below_a_value_6 when
+        map_of_low_0_c_below_a_choice_6 else (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_c_below_a_value_6;
+      map_of_low_0_c_below_b_value := ((map_low_1_0 / 2) mod 2) = 1;
+      map_of_low_0_c_below_b_choice := not map_of_low_0_c_below_b_value when (map_low_2_0 mod 2) = 1 else (map_low_1_0
+        mod 4) = 0;
+      map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_c_below_b_value) or (not
+        ((map_low_1_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_b_choice;
+      map_of_low_0_c_below_b_value_2 := ((map_low_1_0 / 4) mod 2) = 1;
+      map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_c_below_b_value_2 when
+        map_of_low_0_c_below_b_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_c_below_b_value_2;
+      map_of_low_0_c_below_b_value_3 := ((map_low_1_0 / 8) mod 2) = 1;
+      map_of_low_0_c_below_b_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_c_below_b_value_3 when
+        map_of_low_0_c_below_b_choice_3 else (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_c_below_b_value_3;
+      map_of_low_0_c_below_b_value_4 := ((map_low_1_0 / 16) mod 2) = 1;
+      map_of_low_0_c_below_b_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_c_below_b_value_4 when
+        map_of_low_0_c_below_b_choice_4 else (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_c_below_b_value_4;
+      map_of_low_0_c_below_b_value_5 := ((map_low_1_0 / 32) mod 2) = 1;
+      map_of_low_0_c_below_b_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_c_below_b_value_5 when
+        map_of_low_0_c_below_b_choice_5 else (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_c_below_b_value_5;
+      map_of_low_0_c_below_b_value_6 := ((map_low_1_0 / 64) mod 2) = 1;
+      map_of_low_0_c_below_b_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_c_below_b_value_6 when
+        map_of_low_0_c_below_b_choice_6 else (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_c_below_b_value_6;
+      map_of_middle_0_b_below_a_value := ((map_largest_low_0 / 2) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice := not map_of_middle_0_b_below_a_value when (map_smallest_high_0 mod 2) = 1 else
+        (map_largest_low_0 mod 4) = 0;
+      map_of_middle_0_b_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value)
+        or (not ((map_largest_low_0 mod 2) = 1)) when map_of_low_0_b_below_a_value else
+        map_of_middle_0_b_below_a_choice;
+      map_of_middle_0_b_below_a_value_2 := ((map_largest_low_0 / 4) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+        map_of_middle_0_b_below_a_value_2 when map_of_middle_0_b_below_a_choice_2 else (not (((map_smallest_high_0 / 4)
+        mod 2) = 1)) or map_of_middle_0_b_below_a_value_2;
+      map_of_middle_0_b_below_a_value_3 := ((map_largest_low_0 / 8) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_b_below_a_choice_3 else (not (((map_smallest_high_0 / 8)
+        mod 2) = 1)) and map_of_middle_0_b_below_a_value_3;
+      map_of_middle_0_b_below_a_value_4 := ((map_largest_low_0 / 16) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_4 when map_of_middle_0_b_below_a_choice_4 else (not (((map_smallest_high_0 /
+        16) mod 2) = 1)) and map_of_middle_0_b_below_a_value_4;
+      map_of_middle_0_b_below_a_value_5 := ((map_largest_low_0 / 32) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_5 when map_of_middle_0_b_below_a_choice_5 else (not (((map_smallest_high_0 /
+        32) mod 2) = 1)) and map_of_middle_0_b_below_a_value_5;
+      map_of_middle_0_b_below_a_value_6 := ((map_largest_low_0 / 64) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_6 when map_of_middle_0_b_below_a_choice_6 else (not (((map_smallest_high_0 /
+        64) mod 2) = 1)) and map_of_middle_0_b_below_a_value_6;
+      map_of_middle_0_c_below_a_value := ((map_middle_2_0 / 2) mod 2) = 1;
+      map_of_middle_0_c_below_a_is_equal := (map_middle_0_0 mod 4) = 0;
+      map_of_middle_0_c_below_a_choice := not (((map_middle_0_0 / 2) mod 2) = 1) when (map_middle_2_0 mod 2) = 1 else
+        map_of_middle_0_c_below_a_is_equal;
+      map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_0_0 / 2) mod 2) = 1)) or
+        (not ((map_middle_0_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_a_choice;
+      map_of_middle_0_c_below_a_value_2 := ((map_middle_0_0 / 4) mod 2) = 1;
+      map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+        map_of_middle_0_c_below_a_value_2 when map_of_middle_0_c_below_a_choice_2 else (not (((map_middle_2_0 / 4) mod
+        2) = 1)) or map_of_middle_0_c_below_a_value_2;
+      map_of_middle_0_c_below_a_value_3 := ((map_middle_0_0 / 8) mod 2) = 1;
+      map_of_middle_0_c_below_a_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
+        map_of_middle_0_c_below_a_value_3 when map_of_middle_0_c_below_a_choice_3 else (not (((map_middle_2_0 / 8) mod
+        2) = 1)) and map_of_middle_0_c_below_a_value_3;
+      map_of_middle_0_c_below_a_value_4 := ((map_middle_0_0 / 16) mod 2) = 1;
+      map_of_middle_0_c_below_a_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
+        map_of_middle_0_c_below_a_value_4 when map_of_middle_0_c_below_a_choice_4 else (not (((map_middle_2_0 / 16) mod
+        2) = 1)) and map_of_middle_0_c_below_a_value_4;
+      map_of_middle_0_c_below_a_value_5 := ((map_middle_0_0 / 32) mod 2) = 1;
+      map_of_middle_0_c_below_a_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
+        map_of_middle_0_c_below_a_value_5 when map_of_middle_0_c_below_a_choice_5 else (not (((map_middle_2_0 / 32) mod
+        2) = 1)) and map_of_middle_0_c_below_a_value_5;
+      map_of_middle_0_c_below_a_value_6 := ((map_middle_0_0 / 64) mod 2) = 1;
+      map_of_middle_0_c_below_a_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
+        map_of_middle_0_c_below_a_value_6 when map_of_middle_0_c_below_a_choice_6 else (not (((map_middle_2_0 / 64) mod
+        2) = 1)) and map_of_middle_0_c_below_a_value_6;
+      map_of_middle_0_c_below_b_value := ((map_middle_1_0 / 2) mod 2) = 1;
+      map_of_middle_0_c_below_b_choice := not map_of_middle_0_c_below_b_value when (map_middle_2_0 mod 2) = 1 else
+        (map_middle_1_0 mod 4) = 0;
+      map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_c_below_b_value) or
+        (not ((map_middle_1_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_b_choice;
+      map_of_middle_0_c_below_b_value_2 := ((map_middle_1_0 / 4) mod 2) = 1;
+      map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+        map_of_middle_0_c_below_b_value_2 when map_of_middle_0_c_below_b_choice_2 else (not (((map_middle_2_0 / 4) mod
+        2) = 1)) or map_of_middle_0_c_below_b_value_2;
+      map_of_middle_0_c_below_b_value_3 := ((map_middle_1_0 / 8) mod 2) = 1;
+      map_of_middle_0_c_below_b_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
+        map_of_middle_0_c_below_b_value_3 when map_of_middle_0_c_below_b_choice_3 else (not (((map_middle_2_0 / 8) mod
+        2) = 1)) and map_of_middle_0_c_below_b_value_3;
+      map_of_middle_0_c_below_b_value_4 := ((map_middle_1_0 / 16) mod 2) = 1;
+      map_of_middle_0_c_below_b_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
+        map_of_middle_0_c_below_b_value_4 when map_of_middle_0_c_below_b_choice_4 else (not (((map_middle_2_0 / 16) mod
+        2) = 1)) and map_of_middle_0_c_below_b_value_4;
+      map_of_middle_0_c_below_b_value_5 := ((map_middle_1_0 / 32) mod 2) = 1;
+      map_of_middle_0_c_below_b_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
+        map_of_middle_0_c_below_b_value_5 when map_of_middle_0_c_below_b_choice_5 else (not (((map_middle_2_0 / 32) mod
+        2) = 1)) and map_of_middle_0_c_below_b_value_5;
+      map_of_middle_0_c_below_b_value_6 := ((map_middle_1_0 / 64) mod 2) = 1;
+      map_of_middle_0_c_below_b_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
+        map_of_middle_0_c_below_b_value_6 when map_of_middle_0_c_below_b_choice_6 else (not (((map_middle_2_0 / 64) mod
+        2) = 1)) and map_of_middle_0_c_below_b_value_6;
+      map_of_high_0_b_below_a_value := ((map_high_0_0 / 2) mod 2) = 1;
+      map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1)) when
+        (map_high_0_0 mod 2) = 1 else not (((map_high_1_0 / 2) mod 2) = 1);
+      map_of_high_0_b_below_a_is_equal := (map_high_1_0 mod 4) = 0;
+      map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice when map_of_high_0_b_below_a_value else
+        ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      map_of_high_0_b_below_a_value_2 := ((map_high_0_0 / 4) mod 2) = 1;
+      map_of_high_0_b_below_a_value_3 := ((map_high_1_0 / 4) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3
+        when map_of_high_0_b_below_a_choice_2 else (not map_of_high_0_b_below_a_value_2) or
+        map_of_high_0_b_below_a_value_3;
+      map_of_high_0_b_below_a_value_4 := ((map_high_0_0 / 8) mod 2) = 1;
+      map_of_high_0_b_below_a_value_5 := ((map_high_1_0 / 8) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_4 := (not map_of_high_0_b_below_a_value_4) or map_of_high_0_b_below_a_value_5 when
+        map_of_high_0_b_below_a_choice_3 else (not map_of_high_0_b_below_a_value_4) and map_of_high_0_b_below_a_value_5;
+      map_of_high_0_b_below_a_value_6 := ((map_high_0_0 / 16) mod 2) = 1;
+      map_of_high_0_b_below_a_value_7 := ((map_high_1_0 / 16) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_5 := (not map_of_high_0_b_below_a_value_6) or map_of_high_0_b_below_a_value_7 when
+        map_of_high_0_b_below_a_choice_4 else (not map_of_high_0_b_below_a_value_6) and map_of_high_0_b_below_a_value_7;
+      map_of_high_0_b_below_a_value_8 := ((map_high_0_0 / 32) mod 2) = 1;
+      map_of_high_0_b_below_a_value_9 := ((map_high_1_0 / 32) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_6 := (not map_of_high_0_b_below_a_value_8) or map_of_high_0_b_below_a_value_9 when
+        map_of_high_0_b_below_a_choice_5 else (not map_of_high_0_b_below_a_value_8) and map_of_high_0_b_below_a_value_9;
+      map_of_high_0_b_below_a_value_10 := ((map_high_0_0 / 64) mod 2) = 1;
+      map_of_high_0_b_below_a_value_11 := ((map_high_1_0 / 64) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_7 := (not map_of_high_0_b_below_a_value_10) or map_of_high_0_b_below_a_value_11
+        when map_of_high_0_b_below_a_choice_6 else (not map_of_high_0_b_below_a_value_10) and
+        map_of_high_0_b_below_a_value_11;
+      map_of_high_0_c_below_a_value := ((map_high_2_0 / 2) mod 2) = 1;
+      map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value when (map_high_2_0 mod 2) = 1 else
+        (map_high_0_0 mod 4) = 0;
+      map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
+        ((map_high_0_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_a_choice;
+      map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2
+        when map_of_high_0_c_below_a_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
+        map_of_high_0_b_below_a_value_2;
+      map_of_high_0_c_below_a_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_4
+        when map_of_high_0_c_below_a_choice_3 else (not (((map_high_2_0 / 8) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_4;
+      map_of_high_0_c_below_a_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_6
+        when map_of_high_0_c_below_a_choice_4 else (not (((map_high_2_0 / 16) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_6;
+      map_of_high_0_c_below_a_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_8
+        when map_of_high_0_c_below_a_choice_5 else (not (((map_high_2_0 / 32) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_8;
+      map_of_high_0_c_below_a_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_10
+        when map_of_high_0_c_below_a_choice_6 else (not (((map_high_2_0 / 64) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_10;
+      map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1) when (map_high_2_0 mod 2) = 1 else
+        map_of_high_0_b_below_a_is_equal;
+      map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or (not
+        ((map_high_1_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_b_choice;
+      map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3
+        when map_of_high_0_c_below_b_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
+        map_of_high_0_b_below_a_value_3;
+      map_of_high_0_c_below_b_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_5
+        when map_of_high_0_c_below_b_choice_3 else (not (((map_high_2_0 / 8) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_5;
+      map_of_high_0_c_below_b_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_7
+        when map_of_high_0_c_below_b_choice_4 else (not (((map_high_2_0 / 16) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_7;
+      map_of_high_0_c_below_b_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_9
+        when map_of_high_0_c_below_b_choice_5 else (not (((map_high_2_0 / 32) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_9;
+      map_of_high_0_c_below_b_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_11
+        when map_of_high_0_c_below_b_choice_6 else (not (((map_high_2_0 / 64) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_11;
+      map_largest_low_0_choice := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_2 := map_of_middle_0_a when map_of_middle_0_c_below_a else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_4 := map_of_middle_0_b when map_of_middle_0_c_below_b else
+        map_median_middle_0_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0 mod
+        2) = 1)) when (map_largest_low_0 mod 2) = 1 else not (((map_median_middle_0 / 2) mod 2) = 1);
+      map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice when map_of_middle_0_b_below_a_value else
+        ((map_largest_low_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      map_of_all_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_2
+        when map_of_all_0_b_below_a_choice_2 else (not map_of_middle_0_b_below_a_value_2) or
+        map_of_low_0_b_below_a_value_2;
+      map_of_all_0_b_below_a_choice_4 := (not map_of_middle_0_b_below_a_value_3) or map_of_low_0_b_below_a_value_3 when
+        map_of_all_0_b_below_a_choice_3 else (not map_of_middle_0_b_below_a_value_3) and map_of_low_0_b_below_a_value_3;
+      map_of_all_0_b_below_a_choice_5 := (not map_of_middle_0_b_below_a_value_4) or map_of_low_0_b_below_a_value_4 when
+        map_of_all_0_b_below_a_choice_4 else (not map_of_middle_0_b_below_a_value_4) and map_of_low_0_b_below_a_value_4;
+      map_of_all_0_b_below_a_choice_6 := (not map_of_middle_0_b_below_a_value_5) or map_of_low_0_b_below_a_value_5 when
+        map_of_all_0_b_below_a_choice_5 else (not map_of_middle_0_b_below_a_value_5) and map_of_low_0_b_below_a_value_5;
+      map_of_all_0_b_below_a_choice_7 := (not map_of_middle_0_b_below_a_value_6) or map_of_low_0_b_below_a_value_6 when
+        map_of_all_0_b_below_a_choice_6 else (not map_of_middle_0_b_below_a_value_6) and map_of_low_0_b_below_a_value_6;
+      map_of_all_0_c_below_a_choice := (not (((map_middle_0_0 / 2) mod 2) = 1)) or (not ((map_middle_0_0 mod 2) = 1))
+        when (map_middle_1_0 mod 2) = 1 else not (((map_middle_0_0 / 2) mod 2) = 1);
+      map_of_all_0_c_below_a_choice_2 := map_of_all_0_c_below_a_choice when map_of_middle_0_c_below_b_value else
+        ((map_middle_1_0 mod 2) = 1) and map_of_middle_0_c_below_a_is_equal;
+      map_of_all_0_c_below_a_choice_3 := (not map_of_middle_0_c_below_b_value_2) and map_of_middle_0_c_below_a_value_2
+        when map_of_all_0_c_below_a_choice_2 else (not map_of_middle_0_c_below_b_value_2) or
+        map_of_middle_0_c_below_a_value_2;
+      map_of_all_0_c_below_a_choice_4 := (not map_of_middle_0_c_below_b_value_3) or map_of_middle_0_c_below_a_value_3
+        when map_of_all_0_c_below_a_choice_3 else (not map_of_middle_0_c_below_b_value_3) and
+        map_of_middle_0_c_below_a_value_3;
+      map_of_all_0_c_below_a_choice_5 := (not map_of_middle_0_c_below_b_value_4) or map_of_middle_0_c_below_a_value_4
+        when map_of_all_0_c_below_a_choice_4 else (not map_of_middle_0_c_below_b_value_4) and
+        map_of_middle_0_c_below_a_value_4;
+      map_of_all_0_c_below_a_choice_6 := (not map_of_middle_0_c_below_b_value_5) or map_of_middle_0_c_below_a_value_5
+        when map_of_all_0_c_below_a_choice_5 else (not map_of_middle_0_c_below_b_value_5) and
+        map_of_middle_0_c_below_a_value_5;
+      map_of_all_0_c_below_a_choice_7 := (not map_of_middle_0_c_below_b_value_6) or map_of_middle_0_c_below_a_value_6
+        when map_of_all_0_c_below_a_choice_6 else (not map_of_middle_0_c_below_b_value_6) and
+        map_of_middle_0_c_below_a_value_6;
+      map_of_all_0_c_below_b_choice := (not (((map_low_0_0 / 2) mod 2) = 1)) or (not ((map_low_0_0 mod 2) = 1)) when
+        (map_low_1_0 mod 2) = 1 else not (((map_low_0_0 / 2) mod 2) = 1);
+      map_of_all_0_c_below_b_choice_2 := map_of_all_0_c_below_b_choice when map_of_low_0_c_below_b_value else
+        ((map_low_1_0 mod 2) = 1) and map_of_low_0_c_below_a_is_equal;
+      map_of_all_0_c_below_b_choice_3 := (not map_of_low_0_c_below_b_value_2) and map_of_low_0_c_below_a_value_2 when
+        map_of_all_0_c_below_b_choice_2 else (not map_of_low_0_c_below_b_value_2) or map_of_low_0_c_below_a_value_2;
+      map_of_all_0_c_below_b_choice_4 := (not map_of_low_0_c_below_b_value_3) or map_of_low_0_c_below_a_value_3 when
+        map_of_all_0_c_below_b_choice_3 else (not map_of_low_0_c_below_b_value_3) and map_of_low_0_c_below_a_value_3;
+      map_of_all_0_c_below_b_choice_5 := (not map_of_low_0_c_below_b_value_4) or map_of_low_0_c_below_a_value_4 when
+        map_of_all_0_c_below_b_choice_4 else (not map_of_low_0_c_below_b_value_4) and map_of_low_0_c_below_a_value_4;
+      map_of_all_0_c_below_b_choice_6 := (not map_of_low_0_c_below_b_value_5) or map_of_low_0_c_below_a_value_5 when
+        map_of_all_0_c_below_b_choice_5 else (not map_of_low_0_c_below_b_value_5) and map_of_low_0_c_below_a_value_5;
+      map_of_all_0_c_below_b_choice_7 := (not map_of_low_0_c_below_b_value_6) or map_of_low_0_c_below_a_value_6 when
+        map_of_all_0_c_below_b_choice_6 else (not map_of_low_0_c_below_b_value_6) and map_of_low_0_c_below_a_value_6;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_middle_0_b_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_low_0_b_below_a else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_low_0_b_below_a else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_middle_0_b_below_a else map_out_disparity_0_choice_3;
+      map_counter_group <= map_counter_group_choice when other_1 and ((other_5 mod 2) = 1) else
+        map_counter_group_choice_3;
+      map_newest_0 <= (fill_out_disparity_0 * 2) + as_number(fill_out_passed_0);
+      map_arrives <= other_1;
+      map_behind <= map_line_ended and lastwinner4_tag_valid;
+      map_line_ended <= map_line_ended_choice when fill_out_tag_map_column else (not lastwinner4_tag_valid) and
+        map_line_ended;
+      map_rows_read_newest_0 <= map_newest_0;
+      map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
+      map_rows_ready_newest_0 <= map_rows_read_newest_0;
+      map_write_column <= to_integer(other_2(4 downto 0));
+      map_column_1 <= map_rows_ready_words_0 / 512;
+      map_column_2 <= map_rows_ready_newest_0;
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_2(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_2(32 downto 32)) = 1;
+      map_at_bottom <= to_integer(other_2(40 downto 40)) = 1;
+      map_at_output <= to_integer(other_2(48 downto 48)) = 1;
+      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_3 / 2;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_column_1 / 2 when map_at_bottom else map_column_2 / 2;
+      map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_3 / 256) = 1) or map_at_top when
+        map_of_column_0_b_below_a_choice_9 else (not ((map_column_1 / 256) = 1)) and ((other_3 / 256) = 1) and (not
+        map_at_top);
+      map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20
+        when map_of_column_0_c_below_a_choice_18 else (not map_of_column_0_c_below_a_choice_19) and
+        map_of_column_0_c_below_a_choice_20;
+      map_of_column_0_c_below_b <= (not ((map_column_2 / 256) = 1)) or ((map_column_1 / 256) = 1) or map_at_bottom when
+        map_of_column_0_c_below_b_choice_6 else (not ((map_column_2 / 256) = 1)) and ((map_column_1 / 256) = 1) and
+        (not map_at_bottom);
+      map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_comparing_column <= map_write_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
+        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete <= map_sorted_output and map_sorted_behind when map_window_complete_is_equal else
+        map_sorted_output and (map_sorted_arrives or map_sorted_behind);
+      map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_median_middle_0 / 128) = 1) when
+        map_of_low_0_b_below_a_choice_7 else (not ((map_smallest_high_0 / 128) = 1)) and ((map_median_middle_0 / 128) =
+        1);
+      map_of_low_0_c_below_a <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_0_0 / 128) = 1) when
+        map_of_low_0_c_below_a_choice_7 else (not ((map_low_2_0 / 128) = 1)) and ((map_low_0_0 / 128) = 1);
+      map_of_low_0_c_below_b <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_1_0 / 128) = 1) when
+        map_of_low_0_c_below_b_choice_7 else (not ((map_low_2_0 / 128) = 1)) and ((map_low_1_0 / 128) = 1);
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_largest_low_0 / 128) = 1) when
+        map_of_middle_0_b_below_a_choice_7 else (not ((map_smallest_high_0 / 128) = 1)) and ((map_largest_low_0 / 128)
+        = 1);
+      map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_0_0 / 128) = 1) when
+        map_of_middle_0_c_below_a_choice_7 else (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_0_0 / 128) = 1);
+      map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_1_0 / 128) = 1) when
+        map_of_middle_0_c_below_b_choice_7 else (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_1_0 / 128) = 1);
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= ((map_high_0_0 / 128) = 1) and (not ((map_high_1_0 / 128) = 1)) when
+        map_of_high_0_b_below_a_choice_7 else ((map_high_0_0 / 128) = 1) or (not ((map_high_1_0 / 128) = 1));
+      map_of_high_0_c_below_a <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_0_0 / 128) = 1) when
+        map_of_high_0_c_below_a_choice_7 else (not ((map_high_2_0 / 128) = 1)) and ((map_high_0_0 / 128) = 1);
+      map_of_high_0_c_below_b <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_1_0 / 128) = 1) when
+        map_of_high_0_c_below_b_choice_7 else (not ((map_high_2_0 / 128) = 1)) and ((map_high_1_0 / 128) = 1);
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_all_0_c_below_b else map_largest_low_0_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_all_0_c_below_a else map_median_middle_0_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= ((map_largest_low_0 / 128) = 1) and (not ((map_median_middle_0 / 128) = 1)) when
+        map_of_all_0_b_below_a_choice_7 else ((map_largest_low_0 / 128) = 1) or (not ((map_median_middle_0 / 128) = 1));
+      map_of_all_0_c_below_a <= ((map_middle_1_0 / 128) = 1) and (not ((map_middle_0_0 / 128) = 1)) when
+        map_of_all_0_c_below_a_choice_7 else ((map_middle_1_0 / 128) = 1) or (not ((map_middle_0_0 / 128) = 1));
+      map_of_all_0_c_below_b <= ((map_low_1_0 / 128) = 1) and (not ((map_low_0_0 / 128) = 1)) when
+        map_of_all_0_c_below_b_choice_7 else ((map_low_1_0 / 128) = 1) or (not ((map_low_0_0 / 128) = 1));
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
+        map_rows_write_words_0 <= (map_rows_ready_words_0 / 512) + (map_rows_ready_newest_0 * 512);
+        map_at_column <= to_integer(other_2(4 downto 0));
+      end if;
+      map_low_0_0_all := map_sorted_arrives and map_window_complete_is_equal;
+      map_low_0_0_choice := map_low_1_0 when map_sorted_behind else map_sorted_low_0;
+      map_middle_0_0_choice := map_middle_1_0 when map_sorted_behind else map_sorted_middle_0;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      map_low_0_0_all_2 := (not map_sorted_arrives) and (not map_sorted_behind);
+      if not map_low_0_0_all_2 then
+        map_low_0_0 <= map_low_0_0_choice when map_low_0_0_all else map_low_1_0;
+        map_low_1_0 <= map_low_0_0_choice;
+        map_low_2_0 <= map_low_0_0;
+        map_middle_0_0 <= map_middle_0_0_choice when map_low_0_0_all else map_middle_1_0;
+        map_middle_1_0 <= map_middle_0_0_choice;
+        map_middle_2_0 <= map_middle_0_0;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_low_0_0_all else map_high_0_0;
+        map_high_2_0 <= map_high_1_0;
+      end if;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
+      end if;
+      -- other
+      other_0 <= other_7;
+      other_1 <= fill_out_disparity_0_all;
+      other_2 <= other_4;
+      other_3 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
+      other_4 <= to_unsigned(as_number(((((map_counter_group + 65535) mod 65536) - size_windows_groups) < 0)), 1) &
+        to_unsigned(as_number(map_counter_next_frame_all), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
+      other_5 <= other_0;
+      other_6 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_inside) and
+        traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
+        turn_order_complete));
+      other_7 <= other_6;
+      if reset = '1' then
+        size_windows_last_column <= 39;
+        size_windows_last_group <= 15;
+        size_windows_groups <= 16;
+        size_windows_idle <= 17;
+        size_map_last_column <= 28;
+        size_transform_idle <= 18;
+        transform_valid <= false;
+        transform_counter_column <= 0;
+        transform_counter_group <= 18;
+        transform_counter_next_frame <= false;
+        transform_read_column <= 0;
+        transform_read_start_of_frame <= false;
+        transform_read_valid <= false;
+        transform_ready_column <= 0;
+        transform_ready_start_of_frame <= false;
+        transform_ready_valid <= false;
+        transform_write_column <= 0;
+        transform_columns_start_of_frame <= false;
+        transform_columns_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 17;
+        raster_place_next_frame <= false;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_first_cost <= false;
+        delay_tag_map_column <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_first_cost <= false;
+        rows_read_tag_map_column <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_first_cost <= false;
+        rows_ready_tag_map_column <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_first_cost <= false;
+        rows_tag_map_column <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_first_cost <= false;
+        slice0shift_tag_map_column <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_pixels_first_tag_valid <= false;
+        slice0cost_pixels_first_tag_first_cost <= false;
+        slice0cost_pixels_first_tag_map_column <= false;
+        slice0cost_pixels_first_tag_output_column <= false;
+        slice0cost_pixels_first_tag_start_of_frame <= false;
+        slice0cost_pixels_first_tag_end_of_line <= false;
+        slice0cost_pixels_tag_valid <= false;
+        slice0cost_pixels_tag_first_cost <= false;
+        slice0cost_pixels_tag_map_column <= false;
+        slice0cost_pixels_tag_output_column <= false;
+        slice0cost_pixels_tag_start_of_frame <= false;
+        slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_first_cost <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_first_cost <= false;
+        slice0cost_tag_map_column <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_map_column_0 <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_first_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_map_column <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_first_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0_tag_0_valid <= false;
+        slice0_tag_0_map_column <= false;
+        slice0_tag_0_output_column <= false;
+        slice0_tag_0_first_column <= false;
+        slice0_tag_0_start_of_frame <= false;
+        slice0_tag_0_end_of_line <= false;
+        slice0_tag_1_valid <= false;
+        slice0_tag_1_map_column <= false;
+        slice0_tag_1_output_column <= false;
+        slice0_tag_1_first_column <= false;
+        slice0_tag_1_start_of_frame <= false;
+        slice0_tag_1_end_of_line <= false;
+        slice0_tag_2_valid <= false;
+        slice0_tag_2_map_column <= false;
+        slice0_tag_2_output_column <= false;
+        slice0_tag_2_first_column <= false;
+        slice0_tag_2_start_of_frame <= false;
+        slice0_tag_2_end_of_line <= false;
+        entry_next_tag_valid <= false;
+        entry_next_tag_map_column <= false;
+        entry_next_tag_first_column <= false;
+        entry_next_tag_start_of_frame <= false;
+        entry_next_tag_end_of_line <= false;
+        entry_next_top <= false;
+        entry_order_last_value <= 28;
+        entry_order_address <= 0;
+        entry_order_falls <= false;
+        entry_order_inside <= false;
+        entry_order_complete <= false;
+        entry_order_output <= false;
+        entry_order_held_output <= false;
+        entry_order_turned_output_column <= false;
+        entry_order_turned_start_of_frame <= false;
+        entry_tag_valid <= false;
+        entry_tag_map_column <= false;
+        entry_tag_first_column <= false;
+        entry_tag_start_of_frame <= false;
+        entry_tag_end_of_line <= false;
+        entry_place <= 0;
+        entry_turned_output_column <= false;
+        entry_turned_start_of_frame <= false;
+        decisions_ready_inside <= false;
+        decisions_comes_0 <= false;
+        decisions_comes_1 <= false;
+        decisions_comes_2 <= false;
+        decisions_place_0 <= 0;
+        decisions_place_1 <= 0;
+        decisions_place_2 <= 0;
+        decisions_write_place <= 0;
+        last_tags_held_0_end_of_line <= false;
+        last_tags_held_1_map_column <= false;
+        last_tags_held_1_end_of_line <= false;
+        last_tags_held_2_map_column <= false;
+        last_tags_held_2_end_of_line <= false;
+        last_tags_moved <= false;
+        last_tag_valid <= false;
+        last_tag_map_column <= false;
+        last_tag_end_of_line <= false;
+        lastwinner1_tag_valid <= false;
+        lastwinner1_tag_map_column <= false;
+        lastwinner1_tag_end_of_line <= false;
+        lastwinner2_tag_valid <= false;
+        lastwinner2_tag_map_column <= false;
+        lastwinner2_tag_end_of_line <= false;
+        lastwinner3_tag_valid <= false;
+        lastwinner3_tag_map_column <= false;
+        lastwinner3_tag_end_of_line <= false;
+        lastwinner4_tag_valid <= false;
+        lastwinner4_tag_map_column <= false;
+        lastwinner4_tag_end_of_line <= false;
+        traceback_tags_held_0_output_column <= false;
+        traceback_tags_held_0_start_of_frame <= false;
+        traceback_tags_held_1_output_column <= false;
+        traceback_tags_held_1_start_of_frame <= false;
+        traceback_out_tag_map_column <= false;
+        traceback_out_tag_output_column <= false;
+        traceback_out_tag_start_of_frame <= false;
+        traceback_out_tag_end_of_line <= false;
+        turn_order_address <= 0;
+        turn_order_falls <= false;
+        turn_order_inside <= false;
+        turn_order_complete <= false;
+        turn_order_output <= false;
+        turn_order_first <= false;
+        turn_order_turned_map_column <= false;
+        turn_comes <= false;
+        turn_read_tag_map_column <= false;
+        turn_write_place <= 0;
+        turn_ready_tag_map_column <= false;
+        fill_out_tag_map_column <= false;
+        map_counter_column <= 0;
+        map_counter_group <= 17;
+        map_counter_next_frame <= false;
+        map_arrives <= false;
+        map_behind <= false;
+        map_line_ended <= false;
+        map_write_column <= 0;
+        map_at_column <= 0;
+        map_at_arrives <= false;
+        map_at_behind <= false;
+        map_at_top <= false;
+        map_at_output <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
+        map_out_valid <= false;
+        map_out_start_of_frame <= false;
+        map_out_end_of_line <= false;
+        other_0 <= 0;
+        other_1 <= false;
+        other_2 <= to_unsigned(0, 49);
+        other_4 <= to_unsigned(0, 49);
+        other_5 <= 0;
+        other_6 <= 0;
+        other_7 <= 0;
+      end if;
+    end if;
+  end process;
+end architecture;
