@@ -29,7 +29,7 @@ STEREO_ROW(tiny_trellis_d19, option, tiny_trellis, width_px = 47, disparities = 
            winner_group = 3);
 // Settings and sizes from ports.
 STEREO_ROW(tiny_trellis_settings, option, tiny_trellis, run_time_settings = true);
-STEREO_ROW(tiny_trellis_size, option, tiny_trellis_median, height_px = 16, drop_cost = 40, occlusion_cost = 90,
+STEREO_ROW(tiny_trellis_size, option, tiny_trellis_median, height_px = 16, drop_cost = 6, occlusion_cost = 12,
            run_time_settings = true, run_time_size = true);
 // clang-format on
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, trellis, configuration tiny_trellis_size: 40x16, 12 disparities, window 3x3, drop 40 or by 6, occlusion 90, 1 pixel pair a clock.
--- Options: disparities 12, drop_cost 40, occlusion_cost 90, median true, slice_disparities 5,
+-- Stereo core, trellis, configuration tiny_trellis_size: 40x16, 12 disparities, window 3x3, drop 6 or by 6, occlusion 12, 1 pixel pair a clock.
+-- Options: disparities 12, drop_cost 6, occlusion_cost 12, median true, slice_disparities 5,
 --   run_time_settings true, run_time_size true.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_trellis_size
@@ -29,8 +29,8 @@ entity stereo_core_tiny_trellis_size is
     right_pixel : in std_logic_vector(7 downto 0);
     start_of_frame : in std_logic;  -- with column 0 of the first rows
     valid : in std_logic;  -- 0: bubble
-    drop_cost : in std_logic_vector(7 downto 0);  -- 0 ... 40, taken over with start_of_frame
-    occlusion_cost : in std_logic_vector(7 downto 0);  -- 1 ... 90, taken over with start_of_frame
+    drop_cost : in std_logic_vector(7 downto 0);  -- 0 ... 6, taken over with start_of_frame
+    occlusion_cost : in std_logic_vector(7 downto 0);  -- 1 ... 12, taken over with start_of_frame
     image_width : in std_logic_vector(15 downto 0);  -- 19 ... 40, changes in a reset only
     image_height : in std_logic_vector(15 downto 0);  -- 8 ... 16, changes in a reset only
     disparity : out std_logic_vector(7 downto 0);
@@ -100,8 +100,8 @@ architecture rtl of stereo_core_tiny_trellis_size is
   signal in_occlusion_cost : natural range 0 to 255;
   signal in_drop_cost : natural range 0 to 255;
   -- settings
-  signal settings_drop_cost : natural range 0 to 63;
-  signal settings_occlusion_cost : natural range 0 to 127;
+  signal settings_drop_cost : natural range 0 to 7;
+  signal settings_occlusion_cost : natural range 0 to 15;
   -- size
   signal size_windows_last_column : natural range 0 to 63;
   signal size_windows_last_group : natural range 0 to 15;
@@ -433,7 +433,6 @@ architecture rtl of stereo_core_tiny_trellis_size is
   signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 24;
   signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 24;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 48;
-  signal slice2cost_pair_1 : unsigned(23 downto 0);
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 72;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 72;
@@ -453,55 +452,56 @@ architecture rtl of stereo_core_tiny_trellis_size is
   signal entry_order_turned_output_column, entry_order_turned_start_of_frame, entry_tag_valid : boolean;
   signal entry_tag_map_column, entry_tag_first_column, entry_tag_start_of_frame, entry_tag_end_of_line : boolean;
   signal entry_turned_output_column, entry_turned_start_of_frame : boolean;
-  signal entry_next_tag_row_start, entry_next_tag_first_group, entry_next_tag_newest_inside : natural range 0 to 3;
-  signal entry_next_tag_border_column, entry_next_tag_first_cost, entry_next_tag_leaves_window : natural range 0 to 3;
-  signal entry_order_turned_row_start, entry_order_turned_first_group : natural range 0 to 3;
-  signal entry_order_turned_newest_inside, entry_tag_row_start, entry_tag_first_group : natural range 0 to 3;
-  signal entry_tag_border_column, entry_tag_first_cost, entry_tag_leaves_window : natural range 0 to 3;
   signal entry_order_last_value, entry_order_address, entry_place : natural range 0 to 31;
-  signal entry_tag_newest_inside : natural range 0 to 16777214;
+  signal entry_tag_row_start, entry_tag_first_group, entry_tag_newest_inside : natural range 0 to 3;
+  signal entry_tag_border_column, entry_tag_first_cost : natural range 0 to 3;
   -- forward
-  signal forward_drop_cost : natural range 0 to 63;
-  signal forward_occlusion_cost : natural range 0 to 127;
+  signal forward_drop_cost : natural range 0 to 7;
+  signal forward_occlusion_cost : natural range 0 to 15;
   signal forward_next_cost_0, forward_next_cost_1, forward_next_cost_2, forward_next_cost_3 : natural range 0 to 13;
   signal forward_next_cost_4, forward_next_cost_5, forward_next_cost_6, forward_next_cost_7 : natural range 0 to 13;
   signal forward_next_cost_8, forward_next_cost_9, forward_next_cost_10, forward_next_cost_11 : natural range 0 to 13;
   signal forward_next_first, forward_far_0, forward_far_1, forward_far_2, forward_far_3, forward_far_4 : boolean;
   signal forward_far_5 : boolean;
-  signal forward_pair_cost_0, forward_pair_cost_1, forward_pair_cost_2, forward_pair_cost_3 : natural range 0 to 89;
-  signal forward_pair_cost_4, forward_pair_cost_5, forward_pair_cost_6, forward_pair_cost_7 : natural range 0 to 89;
-  signal forward_pair_cost_8, forward_pair_cost_9, forward_pair_cost_10, forward_pair_cost_11 : natural range 0 to 89;
-  signal forward_path_0, forward_path_1, forward_path_2, forward_path_3, forward_path_4 : natural range 0 to 4095;
-  signal forward_path_5, forward_path_6, forward_path_7, forward_path_8, forward_path_9 : natural range 0 to 4095;
-  signal forward_path_10, forward_path_11, forward_stayed_0, forward_stayed_1 : natural range 0 to 4095;
-  signal forward_stayed_2, forward_stayed_3, forward_stayed_4, forward_stayed_5 : natural range 0 to 4095;
-  signal forward_stayed_6, forward_stayed_7, forward_stayed_8, forward_stayed_9 : natural range 0 to 4095;
-  signal forward_stayed_10, forward_stayed_11, forward_occluding_0, forward_occluding_1 : natural range 0 to 4095;
-  signal forward_occluding_2, forward_occluding_3, forward_occluding_4, forward_occluding_5 : natural range 0 to 4095;
-  signal forward_occluding_6, forward_occluding_7, forward_occluding_8, forward_occluding_9 : natural range 0 to 4095;
-  signal forward_occluding_10, forward_dropped_0, forward_dropped_1, forward_dropped_2 : natural range 0 to 4095;
-  signal forward_dropped_3, forward_dropped_4, forward_dropped_5, forward_dropped_6 : natural range 0 to 4095;
-  signal forward_dropped_7, forward_dropped_8, forward_dropped_9, forward_dropped_10 : natural range 0 to 4095;
-  signal forward_dropped_11 : natural range 0 to 4095;
-  signal forward_far_6, forward_far_7, forward_far_8, forward_far_9, forward_far_10 : natural range 0 to 3;
-  signal forward_decision_0, forward_decision_1, forward_decision_2, forward_decision_3 : natural range 0 to 3;
-  signal forward_decision_4, forward_decision_5 : natural range 0 to 3;
-  signal forward_far_11 : natural range 0 to 2;
+  signal forward_pair_cost_0, forward_pair_cost_1, forward_pair_cost_2, forward_pair_cost_3 : natural range 0 to 33;
+  signal forward_pair_cost_4, forward_pair_cost_5, forward_pair_cost_6, forward_pair_cost_7 : natural range 0 to 33;
+  signal forward_pair_cost_8, forward_pair_cost_9, forward_pair_cost_10, forward_pair_cost_11 : natural range 0 to 33;
+  signal forward_path_0, forward_path_1, forward_path_2, forward_path_3, forward_path_4 : natural range 0 to 511;
+  signal forward_path_5, forward_path_6, forward_path_7, forward_path_8, forward_path_9 : natural range 0 to 511;
+  signal forward_path_10, forward_path_11, forward_stayed_0, forward_stayed_1 : natural range 0 to 511;
+  signal forward_stayed_2, forward_stayed_3, forward_stayed_4, forward_stayed_5 : natural range 0 to 511;
+  signal forward_stayed_6, forward_stayed_7, forward_stayed_8, forward_stayed_9 : natural range 0 to 511;
+  signal forward_stayed_10, forward_stayed_11, forward_occluding_0, forward_occluding_1 : natural range 0 to 511;
+  signal forward_occluding_2, forward_occluding_3, forward_occluding_4, forward_occluding_5 : natural range 0 to 511;
+  signal forward_occluding_6, forward_occluding_7, forward_occluding_8, forward_occluding_9 : natural range 0 to 511;
+  signal forward_occluding_10, forward_dropped_0, forward_dropped_1, forward_dropped_2 : natural range 0 to 511;
+  signal forward_dropped_3, forward_dropped_4, forward_dropped_5, forward_dropped_6 : natural range 0 to 511;
+  signal forward_dropped_7, forward_dropped_8, forward_dropped_9, forward_dropped_10 : natural range 0 to 511;
+  signal forward_dropped_11 : natural range 0 to 511;
+  signal forward_far_6, forward_far_7, forward_far_8, forward_decision_1, forward_decision_3 : natural range 0 to 3;
+  signal forward_decision_4, forward_decision_5, forward_decision_6, forward_decision_8 : natural range 0 to 3;
+  signal forward_decision_9, forward_decision_10 : natural range 0 to 3;
+  signal forward_decision_0 : natural range 0 to 2;
   -- decisions
+  signal decisions_read_words_0 : unsigned(23 downto 0);
+  signal decisions_ready_decision_0, decisions_ready_decision_1, decisions_ready_decision_2 : natural range 0 to 3;
+  signal decisions_ready_decision_3, decisions_ready_decision_4, decisions_ready_decision_5 : natural range 0 to 3;
+  signal decisions_ready_decision_6, decisions_ready_decision_8, decisions_ready_decision_9 : natural range 0 to 3;
   signal decisions_ready_inside, decisions_comes_0, decisions_comes_1, decisions_comes_2 : boolean;
   signal decisions_place_0, decisions_place_1, decisions_place_2, decisions_write_place : natural range 0 to 31;
+  signal decisions_write_words_0 : natural range 0 to 16777214;
   -- last
   signal last_tags_held_0_end_of_line, last_tags_held_1_map_column, last_tags_held_1_end_of_line : boolean;
   signal last_tags_held_2_map_column, last_tags_held_2_end_of_line, last_tags_moved, last_tag_valid : boolean;
   signal last_tag_map_column, last_tag_end_of_line : boolean;
-  signal last_path_0_0 : natural range 0 to 2048;
-  signal last_path_0_1, last_path_0_2, last_path_0_3, last_path_0_4, last_path_0_5 : natural range 0 to 4095;
-  signal last_path_0_6, last_path_0_7, last_path_0_8, last_path_0_9, last_path_0_10 : natural range 0 to 4095;
-  signal last_path_0_11 : natural range 0 to 4095;
+  signal last_path_0_0 : natural range 0 to 256;
+  signal last_path_0_1, last_path_0_2, last_path_0_3, last_path_0_4, last_path_0_5 : natural range 0 to 511;
+  signal last_path_0_6, last_path_0_7, last_path_0_8, last_path_0_9, last_path_0_10 : natural range 0 to 511;
+  signal last_path_0_11 : natural range 0 to 511;
   signal last_state : natural range 0 to 11;
   -- lastwinner1
-  signal lastwinner1_best_cost_0_0, lastwinner1_best_cost_0_1, lastwinner1_best_cost_0_2 : natural range 0 to 4095;
-  signal lastwinner1_best_cost_0_3, lastwinner1_best_cost_0_4, lastwinner1_best_cost_0_5 : natural range 0 to 4095;
+  signal lastwinner1_best_cost_0_0, lastwinner1_best_cost_0_1, lastwinner1_best_cost_0_2 : natural range 0 to 511;
+  signal lastwinner1_best_cost_0_3, lastwinner1_best_cost_0_4, lastwinner1_best_cost_0_5 : natural range 0 to 511;
   signal lastwinner1_best_index_0_0, lastwinner1_tag_valid, lastwinner1_tag_map_column : boolean;
   signal lastwinner1_tag_end_of_line : boolean;
   signal lastwinner1_best_index_0_1 : natural range 0 to 3;
@@ -510,13 +510,13 @@ architecture rtl of stereo_core_tiny_trellis_size is
   signal lastwinner1_best_index_0_4 : natural range 0 to 9;
   signal lastwinner1_best_index_0_5 : natural range 0 to 11;
   -- lastwinner2
-  signal lastwinner2_best_cost_0_0, lastwinner2_best_cost_0_1, lastwinner2_best_cost_0_2 : natural range 0 to 4095;
+  signal lastwinner2_best_cost_0_0, lastwinner2_best_cost_0_1, lastwinner2_best_cost_0_2 : natural range 0 to 511;
   signal lastwinner2_best_index_0_0 : natural range 0 to 3;
   signal lastwinner2_best_index_0_1 : natural range 0 to 7;
   signal lastwinner2_best_index_0_2 : natural range 0 to 11;
   signal lastwinner2_tag_valid, lastwinner2_tag_map_column, lastwinner2_tag_end_of_line : boolean;
   -- lastwinner3
-  signal lastwinner3_best_cost_0_0, lastwinner3_best_cost_0_1 : natural range 0 to 4095;
+  signal lastwinner3_best_cost_0_0, lastwinner3_best_cost_0_1 : natural range 0 to 511;
   signal lastwinner3_best_index_0_0 : natural range 0 to 7;
   signal lastwinner3_best_index_0_1 : natural range 0 to 11;
   signal lastwinner3_tag_valid, lastwinner3_tag_map_column, lastwinner3_tag_end_of_line : boolean;
@@ -575,7 +575,7 @@ architecture rtl of stereo_core_tiny_trellis_size is
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(17 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
-  signal slice2cost_pair_1_memory_write_data : unsigned(23 downto 0);
+  signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
@@ -628,13 +628,13 @@ begin
       read_address => turn_order_address, read_data => turn_read_words_0,
       write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
-  slice2cost_pair_1_memory_write_data <= to_unsigned(entry_tag_newest_inside, 24);
-  slice2cost_pair_1_memory : entity work.line_memory
+  decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
+  decisions_read_words_0_memory : entity work.line_memory
     generic map (depth => 29, width => 24)
     port map (
       clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => slice2cost_pair_1,
-      write_address => decisions_write_place, write_data => slice2cost_pair_1_memory_write_data);
+      read_address => entry_order_address, read_data => decisions_read_words_0,
+      write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -1016,102 +1016,103 @@ begin
     variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
     variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
     variable entry_order_complete_any, entry_order_turned_output_column_choice, entry_tag_row_start_is_equal : boolean;
-    variable entry_tag_first_group_is_equal, entry_tag_first_group_value, entry_tag_first_group_is_equal_2 : boolean;
-    variable entry_tag_first_group_all, entry_tag_first_group_value_2, entry_tag_first_group_value_3 : boolean;
-    variable entry_tag_newest_inside_all, forward_drop_cost_any, forward_path_0_value, forward_path_1_any : boolean;
-    variable forward_path_1_value, forward_path_2_any, forward_path_2_value, forward_path_3_any : boolean;
-    variable forward_path_3_value, forward_path_4_any, forward_path_4_value, forward_path_5_any : boolean;
-    variable forward_path_5_value, forward_path_6_any, forward_path_6_value, forward_path_7_any : boolean;
-    variable forward_path_7_value, forward_path_8_any, forward_path_8_value, forward_path_9_any : boolean;
-    variable forward_path_9_value, forward_path_10_any, forward_path_10_value, forward_path_11_any : boolean;
-    variable forward_path_11_value, forward_dropped_0_value, forward_dropped_1_value, forward_dropped_2_value : boolean;
+    variable forward_drop_cost_any, forward_path_0_value, forward_path_1_any, forward_path_1_value : boolean;
+    variable forward_path_2_any, forward_path_2_value, forward_path_3_any, forward_path_3_value : boolean;
+    variable forward_path_4_any, forward_path_4_value, forward_path_5_any, forward_path_5_value : boolean;
+    variable forward_path_6_any, forward_path_6_value, forward_path_7_any, forward_path_7_value : boolean;
+    variable forward_path_8_any, forward_path_8_value, forward_path_9_any, forward_path_9_value : boolean;
+    variable forward_path_10_any, forward_path_10_value, forward_path_11_any, forward_path_11_value : boolean;
+    variable forward_dropped_0_value, forward_dropped_1_value, forward_dropped_2_value : boolean;
     variable forward_dropped_3_value, forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any : boolean;
     variable forward_far_1_choice, forward_far_2_choice, forward_far_3_choice, forward_far_4_choice : boolean;
-    variable forward_far_5_choice, lastwinner1_best_cost_0_0_is_less, lastwinner1_best_cost_0_1_is_less : boolean;
-    variable lastwinner1_best_cost_0_2_is_less, lastwinner1_best_cost_0_3_is_less : boolean;
-    variable lastwinner1_best_cost_0_4_is_less, lastwinner1_best_cost_0_5_is_less : boolean;
-    variable lastwinner2_best_cost_0_0_is_less, lastwinner2_best_cost_0_1_is_less : boolean;
-    variable lastwinner2_best_cost_0_2_is_less, lastwinner3_best_cost_0_0_is_less, turn_order_address_any : boolean;
-    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable fill_out_disparity_0_all, map_counter_column_value, map_counter_column_choice : boolean;
-    variable map_counter_column_choice_2, map_counter_column_choice_3, map_counter_column_choice_4 : boolean;
-    variable map_counter_column_choice_5, map_counter_column_choice_6, map_counter_column_differs : boolean;
-    variable map_counter_column_all, map_counter_next_frame_choice, map_counter_next_frame_is_equal : boolean;
-    variable map_counter_next_frame_choice_2, map_counter_next_frame_value, map_counter_next_frame_choice_3 : boolean;
-    variable map_counter_next_frame_value_2, map_counter_next_frame_choice_4, map_counter_next_frame_choice_5 : boolean;
-    variable map_counter_next_frame_value_3, map_counter_next_frame_choice_6 : boolean;
-    variable map_counter_next_frame_is_equal_2, map_counter_next_frame_is_equal_3 : boolean;
-    variable map_counter_next_frame_choice_7, map_counter_next_frame_choice_8 : boolean;
-    variable map_counter_next_frame_is_equal_4, map_counter_next_frame_is_equal_5 : boolean;
-    variable map_counter_next_frame_choice_9, map_counter_next_frame_is_equal_6 : boolean;
-    variable map_counter_next_frame_choice_10, map_counter_next_frame_choice_11 : boolean;
-    variable map_counter_next_frame_differs, map_counter_next_frame_all, map_counter_next_frame_choice_12 : boolean;
-    variable map_counter_next_frame_choice_13, map_counter_next_frame_choice_14 : boolean;
-    variable map_counter_next_frame_choice_15, map_counter_next_frame_choice_16 : boolean;
-    variable map_counter_next_frame_choice_17, map_counter_next_frame_differs_2, map_counter_next_frame_all_2 : boolean;
-    variable map_line_ended_choice, map_at_arrives_value, map_of_column_0_b_below_a_value : boolean;
-    variable map_of_column_0_b_below_a_choice, map_of_column_0_b_below_a_value_2 : boolean;
-    variable map_of_column_0_b_below_a_choice_2, map_of_column_0_b_below_a_choice_3 : boolean;
-    variable map_of_column_0_b_below_a_choice_4, map_of_column_0_b_below_a_value_3 : boolean;
-    variable map_of_column_0_b_below_a_value_4, map_of_column_0_b_below_a_choice_5 : boolean;
-    variable map_of_column_0_b_below_a_value_5, map_of_column_0_b_below_a_value_6 : boolean;
-    variable map_of_column_0_b_below_a_choice_6, map_of_column_0_b_below_a_value_7 : boolean;
-    variable map_of_column_0_b_below_a_value_8, map_of_column_0_b_below_a_choice_7 : boolean;
-    variable map_of_column_0_b_below_a_value_9, map_of_column_0_b_below_a_value_10 : boolean;
-    variable map_of_column_0_b_below_a_choice_8, map_of_column_0_b_below_a_value_11 : boolean;
-    variable map_of_column_0_b_below_a_value_12, map_of_column_0_b_below_a_choice_9 : boolean;
-    variable map_of_column_0_c_below_a_value, map_of_column_0_c_below_a_choice : boolean;
-    variable map_of_column_0_c_below_a_value_2, map_of_column_0_c_below_a_choice_2 : boolean;
-    variable map_of_column_0_c_below_a_choice_3, map_of_column_0_c_below_a_value_3 : boolean;
-    variable map_of_column_0_c_below_a_choice_4, map_of_column_0_c_below_a_choice_5 : boolean;
-    variable map_of_column_0_c_below_a_choice_6, map_of_column_0_c_below_a_value_4 : boolean;
-    variable map_of_column_0_c_below_a_choice_7, map_of_column_0_c_below_a_choice_8 : boolean;
-    variable map_of_column_0_c_below_a_choice_9, map_of_column_0_c_below_a_value_5 : boolean;
-    variable map_of_column_0_c_below_a_choice_10, map_of_column_0_c_below_a_choice_11 : boolean;
-    variable map_of_column_0_c_below_a_choice_12, map_of_column_0_c_below_a_value_6 : boolean;
-    variable map_of_column_0_c_below_a_choice_13, map_of_column_0_c_below_a_choice_14 : boolean;
-    variable map_of_column_0_c_below_a_choice_15, map_of_column_0_c_below_a_value_7 : boolean;
-    variable map_of_column_0_c_below_a_choice_16, map_of_column_0_c_below_a_choice_17 : boolean;
-    variable map_of_column_0_c_below_a_choice_18, map_of_column_0_c_below_a_choice_19 : boolean;
-    variable map_of_column_0_c_below_a_choice_20, map_of_column_0_c_below_b_choice : boolean;
-    variable map_of_column_0_c_below_b_choice_2, map_of_column_0_c_below_b_choice_3 : boolean;
-    variable map_of_column_0_c_below_b_choice_4, map_of_column_0_c_below_b_choice_5 : boolean;
-    variable map_of_column_0_c_below_b_choice_6, map_window_complete_is_equal, map_of_low_0_b_below_a_value : boolean;
-    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_choice_2 : boolean;
-    variable map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_choice_3, map_of_low_0_b_below_a_value_3 : boolean;
-    variable map_of_low_0_b_below_a_choice_4, map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_choice_5 : boolean;
-    variable map_of_low_0_b_below_a_value_5, map_of_low_0_b_below_a_choice_6, map_of_low_0_b_below_a_value_6 : boolean;
-    variable map_of_low_0_b_below_a_choice_7, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_is_equal : boolean;
-    variable map_of_low_0_c_below_a_choice, map_of_low_0_c_below_a_choice_2, map_of_low_0_c_below_a_value_2 : boolean;
-    variable map_of_low_0_c_below_a_choice_3, map_of_low_0_c_below_a_value_3, map_of_low_0_c_below_a_choice_4 : boolean;
-    variable map_of_low_0_c_below_a_value_4, map_of_low_0_c_below_a_choice_5, map_of_low_0_c_below_a_value_5 : boolean;
-    variable map_of_low_0_c_below_a_choice_6, map_of_low_0_c_below_a_value_6, map_of_low_0_c_below_a_choice_7 : boolean;
-    variable map_of_low_0_c_below_b_value, map_of_low_0_c_below_b_choice, map_of_low_0_c_below_b_choice_2 : boolean;
-    variable map_of_low_0_c_below_b_value_2, map_of_low_0_c_below_b_choice_3, map_of_low_0_c_below_b_value_3 : boolean;
-    variable map_of_low_0_c_below_b_choice_4, map_of_low_0_c_below_b_value_4, map_of_low_0_c_below_b_choice_5 : boolean;
-    variable map_of_low_0_c_below_b_value_5, map_of_low_0_c_below_b_choice_6, map_of_low_0_c_below_b_value_6 : boolean;
-    variable map_of_low_0_c_below_b_choice_7, map_of_middle_0_b_below_a_value : boolean;
-    variable map_of_middle_0_b_below_a_choice, map_of_middle_0_b_below_a_choice_2 : boolean;
-    variable map_of_middle_0_b_below_a_value_2, map_of_middle_0_b_below_a_choice_3 : boolean;
-    variable map_of_middle_0_b_below_a_value_3, map_of_middle_0_b_below_a_choice_4 : boolean;
-    variable map_of_middle_0_b_below_a_value_4, map_of_middle_0_b_below_a_choice_5 : boolean;
-    variable map_of_middle_0_b_below_a_value_5, map_of_middle_0_b_below_a_choice_6 : boolean;
-    variable map_of_middle_0_b_below_a_value_6, map_of_middle_0_b_below_a_choice_7 : boolean;
-    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_is_equal : boolean;
-    variable map_of_middle_0_c_below_a_choice, map_of_middle_0_c_below_a_choice_2 : boolean;
-    variable map_of_middle_0_c_below_a_value_2, map_of_middle_0_c_below_a_choice_3 : boolean;
-    variable map_of_middle_0_c_below_a_value_3, map_of_middle_0_c_below_a_choice_4 : boolean;
-    variable map_of_middle_0_c_below_a_value_4, map_of_middle_0_c_below_a_choice_5 : boolean;
-    variable map_of_middle_0_c_below_a_value_5, map_of_middle_0_c_below_a_choice_6 : boolean;
-    variable map_of_middle_0_c_below_a_value_6, map_of_middle_0_c_below_a_choice_7 : boolean;
-    variable map_of_middle_0_c_below_b_value, map_of_middle_0_c_below_b_choice : boolean;
-    variable map_of_middle_0_c_below_b_choice_2, map_of_middle_0_c_below_b_value_2 : boolean;
-    variable map_of_middle_0_c_below_b_choice_3, map_of_middle_0_c_below_b_value_3 : boolean;
-    variable map_of_middle_0_c_below_b_choice_4, map_of_middle_0_c_below_b_value_4 : boolean;
-    variable map_of_middle_0_c_below_b_choice_5, map_of_middle_0_c_below_b_value_5 : boolean;
-    variable map_of_middle_0_c_below_b_choice_6, map_of_middle_0_c_below_b_value_6 : boolean;
-    variable map_of_middle_0_c_below_b_choice_7, map_of_high_0_b_below_a_value : boolean;
-    variable map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
+    variable forward_far_5_choice, decisions_ready_decision_2_is_equal, decisions_ready_decision_2_value : boolean;
+    variable decisions_ready_decision_2_is_equal_2, decisions_ready_decision_2_all : boolean;
+    variable decisions_ready_decision_2_value_2, decisions_ready_decision_2_value_3 : boolean;
+    variable decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
+    variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
+    variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
+    variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
+    variable lastwinner2_best_cost_0_1_is_less, lastwinner2_best_cost_0_2_is_less : boolean;
+    variable lastwinner3_best_cost_0_0_is_less, turn_order_address_any, turn_order_address_any_2 : boolean;
+    variable turn_order_falls_all, turn_order_complete_all, fill_out_disparity_0_all : boolean;
+    variable map_counter_column_value, map_counter_column_choice, map_counter_column_choice_2 : boolean;
+    variable map_counter_column_choice_3, map_counter_column_choice_4, map_counter_column_choice_5 : boolean;
+    variable map_counter_column_choice_6, map_counter_column_differs, map_counter_column_all : boolean;
+    variable map_counter_next_frame_choice, map_counter_next_frame_is_equal, map_counter_next_frame_choice_2 : boolean;
+    variable map_counter_next_frame_value, map_counter_next_frame_choice_3, map_counter_next_frame_value_2 : boolean;
+    variable map_counter_next_frame_choice_4, map_counter_next_frame_choice_5, map_counter_next_frame_value_3 : boolean;
+    variable map_counter_next_frame_choice_6, map_counter_next_frame_is_equal_2 : boolean;
+    variable map_counter_next_frame_is_equal_3, map_counter_next_frame_choice_7 : boolean;
+    variable map_counter_next_frame_choice_8, map_counter_next_frame_is_equal_4 : boolean;
+    variable map_counter_next_frame_is_equal_5, map_counter_next_frame_choice_9 : boolean;
+    variable map_counter_next_frame_is_equal_6, map_counter_next_frame_choice_10 : boolean;
+    variable map_counter_next_frame_choice_11, map_counter_next_frame_differs, map_counter_next_frame_all : boolean;
+    variable map_counter_next_frame_choice_12, map_counter_next_frame_choice_13 : boolean;
+    variable map_counter_next_frame_choice_14, map_counter_next_frame_choice_15 : boolean;
+    variable map_counter_next_frame_choice_16, map_counter_next_frame_choice_17 : boolean;
+    variable map_counter_next_frame_differs_2, map_counter_next_frame_all_2, map_line_ended_choice : boolean;
+    variable map_at_arrives_value, map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
+    variable map_of_column_0_b_below_a_value_2, map_of_column_0_b_below_a_choice_2 : boolean;
+    variable map_of_column_0_b_below_a_choice_3, map_of_column_0_b_below_a_choice_4 : boolean;
+    variable map_of_column_0_b_below_a_value_3, map_of_column_0_b_below_a_value_4 : boolean;
+    variable map_of_column_0_b_below_a_choice_5, map_of_column_0_b_below_a_value_5 : boolean;
+    variable map_of_column_0_b_below_a_value_6, map_of_column_0_b_below_a_choice_6 : boolean;
+    variable map_of_column_0_b_below_a_value_7, map_of_column_0_b_below_a_value_8 : boolean;
+    variable map_of_column_0_b_below_a_choice_7, map_of_column_0_b_below_a_value_9 : boolean;
+    variable map_of_column_0_b_below_a_value_10, map_of_column_0_b_below_a_choice_8 : boolean;
+    variable map_of_column_0_b_below_a_value_11, map_of_column_0_b_below_a_value_12 : boolean;
+    variable map_of_column_0_b_below_a_choice_9, map_of_column_0_c_below_a_value : boolean;
+    variable map_of_column_0_c_below_a_choice, map_of_column_0_c_below_a_value_2 : boolean;
+    variable map_of_column_0_c_below_a_choice_2, map_of_column_0_c_below_a_choice_3 : boolean;
+    variable map_of_column_0_c_below_a_value_3, map_of_column_0_c_below_a_choice_4 : boolean;
+    variable map_of_column_0_c_below_a_choice_5, map_of_column_0_c_below_a_choice_6 : boolean;
+    variable map_of_column_0_c_below_a_value_4, map_of_column_0_c_below_a_choice_7 : boolean;
+    variable map_of_column_0_c_below_a_choice_8, map_of_column_0_c_below_a_choice_9 : boolean;
+    variable map_of_column_0_c_below_a_value_5, map_of_column_0_c_below_a_choice_10 : boolean;
+    variable map_of_column_0_c_below_a_choice_11, map_of_column_0_c_below_a_choice_12 : boolean;
+    variable map_of_column_0_c_below_a_value_6, map_of_column_0_c_below_a_choice_13 : boolean;
+    variable map_of_column_0_c_below_a_choice_14, map_of_column_0_c_below_a_choice_15 : boolean;
+    variable map_of_column_0_c_below_a_value_7, map_of_column_0_c_below_a_choice_16 : boolean;
+    variable map_of_column_0_c_below_a_choice_17, map_of_column_0_c_below_a_choice_18 : boolean;
+    variable map_of_column_0_c_below_a_choice_19, map_of_column_0_c_below_a_choice_20 : boolean;
+    variable map_of_column_0_c_below_b_choice, map_of_column_0_c_below_b_choice_2 : boolean;
+    variable map_of_column_0_c_below_b_choice_3, map_of_column_0_c_below_b_choice_4 : boolean;
+    variable map_of_column_0_c_below_b_choice_5, map_of_column_0_c_below_b_choice_6 : boolean;
+    variable map_window_complete_is_equal, map_of_low_0_b_below_a_value, map_of_low_0_b_below_a_is_equal : boolean;
+    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_choice_2, map_of_low_0_b_below_a_value_2 : boolean;
+    variable map_of_low_0_b_below_a_choice_3, map_of_low_0_b_below_a_value_3, map_of_low_0_b_below_a_choice_4 : boolean;
+    variable map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_choice_5, map_of_low_0_b_below_a_value_5 : boolean;
+    variable map_of_low_0_b_below_a_choice_6, map_of_low_0_b_below_a_value_6, map_of_low_0_b_below_a_choice_7 : boolean;
+    variable map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_is_equal, map_of_low_0_c_below_a_choice : boolean;
+    variable map_of_low_0_c_below_a_choice_2, map_of_low_0_c_below_a_value_2, map_of_low_0_c_below_a_choice_3 : boolean;
+    variable map_of_low_0_c_below_a_value_3, map_of_low_0_c_below_a_choice_4, map_of_low_0_c_below_a_value_4 : boolean;
+    variable map_of_low_0_c_below_a_choice_5, map_of_low_0_c_below_a_value_5, map_of_low_0_c_below_a_choice_6 : boolean;
+    variable map_of_low_0_c_below_a_value_6, map_of_low_0_c_below_a_choice_7, map_of_low_0_c_below_b_value : boolean;
+    variable map_of_low_0_c_below_b_choice, map_of_low_0_c_below_b_choice_2, map_of_low_0_c_below_b_value_2 : boolean;
+    variable map_of_low_0_c_below_b_choice_3, map_of_low_0_c_below_b_value_3, map_of_low_0_c_below_b_choice_4 : boolean;
+    variable map_of_low_0_c_below_b_value_4, map_of_low_0_c_below_b_choice_5, map_of_low_0_c_below_b_value_5 : boolean;
+    variable map_of_low_0_c_below_b_choice_6, map_of_low_0_c_below_b_value_6, map_of_low_0_c_below_b_choice_7 : boolean;
+    variable map_of_middle_0_b_below_a_value, map_of_middle_0_b_below_a_choice : boolean;
+    variable map_of_middle_0_b_below_a_choice_2, map_of_middle_0_b_below_a_value_2 : boolean;
+    variable map_of_middle_0_b_below_a_choice_3, map_of_middle_0_b_below_a_value_3 : boolean;
+    variable map_of_middle_0_b_below_a_choice_4, map_of_middle_0_b_below_a_value_4 : boolean;
+    variable map_of_middle_0_b_below_a_choice_5, map_of_middle_0_b_below_a_value_5 : boolean;
+    variable map_of_middle_0_b_below_a_choice_6, map_of_middle_0_b_below_a_value_6 : boolean;
+    variable map_of_middle_0_b_below_a_choice_7, map_of_middle_0_c_below_a_value : boolean;
+    variable map_of_middle_0_c_below_a_is_equal, map_of_middle_0_c_below_a_choice : boolean;
+    variable map_of_middle_0_c_below_a_choice_2, map_of_middle_0_c_below_a_value_2 : boolean;
+    variable map_of_middle_0_c_below_a_choice_3, map_of_middle_0_c_below_a_value_3 : boolean;
+    variable map_of_middle_0_c_below_a_choice_4, map_of_middle_0_c_below_a_value_4 : boolean;
+    variable map_of_middle_0_c_below_a_choice_5, map_of_middle_0_c_below_a_value_5 : boolean;
+    variable map_of_middle_0_c_below_a_choice_6, map_of_middle_0_c_below_a_value_6 : boolean;
+    variable map_of_middle_0_c_below_a_choice_7, map_of_middle_0_c_below_b_value : boolean;
+    variable map_of_middle_0_c_below_b_choice, map_of_middle_0_c_below_b_choice_2 : boolean;
+    variable map_of_middle_0_c_below_b_value_2, map_of_middle_0_c_below_b_choice_3 : boolean;
+    variable map_of_middle_0_c_below_b_value_3, map_of_middle_0_c_below_b_choice_4 : boolean;
+    variable map_of_middle_0_c_below_b_value_4, map_of_middle_0_c_below_b_choice_5 : boolean;
+    variable map_of_middle_0_c_below_b_value_5, map_of_middle_0_c_below_b_choice_6 : boolean;
+    variable map_of_middle_0_c_below_b_value_6, map_of_middle_0_c_below_b_choice_7 : boolean;
+    variable map_of_high_0_b_below_a_value, map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
     variable map_of_high_0_b_below_a_choice_2, map_of_high_0_b_below_a_value_2 : boolean;
     variable map_of_high_0_b_below_a_value_3, map_of_high_0_b_below_a_choice_3 : boolean;
     variable map_of_high_0_b_below_a_value_4, map_of_high_0_b_below_a_value_5 : boolean;
@@ -1137,29 +1138,29 @@ begin
     variable map_of_all_0_c_below_b_choice_4, map_of_all_0_c_below_b_choice_5 : boolean;
     variable map_of_all_0_c_below_b_choice_6, map_of_all_0_c_below_b_choice_7, map_low_0_0_all : boolean;
     variable map_low_0_0_all_2 : boolean;
-    variable settings_occlusion_cost_choice : natural range 0 to 127;
+    variable settings_occlusion_cost_choice : natural range 0 to 15;
     variable transform_counter_group_value_7, raster_place_group_value_7 : natural range 0 to 3;
-    variable entry_tag_first_group_choice, entry_tag_first_group_choice_2 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_3, entry_tag_first_group_choice_4 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_5, entry_tag_first_group_choice_6 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_7, entry_tag_first_group_choice_8 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_9, entry_tag_first_group_choice_10 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_11, entry_tag_first_group_choice_12 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_13, entry_tag_first_group_choice_14 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_15, entry_tag_first_group_choice_16 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_17, entry_tag_first_group_choice_18 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_19, entry_tag_first_group_choice_20 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_21, entry_tag_first_group_choice_22 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_23, entry_tag_first_group_choice_24 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_25, entry_tag_first_group_choice_26 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_27, entry_tag_first_group_choice_28 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_29, entry_tag_first_group_choice_30 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_31, entry_tag_first_group_choice_32 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_33, entry_tag_first_group_choice_34 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_35, entry_tag_first_group_choice_36 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_37, entry_tag_first_group_choice_38 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_39, entry_tag_first_group_choice_40 : natural range 0 to 3;
-    variable entry_tag_first_group_choice_41 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice, decisions_ready_decision_2_choice_2 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_3, decisions_ready_decision_2_choice_4 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_5, decisions_ready_decision_2_choice_6 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_7, decisions_ready_decision_2_choice_8 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_9, decisions_ready_decision_2_choice_10 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_11, decisions_ready_decision_2_choice_12 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_13, decisions_ready_decision_2_choice_14 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_15, decisions_ready_decision_2_choice_16 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_17, decisions_ready_decision_2_choice_18 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_19, decisions_ready_decision_2_choice_20 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_21, decisions_ready_decision_2_choice_22 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_23, decisions_ready_decision_2_choice_24 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_25, decisions_ready_decision_2_choice_26 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_27, decisions_ready_decision_2_choice_28 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_29, decisions_ready_decision_2_choice_30 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_31, decisions_ready_decision_2_choice_32 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_33, decisions_ready_decision_2_choice_34 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_35, decisions_ready_decision_2_choice_36 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_37, decisions_ready_decision_2_choice_38 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_39, decisions_ready_decision_2_choice_40 : natural range 0 to 3;
+    variable decisions_ready_decision_2_choice_41 : natural range 0 to 3;
     variable transform_counter_group_choice_10, transform_counter_group_choice_22 : natural range 0 to 31;
     variable transform_counter_group_choice_23, transform_left_filter_feature_0_choice_194 : natural range 0 to 31;
     variable transform_right_filter_feature_0_choice_194, raster_place_group_choice_10 : natural range 0 to 31;
@@ -1173,29 +1174,29 @@ begin
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_197 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_197 : natural range 0 to 524287;
-    variable entry_tag_first_group_sum : natural range 1 to 256;
-    variable entry_tag_first_group_sum_2 : natural range 3 to 130;
-    variable entry_tag_first_group_sum_3 : natural range 255 to 510;
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
-    variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 4095;
-    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_2_choice : natural range 0 to 4095;
-    variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_3_choice : natural range 0 to 4095;
-    variable forward_path_3_choice_2, forward_path_3_choice_3, forward_path_4_choice : natural range 0 to 4095;
-    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_5_choice : natural range 0 to 4095;
-    variable forward_path_5_choice_2, forward_path_5_choice_3, forward_path_6_choice : natural range 0 to 4095;
-    variable forward_path_6_choice_2, forward_path_6_choice_3, forward_path_7_choice : natural range 0 to 4095;
-    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_8_choice : natural range 0 to 4095;
-    variable forward_path_8_choice_2, forward_path_8_choice_3, forward_path_9_choice : natural range 0 to 4095;
-    variable forward_path_9_choice_2, forward_path_9_choice_3, forward_path_10_choice : natural range 0 to 4095;
-    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_11_choice : natural range 0 to 4095;
-    variable forward_path_11_choice_2, forward_path_11_choice_3, forward_dropped_0_choice : natural range 0 to 4095;
-    variable forward_dropped_1_choice, forward_dropped_2_choice, forward_dropped_3_choice : natural range 0 to 4095;
-    variable forward_dropped_4_choice, forward_dropped_5_choice : natural range 0 to 4095;
-    variable forward_far_6_choice, forward_far_7_choice, forward_far_8_choice : natural range 1 to 2;
-    variable forward_far_9_choice, forward_far_10_choice, forward_far_11_choice : natural range 1 to 2;
-    variable forward_far_6_choice_2, forward_far_7_choice_2, forward_far_8_choice_2 : natural range 0 to 2;
-    variable forward_far_9_choice_2, forward_far_10_choice_2 : natural range 0 to 2;
-    variable last_path_0_2_difference : integer range -2047 to 2048;
+    variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 511;
+    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_2_choice : natural range 0 to 511;
+    variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_3_choice : natural range 0 to 511;
+    variable forward_path_3_choice_2, forward_path_3_choice_3, forward_path_4_choice : natural range 0 to 511;
+    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_5_choice : natural range 0 to 511;
+    variable forward_path_5_choice_2, forward_path_5_choice_3, forward_path_6_choice : natural range 0 to 511;
+    variable forward_path_6_choice_2, forward_path_6_choice_3, forward_path_7_choice : natural range 0 to 511;
+    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_8_choice : natural range 0 to 511;
+    variable forward_path_8_choice_2, forward_path_8_choice_3, forward_path_9_choice : natural range 0 to 511;
+    variable forward_path_9_choice_2, forward_path_9_choice_3, forward_path_10_choice : natural range 0 to 511;
+    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_11_choice : natural range 0 to 511;
+    variable forward_path_11_choice_2, forward_path_11_choice_3, forward_dropped_0_choice : natural range 0 to 511;
+    variable forward_dropped_1_choice, forward_dropped_2_choice, forward_dropped_3_choice : natural range 0 to 511;
+    variable forward_dropped_4_choice, forward_dropped_5_choice : natural range 0 to 511;
+    variable forward_far_6_choice, forward_decision_0_choice, forward_decision_1_choice : natural range 1 to 2;
+    variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
+    variable forward_far_6_choice_2, forward_decision_1_choice_2, forward_decision_3_choice_2 : natural range 0 to 2;
+    variable forward_decision_4_choice_2, forward_decision_5_choice_2 : natural range 0 to 2;
+    variable decisions_ready_decision_2_sum : natural range 1 to 256;
+    variable decisions_ready_decision_2_sum_2 : natural range 3 to 130;
+    variable decisions_ready_decision_2_sum_3 : natural range 255 to 510;
+    variable last_path_0_2_difference : integer range -255 to 256;
     variable traceback_state_choice, traceback_state_choice_2, traceback_state_choice_3 : natural range 0 to 255;
     variable fill_out_disparity_0_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 255;
     variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 255;
@@ -1210,15 +1211,15 @@ begin
   begin
     if rising_edge(clock) then
       -- settings
-      settings_occlusion_cost_is_less := in_occlusion_cost < 90;
+      settings_occlusion_cost_is_less := in_occlusion_cost < 12;
       if settings_occlusion_cost_is_less then
-        settings_occlusion_cost_choice := in_occlusion_cost mod 128;
+        settings_occlusion_cost_choice := in_occlusion_cost mod 16;
       else
-        settings_occlusion_cost_choice := 90;
+        settings_occlusion_cost_choice := 12;
       end if;
       settings_drop_cost_any := (not in_start_of_frame) or (not in_valid);
       if not settings_drop_cost_any then
-        settings_drop_cost <= in_drop_cost mod 64 when in_drop_cost < 40 else 40;
+        settings_drop_cost <= in_drop_cost mod 8 when in_drop_cost < 6 else 6;
         settings_occlusion_cost <= 1 when (not (settings_occlusion_cost_is_less and ((in_occlusion_cost mod 2) = 1)))
           and ((settings_occlusion_cost_choice / 2) = 0) else settings_occlusion_cost_choice;
       end if;
@@ -4655,115 +4656,6 @@ begin
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      entry_tag_row_start_is_equal := entry_tag_row_start = 0;
-      entry_tag_first_group_is_equal := entry_tag_row_start = 1;
-      entry_tag_first_group_sum := traceback_state + 1;
-      entry_tag_first_group_value := (((entry_tag_first_group_sum mod 256) / 2) mod 2) = 1;
-      entry_tag_first_group_choice := entry_tag_border_column when (entry_tag_first_group_sum mod 2) = 1 else
-        entry_tag_first_cost;
-      entry_tag_first_group_choice_2 := entry_tag_leaves_window when (entry_tag_first_group_sum mod 2) = 1 else
-        entry_next_tag_row_start;
-      entry_tag_first_group_choice_3 := entry_tag_first_group_choice when entry_tag_first_group_value else
-        entry_tag_first_group_choice_2;
-      entry_tag_first_group_choice_4 := entry_next_tag_first_group when (entry_tag_first_group_sum mod 2) = 1 else
-        entry_next_tag_newest_inside;
-      entry_tag_first_group_choice_5 := entry_next_tag_border_column when (entry_tag_first_group_sum mod 2) = 1 else
-        entry_next_tag_first_cost;
-      entry_tag_first_group_choice_6 := entry_tag_first_group_choice_4 when entry_tag_first_group_value else
-        entry_tag_first_group_choice_5;
-      entry_tag_first_group_choice_7 := entry_next_tag_leaves_window when (entry_tag_first_group_sum mod 2) = 1 else
-        entry_order_turned_row_start;
-      entry_tag_first_group_choice_8 := entry_order_turned_first_group when (entry_tag_first_group_sum mod 2) = 1 else
-        entry_order_turned_newest_inside;
-      entry_tag_first_group_choice_9 := entry_tag_first_group_choice_7 when entry_tag_first_group_value else
-        entry_tag_first_group_choice_8;
-      entry_tag_first_group_choice_10 := entry_tag_first_group_choice_6 when (((entry_tag_first_group_sum mod 256) / 4)
-        mod 2) = 1 else entry_tag_first_group_choice_9;
-      entry_tag_first_group_choice_11 := entry_tag_first_group_choice_3 when (((entry_tag_first_group_sum mod 256) / 8)
-        mod 2) = 1 else entry_tag_first_group_choice_10;
-      entry_tag_first_group_is_equal_2 := entry_tag_row_start = 2;
-      entry_tag_first_group_sum_2 := (traceback_state / 2) + 3;
-      entry_tag_first_group_choice_12 := entry_tag_border_column when (traceback_state mod 2) = 1 else
-        entry_tag_first_cost;
-      entry_tag_first_group_choice_13 := entry_tag_leaves_window when (traceback_state mod 2) = 1 else
-        entry_next_tag_row_start;
-      entry_tag_first_group_choice_14 := entry_tag_first_group_choice_12 when (entry_tag_first_group_sum_2 mod 2) = 1
-        else entry_tag_first_group_choice_13;
-      entry_tag_first_group_choice_15 := entry_next_tag_first_group when (traceback_state mod 2) = 1 else
-        entry_next_tag_newest_inside;
-      entry_tag_first_group_choice_16 := entry_next_tag_border_column when (traceback_state mod 2) = 1 else
-        entry_next_tag_first_cost;
-      entry_tag_first_group_choice_17 := entry_tag_first_group_choice_15 when (entry_tag_first_group_sum_2 mod 2) = 1
-        else entry_tag_first_group_choice_16;
-      entry_tag_first_group_choice_18 := entry_next_tag_leaves_window when (traceback_state mod 2) = 1 else
-        entry_order_turned_row_start;
-      entry_tag_first_group_choice_19 := entry_order_turned_first_group when (traceback_state mod 2) = 1 else
-        entry_order_turned_newest_inside;
-      entry_tag_first_group_choice_20 := entry_tag_first_group_choice_18 when (entry_tag_first_group_sum_2 mod 2) = 1
-        else entry_tag_first_group_choice_19;
-      entry_tag_first_group_choice_21 := entry_tag_first_group_choice_17 when (((entry_tag_first_group_sum_2 mod 128) /
-        2) mod 2) = 1 else entry_tag_first_group_choice_20;
-      entry_tag_first_group_choice_22 := entry_tag_first_group_choice_14 when (((entry_tag_first_group_sum_2 mod 128) /
-        4) mod 2) = 1 else entry_tag_first_group_choice_21;
-      entry_tag_first_group_all := (entry_tag_first_group = 3) and entry_tag_row_start_is_equal;
-      entry_tag_first_group_sum_3 := traceback_state + 255;
-      entry_tag_first_group_value_2 := (((entry_tag_first_group_sum_3 mod 256) / 2) mod 2) = 1;
-      entry_tag_first_group_choice_23 := entry_tag_border_column when (entry_tag_first_group_sum_3 mod 2) = 1 else
-        entry_tag_first_cost;
-      entry_tag_first_group_choice_24 := entry_tag_leaves_window when (entry_tag_first_group_sum_3 mod 2) = 1 else
-        entry_next_tag_row_start;
-      entry_tag_first_group_choice_25 := entry_tag_first_group_choice_23 when entry_tag_first_group_value_2 else
-        entry_tag_first_group_choice_24;
-      entry_tag_first_group_choice_26 := entry_next_tag_first_group when (entry_tag_first_group_sum_3 mod 2) = 1 else
-        entry_next_tag_newest_inside;
-      entry_tag_first_group_choice_27 := entry_next_tag_border_column when (entry_tag_first_group_sum_3 mod 2) = 1 else
-        entry_next_tag_first_cost;
-      entry_tag_first_group_choice_28 := entry_tag_first_group_choice_26 when entry_tag_first_group_value_2 else
-        entry_tag_first_group_choice_27;
-      entry_tag_first_group_choice_29 := entry_next_tag_leaves_window when (entry_tag_first_group_sum_3 mod 2) = 1 else
-        entry_order_turned_row_start;
-      entry_tag_first_group_choice_30 := entry_order_turned_first_group when (entry_tag_first_group_sum_3 mod 2) = 1
-        else entry_order_turned_newest_inside;
-      entry_tag_first_group_choice_31 := entry_tag_first_group_choice_29 when entry_tag_first_group_value_2 else
-        entry_tag_first_group_choice_30;
-      entry_tag_first_group_choice_32 := entry_tag_first_group_choice_28 when (((entry_tag_first_group_sum_3 mod 256) /
-        4) mod 2) = 1 else entry_tag_first_group_choice_31;
-      entry_tag_first_group_choice_33 := entry_tag_first_group_choice_25 when (((entry_tag_first_group_sum_3 mod 256) /
-        8) mod 2) = 1 else entry_tag_first_group_choice_32;
-      entry_tag_first_group_value_3 := ((traceback_state / 2) mod 2) = 1;
-      entry_tag_first_group_choice_34 := entry_tag_first_group_choice_12 when entry_tag_first_group_value_3 else
-        entry_tag_first_group_choice_13;
-      entry_tag_first_group_choice_35 := entry_tag_first_group_choice_15 when entry_tag_first_group_value_3 else
-        entry_tag_first_group_choice_16;
-      entry_tag_first_group_choice_36 := entry_tag_first_group_choice_18 when entry_tag_first_group_value_3 else
-        entry_tag_first_group_choice_19;
-      entry_tag_first_group_choice_37 := entry_tag_first_group_choice_35 when ((traceback_state / 4) mod 2) = 1 else
-        entry_tag_first_group_choice_36;
-      entry_tag_first_group_choice_38 := entry_tag_first_group_choice_34 when ((traceback_state / 8) mod 2) = 1 else
-        entry_tag_first_group_choice_37;
-      entry_tag_first_group_choice_39 := entry_tag_first_group_choice_33 when entry_tag_first_group_all else
-        entry_tag_first_group_choice_38;
-      entry_tag_first_group_choice_40 := entry_tag_first_group_choice_22 when entry_tag_first_group_is_equal_2 else
-        entry_tag_first_group_choice_39;
-      entry_tag_first_group_choice_41 := entry_tag_first_group_choice_11 when entry_tag_first_group_is_equal else
-        entry_tag_first_group_choice_40;
-      if entry_tag_valid then
-        entry_next_tag_row_start <= to_integer(slice2cost_pair_1(17 downto 16));
-        entry_next_tag_first_group <= to_integer(slice2cost_pair_1(15 downto 14));
-        entry_next_tag_newest_inside <= to_integer(slice2cost_pair_1(13 downto 12));
-        entry_next_tag_border_column <= to_integer(slice2cost_pair_1(11 downto 10));
-        entry_next_tag_first_cost <= to_integer(slice2cost_pair_1(9 downto 8));
-        entry_next_tag_leaves_window <= to_integer(slice2cost_pair_1(7 downto 0)) / 64;
-        entry_order_turned_row_start <= (to_integer(slice2cost_pair_1(7 downto 0)) / 16) mod 4;
-        entry_order_turned_first_group <= (to_integer(slice2cost_pair_1(7 downto 0)) / 4) mod 4;
-        entry_order_turned_newest_inside <= to_integer(slice2cost_pair_1(1 downto 0));
-        entry_tag_row_start <= entry_tag_first_group when ((((entry_tag_first_group + 255) mod 256) / 2) = 0) and
-          decisions_comes_0 and entry_tag_row_start_is_equal else 0;
-        entry_tag_first_group <= entry_tag_first_group_choice_41 when decisions_comes_0 else 0;
-        entry_tag_border_column <= to_integer(slice2cost_pair_1(23 downto 22));
-        entry_tag_first_cost <= to_integer(slice2cost_pair_1(21 downto 20));
-        entry_tag_leaves_window <= to_integer(slice2cost_pair_1(19 downto 18));
-      end if;
       if entry_order_falls_all then
         entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
@@ -4778,12 +4670,14 @@ begin
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
       end if;
-      entry_tag_newest_inside_all := decisions_comes_2 and entry_tag_valid;
-      if entry_tag_newest_inside_all then
-        entry_tag_newest_inside <= (forward_decision_1 * 1048576) + (forward_decision_0 * 4194304) +
-          (forward_decision_2 * 262144) + (forward_decision_3 * 65536) + (forward_decision_4 * 16384) +
-          (forward_decision_5 * 4096) + (forward_far_6 * 1024) + (forward_far_7 * 256) + (forward_far_8 * 64) +
-          (forward_far_9 * 16) + forward_far_11 + (forward_far_10 * 4);
+      entry_tag_row_start_is_equal := entry_tag_row_start = 0;
+      if entry_tag_valid then
+        entry_tag_row_start <= decisions_ready_decision_2 when ((((decisions_ready_decision_2 + 255) mod 256) / 2) = 0)
+          and decisions_comes_0 and entry_tag_row_start_is_equal else 0;
+        entry_tag_first_group <= to_integer(decisions_read_words_0(23 downto 22));
+        entry_tag_newest_inside <= to_integer(decisions_read_words_0(21 downto 20));
+        entry_tag_border_column <= to_integer(decisions_read_words_0(15 downto 14));
+        entry_tag_first_cost <= (to_integer(decisions_read_words_0(7 downto 0)) / 16) mod 4;
       end if;
       -- forward
       forward_drop_cost_any := (not entry_tag_start_of_frame) or (not entry_tag_first_column) or (not entry_tag_valid);
@@ -4791,98 +4685,98 @@ begin
         forward_drop_cost <= settings_drop_cost;
         forward_occlusion_cost <= settings_occlusion_cost;
       end if;
-      forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 4096) / 2048) = 1;
+      forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
       forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
       forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
-      forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_0 - forward_dropped_1) mod 4096) / 2048) = 1));
-      forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 4096) / 2048) = 1;
+      forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1));
+      forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
       forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
       forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
       forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
-      forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_1 - forward_dropped_2) mod 4096) / 2048) = 1));
-      forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 4096) / 2048) = 1;
+      forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1));
+      forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
       forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
       forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
       forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
-      forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_2 - forward_dropped_3) mod 4096) / 2048) = 1));
-      forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 4096) / 2048) = 1;
+      forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1));
+      forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
       forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
       forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
       forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
-      forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_3 - forward_dropped_4) mod 4096) / 2048) = 1));
-      forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 4096) / 2048) = 1;
+      forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1));
+      forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
       forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
       forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
       forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
-      forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_4 - forward_dropped_5) mod 4096) / 2048) = 1));
-      forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 4096) / 2048) = 1;
+      forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1));
+      forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
       forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
       forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
       forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
-      forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_5 - forward_dropped_6) mod 4096) / 2048) = 1));
-      forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 4096) / 2048) = 1;
+      forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1));
+      forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
       forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
       forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
       forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
-      forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_6 - forward_dropped_7) mod 4096) / 2048) = 1));
-      forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 4096) / 2048) = 1;
+      forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1));
+      forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
       forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
       forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
       forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
-      forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_7 - forward_dropped_8) mod 4096) / 2048) = 1));
-      forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 4096) / 2048) = 1;
+      forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1));
+      forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
       forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
       forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
       forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
-      forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_8 - forward_dropped_9) mod 4096) / 2048) = 1));
-      forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 4096) / 2048) = 1;
+      forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1));
+      forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
       forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
       forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
       forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
-      forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_9 - forward_dropped_10) mod 4096) / 2048) = 1));
-      forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 4096) / 2048) = 1;
+      forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1));
+      forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
       forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
       forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
       forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
-      forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 4096) / 2048) = 1)) or (not
-        ((((forward_occluding_10 - forward_dropped_11) mod 4096) / 2048) = 1));
-      forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 4096) / 2048) = 1;
+      forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1));
+      forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
       forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
       forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
       forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
-      forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 4096) / 2048) = 1;
+      forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
       forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
-      forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 4096) / 2048) = 1;
+      forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
       forward_dropped_1_choice := forward_path_7 when forward_dropped_1_value else forward_path_2;
-      forward_dropped_2_value := (((forward_path_8 - forward_path_3) mod 4096) / 2048) = 1;
+      forward_dropped_2_value := (((forward_path_8 - forward_path_3) mod 512) / 256) = 1;
       forward_dropped_2_choice := forward_path_8 when forward_dropped_2_value else forward_path_3;
-      forward_dropped_3_value := (((forward_path_9 - forward_path_4) mod 4096) / 2048) = 1;
+      forward_dropped_3_value := (((forward_path_9 - forward_path_4) mod 512) / 256) = 1;
       forward_dropped_3_choice := forward_path_9 when forward_dropped_3_value else forward_path_4;
-      forward_dropped_4_value := (((forward_path_10 - forward_path_5) mod 4096) / 2048) = 1;
+      forward_dropped_4_value := (((forward_path_10 - forward_path_5) mod 512) / 256) = 1;
       forward_dropped_4_choice := forward_path_10 when forward_dropped_4_value else forward_path_5;
-      forward_dropped_5_value := (((forward_path_11 - forward_path_6) mod 4096) / 2048) = 1;
+      forward_dropped_5_value := (((forward_path_11 - forward_path_6) mod 512) / 256) = 1;
       forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
-      forward_far_6_choice := 2 when forward_far_5 else 1;
-      forward_far_6_choice_2 := forward_far_6_choice when forward_path_5_value else 0;
-      forward_far_7_choice := 2 when forward_far_4 else 1;
-      forward_far_7_choice_2 := forward_far_7_choice when forward_path_4_value else 0;
-      forward_far_8_choice := 2 when forward_far_3 else 1;
-      forward_far_8_choice_2 := forward_far_8_choice when forward_path_3_value else 0;
-      forward_far_9_choice := 2 when forward_far_2 else 1;
-      forward_far_9_choice_2 := forward_far_9_choice when forward_path_2_value else 0;
-      forward_far_10_choice := 2 when forward_far_1 else 1;
-      forward_far_10_choice_2 := forward_far_10_choice when forward_path_1_value else 0;
-      forward_far_11_choice := 2 when forward_far_0 else 1;
+      forward_far_6_choice := 2 when forward_far_2 else 1;
+      forward_far_6_choice_2 := forward_far_6_choice when forward_path_2_value else 0;
+      forward_decision_0_choice := 2 when forward_far_0 else 1;
+      forward_decision_1_choice := 2 when forward_far_1 else 1;
+      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
+      forward_decision_3_choice := 2 when forward_far_3 else 1;
+      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
+      forward_decision_4_choice := 2 when forward_far_4 else 1;
+      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
+      forward_decision_5_choice := 2 when forward_far_5 else 1;
+      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
       if entry_tag_valid then
         forward_next_cost_0 <= entry_cost_0;
         forward_next_cost_1 <= entry_cost_1;
@@ -4921,71 +4815,65 @@ begin
         forward_path_9 <= forward_path_9_choice_3;
         forward_path_10 <= forward_path_10_choice_3;
         forward_path_11 <= forward_path_11_choice_3;
-        forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 4096;
-        forward_stayed_1 <= (forward_path_1_choice_3 + forward_next_cost_1) mod 4096;
-        forward_stayed_2 <= (forward_path_2_choice_3 + forward_next_cost_2) mod 4096;
-        forward_stayed_3 <= (forward_path_3_choice_3 + forward_next_cost_3) mod 4096;
-        forward_stayed_4 <= (forward_path_4_choice_3 + forward_next_cost_4) mod 4096;
-        forward_stayed_5 <= (forward_path_5_choice_3 + forward_next_cost_5) mod 4096;
-        forward_stayed_6 <= (forward_path_6_choice_3 + forward_next_cost_6) mod 4096;
-        forward_stayed_7 <= (forward_path_7_choice_3 + forward_next_cost_7) mod 4096;
-        forward_stayed_8 <= (forward_path_8_choice_3 + forward_next_cost_8) mod 4096;
-        forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 4096;
-        forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 4096;
-        forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 4096;
-        forward_occluding_0 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_0_choice_2) mod
-          4096;
-        forward_occluding_1 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_1_choice_3) mod
-          4096;
-        forward_occluding_2 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_2_choice_3) mod
-          4096;
-        forward_occluding_3 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_3_choice_3) mod
-          4096;
-        forward_occluding_4 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_4_choice_3) mod
-          4096;
-        forward_occluding_5 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_5_choice_3) mod
-          4096;
-        forward_occluding_6 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_6_choice_3) mod
-          4096;
-        forward_occluding_7 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_7_choice_3) mod
-          4096;
-        forward_occluding_8 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_8_choice_3) mod
-          4096;
-        forward_occluding_9 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_9_choice_3) mod
-          4096;
-        forward_occluding_10 <= 1024 when forward_next_first else (forward_occlusion_cost + forward_path_10_choice_3)
-          mod 4096;
-        forward_dropped_0 <= 1024 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod
-          4096;
-        forward_dropped_1 <= 1024 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod
-          4096;
-        forward_dropped_2 <= 1024 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod
-          4096;
-        forward_dropped_3 <= 1024 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod
-          4096;
-        forward_dropped_4 <= 1024 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod
-          4096;
-        forward_dropped_5 <= 1024 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod
-          4096;
-        forward_dropped_6 <= 1024 when forward_next_first else (forward_pair_cost_6 + forward_path_7) mod 4096;
-        forward_dropped_7 <= 1024 when forward_next_first else (forward_pair_cost_7 + forward_path_8) mod 4096;
-        forward_dropped_8 <= 1024 when forward_next_first else (forward_pair_cost_8 + forward_path_9) mod 4096;
-        forward_dropped_9 <= 1024 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 4096;
-        forward_dropped_10 <= 1024 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 4096;
-        forward_dropped_11 <= 1024 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 4096;
+        forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 512;
+        forward_stayed_1 <= (forward_path_1_choice_3 + forward_next_cost_1) mod 512;
+        forward_stayed_2 <= (forward_path_2_choice_3 + forward_next_cost_2) mod 512;
+        forward_stayed_3 <= (forward_path_3_choice_3 + forward_next_cost_3) mod 512;
+        forward_stayed_4 <= (forward_path_4_choice_3 + forward_next_cost_4) mod 512;
+        forward_stayed_5 <= (forward_path_5_choice_3 + forward_next_cost_5) mod 512;
+        forward_stayed_6 <= (forward_path_6_choice_3 + forward_next_cost_6) mod 512;
+        forward_stayed_7 <= (forward_path_7_choice_3 + forward_next_cost_7) mod 512;
+        forward_stayed_8 <= (forward_path_8_choice_3 + forward_next_cost_8) mod 512;
+        forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 512;
+        forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 512;
+        forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 512;
+        forward_occluding_0 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_0_choice_2) mod
+          512;
+        forward_occluding_1 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_1_choice_3) mod
+          512;
+        forward_occluding_2 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_2_choice_3) mod
+          512;
+        forward_occluding_3 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_3_choice_3) mod
+          512;
+        forward_occluding_4 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_4_choice_3) mod
+          512;
+        forward_occluding_5 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_5_choice_3) mod
+          512;
+        forward_occluding_6 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_6_choice_3) mod
+          512;
+        forward_occluding_7 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_7_choice_3) mod
+          512;
+        forward_occluding_8 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_8_choice_3) mod
+          512;
+        forward_occluding_9 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_9_choice_3) mod
+          512;
+        forward_occluding_10 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_10_choice_3)
+          mod 512;
+        forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
+        forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
+        forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
+        forward_dropped_3 <= 128 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
+        forward_dropped_4 <= 128 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
+        forward_dropped_5 <= 128 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
+        forward_dropped_6 <= 128 when forward_next_first else (forward_pair_cost_6 + forward_path_7) mod 512;
+        forward_dropped_7 <= 128 when forward_next_first else (forward_pair_cost_7 + forward_path_8) mod 512;
+        forward_dropped_8 <= 128 when forward_next_first else (forward_pair_cost_8 + forward_path_9) mod 512;
+        forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
+        forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
+        forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
         forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
-        forward_far_6 <= forward_far_6_choice_2 when forward_path_5_any else 3;
-        forward_far_7 <= forward_far_7_choice_2 when forward_path_4_any else 3;
-        forward_far_8 <= forward_far_8_choice_2 when forward_path_3_any else 3;
-        forward_far_9 <= forward_far_9_choice_2 when forward_path_2_any else 3;
-        forward_far_10 <= forward_far_10_choice_2 when forward_path_1_any else 3;
-        forward_far_11 <= forward_far_11_choice when forward_path_0_value else 0;
-        forward_decision_0 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
-        forward_decision_1 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
-        forward_decision_2 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
-        forward_decision_3 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
-        forward_decision_4 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
-        forward_decision_5 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
+        forward_far_6 <= forward_far_6_choice_2 when forward_path_2_any else 3;
+        forward_far_7 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
+        forward_far_8 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
+        forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
+        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
+        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
+        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
+        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
+        forward_decision_6 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
+        forward_decision_8 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
+        forward_decision_9 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
+        forward_decision_10 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
       end if;
       forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
       forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
@@ -5004,7 +4892,107 @@ begin
       forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
         (not forward_next_first);
       -- decisions
+      decisions_ready_decision_2_is_equal := entry_tag_row_start = 1;
+      decisions_ready_decision_2_sum := traceback_state + 1;
+      decisions_ready_decision_2_value := (((decisions_ready_decision_2_sum mod 256) / 2) mod 2) = 1;
+      decisions_ready_decision_2_choice := entry_tag_first_group when (decisions_ready_decision_2_sum mod 2) = 1 else
+        entry_tag_newest_inside;
+      decisions_ready_decision_2_choice_2 := decisions_ready_decision_9 when (decisions_ready_decision_2_sum mod 2) = 1
+        else decisions_ready_decision_8;
+      decisions_ready_decision_2_choice_3 := decisions_ready_decision_2_choice when decisions_ready_decision_2_value
+        else decisions_ready_decision_2_choice_2;
+      decisions_ready_decision_2_choice_4 := entry_tag_border_column when (decisions_ready_decision_2_sum mod 2) = 1
+        else decisions_ready_decision_6;
+      decisions_ready_decision_2_choice_5 := decisions_ready_decision_5 when (decisions_ready_decision_2_sum mod 2) = 1
+        else decisions_ready_decision_4;
+      decisions_ready_decision_2_choice_6 := decisions_ready_decision_2_choice_4 when decisions_ready_decision_2_value
+        else decisions_ready_decision_2_choice_5;
+      decisions_ready_decision_2_choice_7 := decisions_ready_decision_3 when (decisions_ready_decision_2_sum mod 2) = 1
+        else entry_tag_first_cost;
+      decisions_ready_decision_2_choice_8 := decisions_ready_decision_1 when (decisions_ready_decision_2_sum mod 2) = 1
+        else decisions_ready_decision_0;
+      decisions_ready_decision_2_choice_9 := decisions_ready_decision_2_choice_7 when decisions_ready_decision_2_value
+        else decisions_ready_decision_2_choice_8;
+      decisions_ready_decision_2_choice_10 := decisions_ready_decision_2_choice_6 when
+        (((decisions_ready_decision_2_sum mod 256) / 4) mod 2) = 1 else decisions_ready_decision_2_choice_9;
+      decisions_ready_decision_2_choice_11 := decisions_ready_decision_2_choice_3 when
+        (((decisions_ready_decision_2_sum mod 256) / 8) mod 2) = 1 else decisions_ready_decision_2_choice_10;
+      decisions_ready_decision_2_is_equal_2 := entry_tag_row_start = 2;
+      decisions_ready_decision_2_sum_2 := (traceback_state / 2) + 3;
+      decisions_ready_decision_2_choice_12 := entry_tag_first_group when (traceback_state mod 2) = 1 else
+        entry_tag_newest_inside;
+      decisions_ready_decision_2_choice_13 := decisions_ready_decision_9 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_8;
+      decisions_ready_decision_2_choice_14 := decisions_ready_decision_2_choice_12 when
+        (decisions_ready_decision_2_sum_2 mod 2) = 1 else decisions_ready_decision_2_choice_13;
+      decisions_ready_decision_2_choice_15 := entry_tag_border_column when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_6;
+      decisions_ready_decision_2_choice_16 := decisions_ready_decision_5 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_4;
+      decisions_ready_decision_2_choice_17 := decisions_ready_decision_2_choice_15 when
+        (decisions_ready_decision_2_sum_2 mod 2) = 1 else decisions_ready_decision_2_choice_16;
+      decisions_ready_decision_2_choice_18 := decisions_ready_decision_3 when (traceback_state mod 2) = 1 else
+        entry_tag_first_cost;
+      decisions_ready_decision_2_choice_19 := decisions_ready_decision_1 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_0;
+      decisions_ready_decision_2_choice_20 := decisions_ready_decision_2_choice_18 when
+        (decisions_ready_decision_2_sum_2 mod 2) = 1 else decisions_ready_decision_2_choice_19;
+      decisions_ready_decision_2_choice_21 := decisions_ready_decision_2_choice_17 when
+        (((decisions_ready_decision_2_sum_2 mod 128) / 2) mod 2) = 1 else decisions_ready_decision_2_choice_20;
+      decisions_ready_decision_2_choice_22 := decisions_ready_decision_2_choice_14 when
+        (((decisions_ready_decision_2_sum_2 mod 128) / 4) mod 2) = 1 else decisions_ready_decision_2_choice_21;
+      decisions_ready_decision_2_all := (decisions_ready_decision_2 = 3) and entry_tag_row_start_is_equal;
+      decisions_ready_decision_2_sum_3 := traceback_state + 255;
+      decisions_ready_decision_2_value_2 := (((decisions_ready_decision_2_sum_3 mod 256) / 2) mod 2) = 1;
+      decisions_ready_decision_2_choice_23 := entry_tag_first_group when (decisions_ready_decision_2_sum_3 mod 2) = 1
+        else entry_tag_newest_inside;
+      decisions_ready_decision_2_choice_24 := decisions_ready_decision_9 when (decisions_ready_decision_2_sum_3 mod 2)
+        = 1 else decisions_ready_decision_8;
+      decisions_ready_decision_2_choice_25 := decisions_ready_decision_2_choice_23 when
+        decisions_ready_decision_2_value_2 else decisions_ready_decision_2_choice_24;
+      decisions_ready_decision_2_choice_26 := entry_tag_border_column when (decisions_ready_decision_2_sum_3 mod 2) = 1
+        else decisions_ready_decision_6;
+      decisions_ready_decision_2_choice_27 := decisions_ready_decision_5 when (decisions_ready_decision_2_sum_3 mod 2)
+        = 1 else decisions_ready_decision_4;
+      decisions_ready_decision_2_choice_28 := decisions_ready_decision_2_choice_26 when
+        decisions_ready_decision_2_value_2 else decisions_ready_decision_2_choice_27;
+      decisions_ready_decision_2_choice_29 := decisions_ready_decision_3 when (decisions_ready_decision_2_sum_3 mod 2)
+        = 1 else entry_tag_first_cost;
+      decisions_ready_decision_2_choice_30 := decisions_ready_decision_1 when (decisions_ready_decision_2_sum_3 mod 2)
+        = 1 else decisions_ready_decision_0;
+      decisions_ready_decision_2_choice_31 := decisions_ready_decision_2_choice_29 when
+        decisions_ready_decision_2_value_2 else decisions_ready_decision_2_choice_30;
+      decisions_ready_decision_2_choice_32 := decisions_ready_decision_2_choice_28 when
+        (((decisions_ready_decision_2_sum_3 mod 256) / 4) mod 2) = 1 else decisions_ready_decision_2_choice_31;
+      decisions_ready_decision_2_choice_33 := decisions_ready_decision_2_choice_25 when
+        (((decisions_ready_decision_2_sum_3 mod 256) / 8) mod 2) = 1 else decisions_ready_decision_2_choice_32;
+      decisions_ready_decision_2_value_3 := ((traceback_state / 2) mod 2) = 1;
+      decisions_ready_decision_2_choice_34 := decisions_ready_decision_2_choice_12 when
+        decisions_ready_decision_2_value_3 else decisions_ready_decision_2_choice_13;
+      decisions_ready_decision_2_choice_35 := decisions_ready_decision_2_choice_15 when
+        decisions_ready_decision_2_value_3 else decisions_ready_decision_2_choice_16;
+      decisions_ready_decision_2_choice_36 := decisions_ready_decision_2_choice_18 when
+        decisions_ready_decision_2_value_3 else decisions_ready_decision_2_choice_19;
+      decisions_ready_decision_2_choice_37 := decisions_ready_decision_2_choice_35 when ((traceback_state / 4) mod 2) =
+        1 else decisions_ready_decision_2_choice_36;
+      decisions_ready_decision_2_choice_38 := decisions_ready_decision_2_choice_34 when ((traceback_state / 8) mod 2) =
+        1 else decisions_ready_decision_2_choice_37;
+      decisions_ready_decision_2_choice_39 := decisions_ready_decision_2_choice_33 when decisions_ready_decision_2_all
+        else decisions_ready_decision_2_choice_38;
+      decisions_ready_decision_2_choice_40 := decisions_ready_decision_2_choice_22 when
+        decisions_ready_decision_2_is_equal_2 else decisions_ready_decision_2_choice_39;
+      decisions_ready_decision_2_choice_41 := decisions_ready_decision_2_choice_11 when
+        decisions_ready_decision_2_is_equal else decisions_ready_decision_2_choice_40;
       if entry_tag_valid then
+        decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
+        decisions_ready_decision_1 <= (to_integer(decisions_read_words_0(7 downto 0)) / 4) mod 4;
+        decisions_ready_decision_2 <= decisions_ready_decision_2_choice_41 when decisions_comes_0 else 0;
+        decisions_ready_decision_3 <= to_integer(decisions_read_words_0(7 downto 0)) / 64;
+        decisions_ready_decision_4 <= to_integer(decisions_read_words_0(9 downto 8));
+        decisions_ready_decision_5 <= to_integer(decisions_read_words_0(11 downto 10));
+        decisions_ready_decision_6 <= to_integer(decisions_read_words_0(13 downto 12));
+        decisions_ready_decision_8 <= to_integer(decisions_read_words_0(17 downto 16));
+        decisions_ready_decision_9 <= to_integer(decisions_read_words_0(19 downto 18));
         decisions_ready_inside <= entry_tag_map_column;
         decisions_comes_0 <= entry_tag_map_column;
         decisions_comes_1 <= decisions_ready_inside;
@@ -5013,7 +5001,12 @@ begin
         decisions_place_1 <= decisions_place_0;
         decisions_place_2 <= decisions_place_1;
       end if;
-      if entry_tag_newest_inside_all then
+      decisions_write_words_0_all := decisions_comes_2 and entry_tag_valid;
+      if decisions_write_words_0_all then
+        decisions_write_words_0 <= (forward_decision_10 * 1048576) + (forward_far_7 * 4194304) + (forward_decision_9 *
+          262144) + (forward_decision_8 * 65536) + (forward_far_8 * 16384) + (forward_decision_6 * 4096) +
+          (forward_decision_5 * 1024) + (forward_decision_4 * 256) + (forward_decision_3 * 64) + (forward_far_6 * 16) +
+          forward_decision_0 + (forward_decision_1 * 4);
         decisions_write_place <= decisions_place_2;
       end if;
       -- last
@@ -5024,21 +5017,21 @@ begin
         last_tags_held_2_map_column <= decisions_comes_1;
         last_tags_held_2_end_of_line <= last_tags_held_1_end_of_line;
       end if;
-      last_path_0_2_difference := 2048 - forward_path_0;
+      last_path_0_2_difference := 256 - forward_path_0;
       last_tags_moved <= entry_tag_valid;
-      last_path_0_0 <= 2048;
-      last_path_0_1 <= ((((((forward_path_1 / 2048) + 1) mod 2) * 2048) + (forward_path_1 mod 2048)) - forward_path_0)
-        mod 4096;
-      last_path_0_2 <= (last_path_0_2_difference + forward_path_2) mod 4096;
-      last_path_0_3 <= (last_path_0_2_difference + forward_path_3) mod 4096;
-      last_path_0_4 <= (last_path_0_2_difference + forward_path_4) mod 4096;
-      last_path_0_5 <= (last_path_0_2_difference + forward_path_5) mod 4096;
-      last_path_0_6 <= (last_path_0_2_difference + forward_path_6) mod 4096;
-      last_path_0_7 <= (last_path_0_2_difference + forward_path_7) mod 4096;
-      last_path_0_8 <= (last_path_0_2_difference + forward_path_8) mod 4096;
-      last_path_0_9 <= (last_path_0_2_difference + forward_path_9) mod 4096;
-      last_path_0_10 <= (last_path_0_2_difference + forward_path_10) mod 4096;
-      last_path_0_11 <= (last_path_0_2_difference + forward_path_11) mod 4096;
+      last_path_0_0 <= 256;
+      last_path_0_1 <= ((((((forward_path_1 / 256) + 1) mod 2) * 256) + (forward_path_1 mod 256)) - forward_path_0) mod
+        512;
+      last_path_0_2 <= (last_path_0_2_difference + forward_path_2) mod 512;
+      last_path_0_3 <= (last_path_0_2_difference + forward_path_3) mod 512;
+      last_path_0_4 <= (last_path_0_2_difference + forward_path_4) mod 512;
+      last_path_0_5 <= (last_path_0_2_difference + forward_path_5) mod 512;
+      last_path_0_6 <= (last_path_0_2_difference + forward_path_6) mod 512;
+      last_path_0_7 <= (last_path_0_2_difference + forward_path_7) mod 512;
+      last_path_0_8 <= (last_path_0_2_difference + forward_path_8) mod 512;
+      last_path_0_9 <= (last_path_0_2_difference + forward_path_9) mod 512;
+      last_path_0_10 <= (last_path_0_2_difference + forward_path_10) mod 512;
+      last_path_0_11 <= (last_path_0_2_difference + forward_path_11) mod 512;
       last_tag_valid <= last_tags_moved;
       last_tag_map_column <= last_tags_held_2_map_column;
       last_tag_end_of_line <= last_tags_held_2_end_of_line;
@@ -5104,18 +5097,18 @@ begin
       lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
       lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
       -- traceback
-      if entry_tag_first_group_all then
-        traceback_state_choice := entry_tag_first_group_sum_3 mod 256;
+      if decisions_ready_decision_2_all then
+        traceback_state_choice := decisions_ready_decision_2_sum_3 mod 256;
       else
         traceback_state_choice := traceback_state;
       end if;
-      if entry_tag_first_group_is_equal_2 then
-        traceback_state_choice_2 := ((entry_tag_first_group_sum_2 mod 128) * 2) + (traceback_state mod 2);
+      if decisions_ready_decision_2_is_equal_2 then
+        traceback_state_choice_2 := ((decisions_ready_decision_2_sum_2 mod 128) * 2) + (traceback_state mod 2);
       else
         traceback_state_choice_2 := traceback_state_choice;
       end if;
-      if entry_tag_first_group_is_equal then
-        traceback_state_choice_3 := entry_tag_first_group_sum mod 256;
+      if decisions_ready_decision_2_is_equal then
+        traceback_state_choice_3 := decisions_ready_decision_2_sum mod 256;
       else
         traceback_state_choice_3 := traceback_state_choice_2;
       end if;
@@ -5128,7 +5121,7 @@ begin
       end if;
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed <= ((entry_tag_row_start / 2) = 1) or ((entry_tag_row_start mod 2) = 1) or (not
-        ((entry_tag_first_group / 2) = 1)) or (not ((entry_tag_first_group mod 2) = 1));
+        ((decisions_ready_decision_2 / 2) = 1)) or (not ((decisions_ready_decision_2 mod 2) = 1));
       traceback_out_tag_map_column <= decisions_comes_1;
       traceback_out_tag_output_column <= traceback_tags_held_1_output_column;
       traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;

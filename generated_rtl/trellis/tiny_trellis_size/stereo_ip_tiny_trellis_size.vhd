@@ -66,10 +66,10 @@ begin
       latency_clocks => 39,
       flush_groups => 245,
       gap_groups => 0,
-      core_id => x"7e14eba5",
+      core_id => x"eabdd9ce",
       enabled_at_reset => enabled_at_reset,
-      settings_largest => (40, 90, 0, 0, 0, 0, 40, 16),
-      settings_start => (40, 90, 0, 0, 0, 0, 40, 16),
+      settings_largest => (6, 12, 0, 0, 0, 0, 40, 16),
+      settings_start => (6, 12, 0, 0, 0, 0, 40, 16),
       settings_least => (0, 1, 0, 0, 0, 0, 19, 8))
     port map (
       aclk => aclk,
