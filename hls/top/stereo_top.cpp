@@ -46,9 +46,8 @@ struct Memories {
 }  // namespace
 
 /// Pixels: pixel_bits bits each, row p of the group at bit pixel_bits * p. Disparities likewise, with
-/// kConfig.disparity_bits(). Bit p of
-/// pixel_valid belongs to row p. The tool takes no pragma from a macro: the ports of settings have none, which for
-/// what is only read is the same.
+/// kConfig.disparity_bits(). Bit p of pixel_valid belongs to row p. The tool takes no pragma from a macro, so the ports
+/// of settings have none: for what is only read that is the same.
 #pragma HLS interface port = left_pixel mode = none
 #pragma HLS interface port = right_pixel mode = none
 #pragma HLS interface port = start_of_frame mode = none
