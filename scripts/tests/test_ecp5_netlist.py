@@ -319,12 +319,14 @@ def test_the_proof_notices_a_copy_of_something_else(controlled: Controlled, tmp_
 # Registers that a comparison resets or sets, one of them with an enable, and one that a port resets.
 RESETS = """
 module top(input clock, reset, enable, input [3:0] a, b, input [2:0] i, j, input k,
-           output reg [3:0] index, output reg [2:0] chosen, kept, outer, output reg [1:0] least, output reg [8:0] sum);
-  wire less = a < b;
+           output reg [3:0] index, output reg [2:0] chosen, kept, outer, output reg [1:0] least, output reg [8:0] sum,
+           output reg [3:0] far);
+  wire less = a < b, of_four = (i[0] & i[1]) ^ (j[0] | j[1]);
   always @(posedge clock) begin
     index <= less ? {1'b0, i} : {1'b1, j};
     chosen <= less ? 3'd0 : i ^ j;
     if (a == b) sum <= 0; else sum <= {a, i} + {b, j};
+    far <= of_four ? 4'd0 : a + b;
     least <= (i == j) ? 2'b11 : {k ^ a[0], k};
     if (less) kept <= 0; else if (enable) kept <= j;
     outer <= reset ? 3'd0 : i;

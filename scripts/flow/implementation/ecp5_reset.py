@@ -36,7 +36,7 @@ def resets_to_logic(module: dict[str, Any], smallest: int = SMALLEST_DESIGN, mos
         if len(held) > most_readers:
             continue
         for register in filter(_is_always_enabled, held):
-            _add_lut(module, next_net, _with_reset(register, _table(reset, luts), luts))
+            _add_lut(module, next_net, _with_reset(register, reset, luts))
             register["connections"] |= {"DI": [next_net], "LSR": ["0"]}
             register["parameters"] |= {"LSRMUX": "LSR", "REGSET": "RESET"}
             next_net += 1
@@ -54,20 +54,21 @@ def _table(net: Bit, luts: dict[Bit, Cell]) -> Table:
     return look_up(luts[net], "INIT", tuple(PINS)) if net in luts else identity(net)
 
 
-def _with_reset(register: Cell, reset: Table, luts: dict[Bit, Cell]) -> Table:
-    """What comes into the register: one look-up table behind what came in before, or in its place if four inputs are
-    enough."""
+def _with_reset(register: Cell, reset: Bit, luts: dict[Bit, Cell]) -> Table:
+    """What comes into the register: one look-up table behind what came in before and what reset it, or in the place of
+    theirs if four inputs are enough."""
     parameters, (data,) = register["parameters"], register["connections"]["DI"]
     active, value = int(parameters["LSRMUX"] != "INV"), int(parameters["REGSET"] == "SET")
     known = {"0": 0, "1": 1, "x": 0}
 
     def held(values: dict[Bit, int]) -> int:
-        return value if reset.at(values) == active else known[data] if isinstance(data, str) else values[data]
+        return value if values[reset] == active else known[data] if isinstance(data, str) else values[data]
 
-    nets = tuple(dict.fromkeys([*([data] if isinstance(data, int) else []), *reset.nets]))
-    behind = tabulate(nets, held)
-    instead = with_input(behind, data, _table(data, luts))
-    return instead if len(instead.nets) <= len(PINS) else behind
+    nets = dict.fromkeys([*([data] if isinstance(data, int) else []), reset])
+    behind = tabulate(tuple(nets), held)
+    of_reset = with_input(behind, reset, _table(reset, luts))
+    choices = (with_input(of_reset, data, _table(data, luts)), of_reset)
+    return next((table for table in choices if len(table.nets) <= len(PINS)), behind)
 
 
 def _add_lut(module: dict[str, Any], output: Bit, table: Table) -> None:
