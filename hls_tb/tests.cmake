@@ -27,6 +27,7 @@ stereo_add_unit_tests(
   blocks/support/packed_test.cpp
   blocks/support/ring_test.cpp
   blocks/support/row_buffer_test.cpp
+  blocks/support/settings_test.cpp
   blocks/frontend/image_size_test.cpp
   blocks/frontend/line_buffer_test.cpp
   blocks/frontend/pair_delay_test.cpp

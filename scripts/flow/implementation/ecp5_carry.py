@@ -15,10 +15,10 @@ The function stays the same: each step is checked on the truth tables.
 """
 
 from collections import defaultdict
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from .ecp5_cells import inputs, remove_unread_luts
 from .ecp5_half import (
     PINS,
     Bit,
@@ -47,6 +47,7 @@ class CarryPacker:
     """Of one flattened module."""
 
     def __init__(self, module: dict[str, Any]) -> None:
+        self.module = module
         self.cells: dict[str, Cell] = module["cells"]
         self.ports, self.names = module["ports"], module["netnames"]
         self.readers: dict[Bit, int] = defaultdict(int)
@@ -58,7 +59,7 @@ class CarryPacker:
         for name, cell in self.cells.items():
             if cell["type"] == "LUT4":
                 self.luts[cell["connections"]["Z"][0]] = name
-            for bit in _inputs(cell):
+            for bit in inputs(cell):
                 self.readers[bit] += 1
         self.aliases: dict[Bit, Bit] = {}  # net -> net that has the same value
 
@@ -73,7 +74,7 @@ class CarryPacker:
             self._make_even(chain)
             self._write(chain)
         self._rename()
-        self._remove_unread()
+        remove_unread_luts(self.module)
 
     # --- reading ------------------------------------------------------------------------------------------------------
 
@@ -159,7 +160,7 @@ class CarryPacker:
             found: dict[Bit, set[str]] = defaultdict(set)
             for name, cell in self.cells.items():
                 if cell["type"] == "CCU2C":
-                    for bit in _inputs(cell):
+                    for bit in inputs(cell):
                         found[bit].add(name)
             self._carry_readers = found
         return self._carry_readers
@@ -274,20 +275,3 @@ class CarryPacker:
             for port, bits in cell["connections"].items():
                 if cell["port_directions"][port] != "output":
                     cell["connections"][port] = [final(bit) for bit in bits]
-
-    def _remove_unread(self) -> None:
-        """Look-up tables that nobody reads any more, and those that only they read."""
-        kept = {bit for port in self.ports.values() for bit in port["bits"]}
-        while True:
-            read = kept | {bit for cell in self.cells.values() for bit in _inputs(cell)}
-            unread = [name for net, name in self.luts.items() if name in self.cells and net not in read]
-            if not unread:
-                return
-            for name in unread:
-                del self.cells[name]
-
-
-def _inputs(cell: Cell) -> Iterator[Bit]:
-    for port, bits in cell["connections"].items():
-        if cell["port_directions"][port] != "output":
-            yield from (bit for bit in bits if isinstance(bit, int))

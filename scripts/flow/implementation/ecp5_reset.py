@@ -8,6 +8,7 @@ few of such a reset stand far from the logic around them.
 
 from typing import Any
 
+from .ecp5_cells import remove_unread_luts
 from .ecp5_half import PINS, Bit, Cell, Table, identity, look_up, tabulate, with_input
 
 # Registers of a design in which that counts: in a smaller one a tile is never far.
@@ -41,7 +42,7 @@ def resets_to_logic(module: dict[str, Any], smallest: int = SMALLEST_DESIGN, mos
             register["parameters"] |= {"LSRMUX": "LSR", "REGSET": "RESET"}
             next_net += 1
             changed += 1
-    _remove_unread(module, luts)
+    remove_unread_luts(module)
     return changed
 
 
@@ -85,19 +86,3 @@ def _add_lut(module: dict[str, Any], output: Bit, table: Table) -> None:
         "port_directions": {**dict.fromkeys(PINS, "input"), "Z": "output"},
         "connections": {**{pin: [net] for pin, net in zip(PINS, (*table.nets, *["0"] * unused))}, "Z": [output]},
     }
-
-
-def _remove_unread(module: dict[str, Any], luts: dict[Bit, Cell]) -> None:
-    cells: dict[str, Cell] = module["cells"]
-    names = {cell["connections"]["Z"][0]: name for name, cell in cells.items() if cell["type"] == "LUT4"}
-    while True:
-        read = {bit for port in module["ports"].values() for bit in port["bits"]}
-        for cell in cells.values():
-            for port, bits in cell["connections"].items():
-                if cell["port_directions"][port] != "output":
-                    read.update(bit for bit in bits if isinstance(bit, int))
-        unread = [net for net, name in names.items() if net in luts and name in cells and net not in read]
-        if not unread:
-            return
-        for net in unread:
-            del cells[names[net]]
