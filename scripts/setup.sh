@@ -9,6 +9,7 @@ cd "$(dirname "$0")/.."
 
 packages=(
    g++ cmake ninja-build ccache                              # native build
+   make                                                      # what Verilator writes is built by it
    libopencv-dev libgtest-dev libcli11-dev nlohmann-json3-dev
    ghdl-mcode verilator yosys                                # co-simulation and proofs
    python3 python3-venv python3-rich python3-jinja2                # the flow
