@@ -68,8 +68,10 @@ class Reader:
     def follow(self, block):
         """The finished process of a block."""
         if block.kind == "diff":
+            # The folder may stand in another checkout, of which git would take the paths.
+            outside = {**os.environ, "GIT_CEILING_DIRECTORIES": str(self.folder.parent)}
             return subprocess.run(
-                ["git", "apply", "-"], input=block.text, cwd=self.folder, capture_output=True, text=True
+                ["git", "apply", "-"], input=block.text, cwd=self.folder, capture_output=True, text=True, env=outside
             )
         script = "\n".join(["set -euo pipefail", *self.exports, block.text])
         self.exports += [line for line in block.text.splitlines() if line.startswith("export ")]
