@@ -40,7 +40,10 @@ begin
       elsif begun = '1' then
         started(1) <= now_clock;
       end if;
-      start_clock := started(0) when ended_slot = '0' else started(1);
+      start_clock := started(0);
+      if ended_slot = '1' then
+        start_clock := started(1);
+      end if;
       if ended = '1' then
         clocks <= now_clock - start_clock;
       end if;

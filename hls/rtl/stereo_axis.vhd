@@ -110,7 +110,7 @@ architecture rtl of stereo_axis is
   signal result, stray : std_logic;
   signal queues : std_logic := '0';  -- `queued` is a result: a clock later, for whether its frame is whole comes late
   signal queued : std_logic_vector(word_bits - 1 downto 0);
-  signal frame_error, ends, entering, leaving : std_logic;
+  signal frame_error, ends, entering, leaving, start_slot : std_logic;
   signal word : std_logic_vector(word_bits - 1 downto 0);
   signal word_valid : std_logic;
   signal taken : std_logic := '0';  -- a clock later: the queue's end and the credits are far from each other
@@ -166,7 +166,7 @@ begin
     generic map (flag_bits => 2, data_bits => 2 * pixel_bits)
     port map (
       clock => aclk, reset => reset,
-      in_valid => s_axis_tvalid, in_ready => s_axis_tready, in_flags => s_axis_tuser & s_axis_tlast,
+      in_valid => s_axis_tvalid, in_ready => s_axis_tready, in_flags(1) => s_axis_tuser(0), in_flags(0) => s_axis_tlast,
       in_data => s_axis_tdata,
       out_valid => beat_valid, out_ready => beat_take, out_flags => beat_flags, out_data => beat_pixels);
 
@@ -192,7 +192,7 @@ begin
   -- What has no credit has no place in the queue either. Nothing is due while the core is reset, so what it shows of the
   -- time before counts nowhere.
   result <= core_disparity_valid and due;
-  stray <= core_disparity_valid and not due and not (or core_in_reset);
+  stray <= core_disparity_valid and not due and not core_in_reset(1) and not core_in_reset(2);
 
   frames : entity work.stereo_frames
     generic map (row_groups => height_px / pixels_per_clock)
@@ -202,9 +202,10 @@ begin
       result_valid => result, result_start => core_disparity_start_of_frame, result_last => core_disparity_end_of_line,
       frame_error => frame_error, ends => ends, entering => entering, leaving => leaving);
 
+  start_slot <= not entering;
   timer : entity work.frame_timer
     port map (
-      clock => aclk, reset => clear, starts => starts, start_slot => not entering, ends => ends, end_slot => leaving,
+      clock => aclk, reset => clear, starts => starts, start_slot => start_slot, ends => ends, end_slot => leaving,
       clocks => frame_clocks);
 
   queue : entity work.stream_fifo

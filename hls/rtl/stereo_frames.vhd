@@ -64,12 +64,19 @@ begin
 
       oldest <= current;
       if result_valid = '1' and result_last = '1' then
-        line_group <= 0 when frame_leaves = '1' else line_group + 1;
+        if frame_leaves = '1' then
+          line_group <= 0;
+        else
+          line_group <= line_group + 1;
+        end if;
       end if;
 
       if starts = '1' and frame_leaves = '0' then
         frames_inside <= frames_inside + 1;
-        may_start <= '1' when frames_inside = 0 else '0';
+        may_start <= '0';
+        if frames_inside = 0 then
+          may_start <= '1';
+        end if;
       elsif starts = '0' and frame_leaves = '1' then
         frames_inside <= frames_inside - 1;
         may_start <= '1';

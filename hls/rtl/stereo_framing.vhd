@@ -119,19 +119,37 @@ begin
         in_frame := fills;
       end if;
       if in_frame = '1' then
-        column <= column + 1 when line_ends = '0' else 0;
-        line_ends <= '1' when column = columns_now - 2 else '0';
-        if line_ends = '1' then
-          row_group <= row_group + 1 when last_line = '0' else 0;
-          last_line <= '1' when row_groups = 1 or row_group = row_groups_now - 2 else '0';
+        line_ends <= '0';
+        if column = columns_now - 2 then
+          line_ends <= '1';
+        end if;
+        if line_ends = '0' then
+          column <= column + 1;
+        else
+          column <= 0;
+          last_line <= '0';
+          if row_groups = 1 or row_group = row_groups_now - 2 then
+            last_line <= '1';
+          end if;
+          if last_line = '0' then
+            row_group <= row_group + 1;
+          else
+            row_group <= 0;
+          end if;
         end if;
       end if;
 
       next_phase := phase;
       next_between := between;
       if in_frame = '1' and frame_ends = '1' then
-        next_phase := flushing when all_flush_groups > 0 else idle;
-        next_between := '1' when gap_groups = 0 else '0';
+        next_phase := idle;
+        if all_flush_groups > 0 then
+          next_phase := flushing;
+        end if;
+        next_between := '0';
+        if gap_groups = 0 then
+          next_between := '1';
+        end if;
       elsif broken = '1' then
         next_phase := filling;
         next_between := '0';
@@ -139,7 +157,10 @@ begin
         next_phase := inside;
         next_between := '0';
       elsif phase = flushing and fills = '1' then
-        next_between := '1' when flushed = gap_groups_now - 1 else '0';
+        next_between := '0';
+        if flushed = gap_groups_now - 1 then
+          next_between := '1';
+        end if;
         if flushed = all_flush_groups - 1 then
           next_phase := idle;
           next_between := '1';
@@ -147,11 +168,20 @@ begin
       end if;
       phase <= next_phase;
       between <= next_between;
-      next_guards := not halt when next_phase = inside else '0';
+      next_guards := '0';
+      if next_phase = inside then
+        next_guards := not halt;
+      end if;
       takes_start <= next_between and enable and may_start and may_send and not begins and not halt;
       takes_group <= next_guards and may_send;
-      takes_other <= next_guards and may_send when next_phase = inside else '1';
-      may_fill <= may_send when next_phase = filling or next_phase = flushing else '0';
+      takes_other <= '1';
+      if next_phase = inside then
+        takes_other <= next_guards and may_send;
+      end if;
+      may_fill <= '0';
+      if next_phase = filling or next_phase = flushing then
+        may_fill <= may_send;
+      end if;
       guards <= next_guards;
       halting <= halt;
 
@@ -168,7 +198,10 @@ begin
         column <= 0;
         row_group <= 0;
         line_ends <= '0';
-        last_line <= '1' when row_groups = 1 else '0';
+        last_line <= '0';
+        if row_groups = 1 then
+          last_line <= '1';
+        end if;
         between <= '1';
         takes_start <= '0';
         takes_group <= '0';

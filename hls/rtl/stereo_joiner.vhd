@@ -101,7 +101,7 @@ begin
   both <= left_valid and right_valid;
   starts <= left_start and right_start;
   alike <= starts when left_start = '1' or right_start = '1' else joined;
-  same <= both and alike and (left_end xnor right_end);
+  same <= both and alike and not (left_end xor right_end);
   differs <= both and not same;
   cuts <= same and starts and joined and incomplete;  -- the next frame begins on both sides
   lost <= differs or cuts or left_drops or right_drops;

@@ -106,7 +106,7 @@ architecture rtl of stereo_registers is
     return bits;
   end function;
 
-  type words is array (0 to 2 ** (address_bits - 2) - 1) of word;
+  type words is array (natural range 0 to 2 ** (address_bits - 2) - 1) of word;
   signal values : words;
 begin
   s_axil_awready <= takes_address;
@@ -184,9 +184,16 @@ begin
         write_bytes <= s_axil_wstrb;
       end if;
       applies <= writes;
-      to_control <= '1' when write_address = control_word else '0';
-      to_status <= '1' when write_address = status_word else '0';
-      to_interrupt <= '1' when write_address = interrupt_word else '0';
+      to_control <= '0';
+      to_status <= '0';
+      to_interrupt <= '0';
+      if write_address = control_word then
+        to_control <= '1';
+      elsif write_address = status_word then
+        to_status <= '1';
+      elsif write_address = interrupt_word then
+        to_interrupt <= '1';
+      end if;
       for i in setting_addressed'range loop
         setting_addressed(i) <= '0';
         if write_address = first_setting_word + i and write_bytes(1 downto 0) = "11" then
@@ -273,7 +280,10 @@ begin
         whole_frames <= (others => '0');
       end if;
       if aresetn = '0' then
-        enabled <= '1' when enabled_at_reset else '0';
+        enabled <= '0';
+        if enabled_at_reset then
+          enabled <= '1';
+        end if;
         frame_done_enabled <= '0';
         errors_enabled <= '0';
         irq <= '0';

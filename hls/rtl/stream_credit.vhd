@@ -50,18 +50,38 @@ begin
     variable change : integer range -2 to 1;
   begin
     if rising_edge(clock) then
-      returned <= 2 when unused = '1' and taken = '1' else 1 when unused = '1' or taken = '1' else 0;
+      returned <= 0;
+      if unused = '1' and taken = '1' then
+        returned <= 2;
+      elsif unused = '1' or taken = '1' then
+        returned <= 1;
+      end if;
       if returned = 2 then
-        change := -1 when sends = '1' else -2;
+        change := -2;
+        if sends = '1' then
+          change := -1;
+        end if;
       elsif returned = 1 then
-        change := 0 when sends = '1' else -1;
+        change := -1;
+        if sends = '1' then
+          change := 0;
+        end if;
       else
-        change := 1 when sends = '1' else 0;
+        change := 0;
+        if sends = '1' then
+          change := 1;
+        end if;
       end if;
       lent <= lent + change;
-      may_send <= '1' when lent < words - 2 else '0';
+      may_send <= '0';
+      if lent < words - 2 then
+        may_send <= '1';
+      end if;
       flight <= sends & flight(0 to latency - 1);
-      in_flight <= sends or (or flight(0 to latency - 1));
+      in_flight <= '0';
+      if sends = '1' or flight(0 to latency - 1) /= (0 to latency - 1 => '0') then
+        in_flight <= '1';
+      end if;
       if reset = '1' then
         flight <= (others => '0');
         in_flight <= '0';

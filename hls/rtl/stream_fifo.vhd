@@ -64,7 +64,10 @@ begin
       elsif in_valid = '0' and leaves then
         stored <= stored - 1;
       end if;
-      waits <= '1' when in_valid = '1' or stored > 1 or (stored = 1 and not leaves) else '0';
+      waits <= '0';
+      if in_valid = '1' or stored > 1 or (stored = 1 and not leaves) then
+        waits <= '1';
+      end if;
       if reset = '1' then
         write_address <= 0;
         read_address <= 0;

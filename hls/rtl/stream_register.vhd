@@ -51,11 +51,17 @@ begin
       arrives := in_valid and accepts;
       moves := out_ready or not main_valid;
       if moves = '1' then
-        main_flags <= next_flags when next_valid = '1' else in_flags;
+        main_flags <= in_flags;
+        if next_valid = '1' then
+          main_flags <= next_flags;
+        end if;
         main_valid <= next_valid or arrives;
       end if;
       if moves = '1' or next_valid = '0' then
-        next_flags <= last_flags when last_valid = '1' else in_flags;
+        next_flags <= in_flags;
+        if last_valid = '1' then
+          next_flags <= last_flags;
+        end if;
         next_valid <= last_valid or (arrives and (next_valid or not moves));
       end if;
       -- Nothing arrives while there is a last word.
