@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Makes the bit stream of examples/ecp5 for the ULX3S board: the core of configuration tiny between AXI4-Streams."""
 

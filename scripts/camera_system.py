@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Two cameras to depths in one design, examples/camera_system: lists what to compile, writes its VHDL, implements it,
 and plays frames into it that must come out as those of the software pipeline."""

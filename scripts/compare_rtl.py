@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Compares the committed VHDL with that of an earlier commit: the same netlist under other names, or another one."""
 

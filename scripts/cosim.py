@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Co-simulates the generated VHDL of configurations against the C++ core on a stereo pair, to the last bit and
 clock."""

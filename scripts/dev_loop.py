@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Times the developer's loop, from a changed header to a simulated frame of new VHDL. Writes only to build/."""
 

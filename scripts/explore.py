@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Sweeps window, cost, disparity range and options over some pairs with the fast model, and sets the quality beside the
 look-up tables that each choice costs: which configuration is worth its LUTs?"""

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Writes docs/features.md, what each option costs, from the committed manifests and implementation results. Runs no
 tool."""

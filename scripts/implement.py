@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Implements the generated VHDL on FPGA families: area by yosys, on ECP5 also the clock after place and route by
 nextpnr."""

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Writes the VHDL that puts a core between AXI4-Streams, stereo_ip_NAME, or an instance of it to be pasted, or a folder
 with all that a vendor's tool wants of it."""

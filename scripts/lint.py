@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Checks the hand-written VHDL in hls/rtl and examples: GHDL's warnings, latches and loops in the netlist, layout. Any
 finding is an error."""

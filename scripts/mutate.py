@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Puts single faults into copies of the VHDL, of the core of a configuration and of its AXI4-Stream shell, and counts
 which of them the tests notice. What they do not notice is equivalent if yosys-abc proves that nothing of it can be seen

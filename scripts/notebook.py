@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Builds the Python module, runs a notebook with it, and writes the notebook with its results and its pictures."""
 

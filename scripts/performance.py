@@ -1,10 +1,11 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Writes docs/performance.md, its plot and the camera's table of docs/integration.md from the committed manifests and
 implementation results, and prints the evaluations a second per LUT of each routed configuration. Runs no tool."""
 
 import sys
 from pathlib import Path
+from typing import Optional
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files, rtl
@@ -37,7 +38,7 @@ def main() -> int:
     return code
 
 
-def show(name: str, mhz: float | None) -> int:
+def show(name: str, mhz: Optional[float]) -> int:
     if name not in rtl.known_configurations():
         raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(rtl.known_configurations())}")
     if mhz:

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Writes docs/quality.md: our configurations, OpenCV's StereoBM and StereoSGBM against ground truth, in one run, on the
 real pair Teddy and on generated scenes. Without the pair only the scenes are measured, and build/quality_scenes.md is

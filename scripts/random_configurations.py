@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Draws configurations at random from the whole space of options, builds their clocked cores and compares these with
 the definition: frames back to back, bubbles, resets, broken frames."""

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Writes the table of docs/dynamic_range.md and its picture: bad pixels of each frame of moving scenes in which new
 objects appear, with search windows that follow the scene and with the whole range."""

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Makes the VHDL package and the documentation table of the registers from hls/rtl/registers.json."""
 

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Makes the VHDL of configurations, of matching cores and of stages, from the C++ with Bambu, into
 generated_rtl/FAMILY/NAME/."""

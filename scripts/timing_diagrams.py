@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Makes the timing diagrams of docs/integration.md from a simulation of stereo_ip, configuration tiny."""
 

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Verifies stereo_ip, the core between AXI4-Streams: random stalls, gaps, resets and broken streams, every frame
 compared with the C++ core. Thousands of frames in Verilator, all scenarios under cocotb in GHDL."""

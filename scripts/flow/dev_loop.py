@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times the steps that a developer repeats after a change of the C++, those that can run side by side at once."""
 
+from __future__ import annotations
+
 import json
 import os
 import shutil

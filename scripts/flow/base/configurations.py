@@ -2,6 +2,8 @@
 """The tables of named configurations, as the C++ has them (hls/FAMILY/configurations.hpp): those of matching cores, and
 those of stages in front of them."""
 
+from __future__ import annotations
+
 import json
 from functools import cache
 from pathlib import Path

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """How every command of this project ends."""
 
+from __future__ import annotations
+
 import argparse
 import os
 import signal
@@ -54,8 +56,8 @@ def run_command(main: Callable[[], int]) -> NoReturn:
         sys.exit(error.exit_code)
     except ModuleNotFoundError as error:
         print(
-            f"{program}: the Python package {error.name} is missing for {sys.executable}; start the command by its own "
-            f"name, which takes /usr/bin/python3, or on Debian: apt-get install python3-{error.name}",
+            f"{program}: the Python package {error.name} is missing for {sys.executable}; on Debian: apt-get install "
+            f"python3-{error.name}, then /usr/bin/python3 {sys.argv[0]}; else: pip install {error.name}",
             file=sys.stderr,
         )
         sys.exit(EXIT_MISSING_TOOL)

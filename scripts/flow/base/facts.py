@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where and with what a result was made."""
 
+from __future__ import annotations
+
 import os
 import platform
 import shutil

@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """What simulations, proofs and implementations have in common: VHDL through GHDL."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
+from typing import Union
 
 from .errors import EXIT_TOOL_FAILED, FlowError
 from .tools import find_ghdl, run, tool_version
 
 STANDARD = "--std=08"
-Generics = Mapping[str, int | str]  # of a top
+Generics = Mapping[str, Union[int, str]]  # of a top
 
 
 def version() -> str:

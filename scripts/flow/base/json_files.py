@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """JSON from files that anyone may have damaged."""
 
+from __future__ import annotations
+
 import json
 from pathlib import Path
 from typing import Any

@@ -2,6 +2,8 @@
 """A bar that shows how far a command is, where somebody watches. Loading what draws it takes a fifth of a second, which
 a command that a script starts can save."""
 
+from __future__ import annotations
+
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -22,7 +24,7 @@ class Bar:
 
 
 class _Drawn(Bar):
-    def __init__(self, progress: "Progress", task: "TaskID") -> None:
+    def __init__(self, progress: Progress, task: TaskID) -> None:
         self._progress, self._task = progress, task
 
     def show(self, done: int, title: str | None = None) -> None:

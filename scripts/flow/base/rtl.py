@@ -2,6 +2,8 @@
 """Where the VHDL of each configuration stands, generated_rtl/FAMILY/NAME/, what its entities are called, and the ports
 of each kind of design: a matching core of any family, or a stage in front of it."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, cast

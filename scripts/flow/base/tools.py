@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds the programs this flow calls, and calls them."""
 
+from __future__ import annotations
+
 import os
 import re
 import selectors
@@ -12,14 +14,14 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext
 from functools import cache
 from pathlib import Path
-from typing import IO
+from typing import IO, Union
 
 from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, EXIT_USAGE, FlowError
 
 ROOT = Path(__file__).resolve().parents[3]
 BAMBU_DOWNLOAD = "https://release.bambuhls.eu"
 
-Word = str | Path | int | float  # of a command
+Word = Union[str, Path, int, float]  # of a command
 Say = Callable[[str], None]  # takes a line for the user
 
 

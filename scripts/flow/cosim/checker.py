@@ -2,8 +2,9 @@
 """Compares what a simulator observed with what the C++ core said, and measures clocks. The only judge of all
 simulators."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import TypedDict
 
 from ..base.configurations import Parameters
@@ -115,7 +116,7 @@ def measure(stimulus: Stimulus, observed: list[Observed], configuration: Paramet
         first = next((number for number, (_, flags) in enumerate(numbers) if flags & 1), 0)
         if first + outputs_per_frame <= len(numbers):
             clocks = numbers[first + outputs_per_frame - 1][0] - first_input + 1
-    gaps = [later - clock for (clock, flags), (later, _) in pairwise(numbers) if not flags & 2]
+    gaps = [later - clock for (clock, flags), (later, _) in zip(numbers, numbers[1:]) if not flags & 2]
     interval: Interval | None = None
     if gaps:
         interval = {"min": min(gaps), "avg": sum(gaps) / len(gaps), "max": max(gaps)}

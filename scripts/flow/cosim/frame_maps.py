@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The expected and the actual map of one frame, as numbers, as a table around a pixel and as pictures."""
 
+from __future__ import annotations
+
 from typing import TypedDict
 
 from ..base.configurations import Parameters, option

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Co-simulation: the C++ core makes stimulus and expectation, a simulator runs the VHDL, the checker compares."""
 
+from __future__ import annotations
+
 import dataclasses
 import re
 import shlex

@@ -5,6 +5,8 @@ around it.
 Everything is read from the folder that scripts/cosim.py writes: report.json, expected.txt, observed.txt, and
 failure.vcd where a waveform could be made."""
 
+from __future__ import annotations
+
 import json
 import shlex
 import tempfile

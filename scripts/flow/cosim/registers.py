@@ -10,6 +10,8 @@ count:
 - of these, counters of rings, which may stand anywhere: they never agree.
 """
 
+from __future__ import annotations
+
 import re
 from collections.abc import Collection
 from dataclasses import dataclass

@@ -2,6 +2,8 @@
 """Many co-simulations as one regression: some at a time, each a command of its own; one line each, one summary.json,
 one junit.xml."""
 
+from __future__ import annotations
+
 import fnmatch
 import hashlib
 import json

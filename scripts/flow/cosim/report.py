@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a co-simulation gave: report.json, junit.xml and the lines on the terminal."""
 
+from __future__ import annotations
+
 import json
 import re
 import xml.etree.ElementTree as xml
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, NotRequired, TypedDict
+from typing import Any, TypedDict
 
 from ..base import files
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.facts import Facts, facts
+from ..base.newer_python import NotRequired
 from .checker import Interval
 
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")

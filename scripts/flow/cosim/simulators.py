@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The ways to run the VHDL. Each reads a stimulus file and writes an observed file (see vectors.py)."""
 
+from __future__ import annotations
+
 import os
 import shutil
 import tempfile

@@ -4,6 +4,8 @@
 GHDL always dumps from the start of a simulation and in femtoseconds. What `cut` writes begins at the first time that
 was asked for, with the value of every signal, and counts in nanoseconds."""
 
+from __future__ import annotations
+
 import bisect
 import re
 from collections.abc import Callable, Iterator, Mapping

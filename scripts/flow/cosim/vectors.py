@@ -11,7 +11,7 @@ Clocks count from 0, the first clock after reset.
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Literal, Union
 
 from ..base import rtl
 from ..base.configurations import Parameters, option
@@ -32,7 +32,7 @@ class Expected:
     flags: int
 
 
-Seen = int | Literal["X"]  # "X" where the simulator saw no number
+Seen = Union[int, Literal["X"]]  # "X" where the simulator saw no number
 
 
 @dataclass(frozen=True)

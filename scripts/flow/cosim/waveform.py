@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The signals that matter at a mismatch: their groups, a save file for GTKWave, and a table for a page."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -14,6 +14,8 @@ to look-up tables and to nextpnr, which spends a whole CCU2C for each carry that
 The function stays the same: each step is checked on the truth tables.
 """
 
+from __future__ import annotations
+
 from collections import defaultdict
 from dataclasses import dataclass
 from typing import Any

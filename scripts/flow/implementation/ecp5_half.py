@@ -5,12 +5,14 @@ Half of a CCU2C is a look-up table of four inputs p, a carry that goes through w
 inputs A and B that gives the carry where p is 0; its sum output is p xor the carry that comes in.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations, product
-from typing import Any
+from typing import Any, Union
 
-Bit = int | str  # a net of yosys's netlist, or "0", "1", "x"
+Bit = Union[int, str]  # a net of yosys's netlist, or "0", "1", "x"
 Cell = dict[str, Any]
 PINS = "ABCD"
 

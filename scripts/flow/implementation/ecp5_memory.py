@@ -5,6 +5,8 @@ A block RAM's output comes late in the clock, and the way to a register behind i
 register of its own, which yosys does not infer.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 from .ecp5_half import Bit, Cell

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a configuration does in a clock and in a second."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from typing import TypedDict
 

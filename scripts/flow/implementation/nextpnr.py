@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Clock after place and route on an ECP5, by nextpnr from PyPI, in a virtual environment of the project's own."""
 
+from __future__ import annotations
+
 import hashlib
 import json
 import os

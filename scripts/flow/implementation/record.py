@@ -2,11 +2,14 @@
 """generated_rtl/FAMILY/NAME/implementation.json: area and clock of that VHDL on each FPGA family, and of the AXI shell
 around it."""
 
+from __future__ import annotations
+
 import json
 from pathlib import Path
-from typing import NotRequired, TypedDict, cast
+from typing import TypedDict, cast
 
 from ..base import files, json_files
+from ..base.newer_python import NotRequired
 from ..synthesis.manifest import Digests, Manifest, design
 
 FORMAT = "stereo-hls implementation 3"

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What generated_rtl/FAMILY/NAME/ says of one configuration: how it was made, its co-simulations, area and clock."""
 
+from __future__ import annotations
+
 from ..base import rtl
 from ..base.configurations import Size, option
 from ..base.errors import EXIT_MISMATCH, FlowError

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The FPGA families and devices that a design is implemented on."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 
 from ..base.tools import ROOT

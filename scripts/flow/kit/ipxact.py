@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The description of a kit's top in IP-XACT, IEEE 1685-2014: component.xml."""
 
+from __future__ import annotations
+
 import xml.etree.ElementTree as xml
 from collections.abc import Iterable
 from pathlib import Path

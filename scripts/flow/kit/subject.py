@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a kit is about: one configuration, its top and the bus interfaces of that, all from manifest.json."""
 
+from __future__ import annotations
+
 import re
 from pathlib import Path
 from typing import NamedTuple

@@ -13,6 +13,8 @@ The graph's output is 1 when an output may differ. Where that never happens the 
 it happens they need not differ. A fault in a reset value or in a mask is proved so: the data that it touches differs
 for some clocks, and nobody sees them."""
 
+from __future__ import annotations
+
 import random
 import re
 from collections.abc import Collection

@@ -11,6 +11,8 @@ is free in every clock, resets and broken streams too. Compared: all outputs in 
 bit while it is '1'. The shell is proved for any core: what it gives the core is an output, what the core answers is an
 input."""
 
+from __future__ import annotations
+
 import re
 import threading
 from pathlib import Path

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Single faults in VHDL text: every place where a rule fits is one mutant."""
 
+from __future__ import annotations
+
 import random
 import re
 from collections.abc import Callable, Iterable, Iterator

@@ -2,6 +2,8 @@
 """Mutation run: do the tests notice single faults in the VHDL? Each mutant goes through stages of tests, cheap ones
 first, until one of them fails. What passes the cheap ones may be no fault at all: a proof of that ends the tests."""
 
+from __future__ import annotations
+
 import hashlib
 import json
 import shutil
@@ -153,7 +155,7 @@ class Run:
         if len(self.verdicts) % 10 == 0:
             self.say(f"{len(self.verdicts)} of {sum(self.counts)} mutants, {time.monotonic() - self.began:.0f} s ...")
 
-    def run(self) -> "Run":
+    def run(self) -> Run:
         for is_core, sources, count in (
             (True, self.core_files, self.counts[0]),
             (False, design.shell_files(), self.counts[1]),

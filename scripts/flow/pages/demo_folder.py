@@ -6,14 +6,17 @@ cosim-ghdl/       report.json (scripts/cosim.py)
 cosim-verilator/  report.json
 """
 
+from __future__ import annotations
+
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NotRequired, TypedDict, get_args, get_origin, get_type_hints, is_typeddict
+from typing import Any, TypedDict, get_args, get_origin, get_type_hints
 
 from ..base import json_files, rtl
 from ..base.configurations import option
 from ..base.errors import FlowError
+from ..base.newer_python import NotRequired, need_python
 from ..cosim.checker import Interval
 from ..cosim.report import Report, counts_agree
 from ..implementation.results import Configuration
@@ -87,6 +90,7 @@ class Demo:
 
 
 def read_demo(folder: Path) -> Demo:
+    need_python((3, 11), "the check of a demo's folder")
     if not folder.is_dir():
         raise FlowError(f"{folder}: there is no such folder; make it with scripts/demo.sh")
     path = folder / "match" / "match.json"
@@ -129,6 +133,8 @@ def _check(path: Path, content: object, shape: type) -> None:
 
 def _is_usable(value: object, kind: Any) -> bool:
     """Whether a value has the type of an annotation. A flag is no number, and a whole number is a float, too."""
+    from typing import is_typeddict  # not in the oldest Python
+
     if get_args(kind):
         return any(_is_usable(value, one) for one in get_args(kind))
     if is_typeddict(kind):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/features.md: what each option of the algorithm and of the pipeline costs, from committed files only."""
 
+from __future__ import annotations
+
 from pathlib import Path
 
 from ..base import rtl

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pictures of a disparity map on the page of a demo: the map, its errors, what the checks rejected."""
 
+from __future__ import annotations
+
 import math
 
 from ..base.errors import FlowError

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/performance.md: tables made from committed files only, so that anyone gets the same page."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterable
 from pathlib import Path
 

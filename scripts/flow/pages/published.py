@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What others have published of their systems."""
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 from ..base.configurations import Size

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/quality.md: how good the disparity maps are, measured by `stereo_hls evaluate`."""
 
+from __future__ import annotations
+
 import os
 import tempfile
 from collections.abc import Iterable

@@ -2,6 +2,8 @@
 """The page about one demo: what the disparity map, the co-simulations, the synthesis and the implementation gave, what
 others have published, and the command that prints each number again."""
 
+from __future__ import annotations
+
 import shlex
 from collections.abc import Callable
 from pathlib import Path

@@ -2,6 +2,8 @@
 """Parameter study: `stereo_hls evaluate` of many choices of options on some pairs, beside what each costs in
 hardware."""
 
+from __future__ import annotations
+
 import csv
 import io
 import itertools

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The quality-cost front of a parameter study: as a picture and as a short table."""
 
+from __future__ import annotations
+
 import io
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -114,7 +116,7 @@ def _frame(axis: plots.Axis) -> None:
     axis.margins(x=0.14, y=0.12)
 
 
-def tables(table: list[Row], key: str, title: str) -> "list[Table]":
+def tables(table: list[Row], key: str, title: str) -> list[Table]:
     """The front of each range, and the best choices whose cost is not known."""
     made = [_front_table(table, key, title, disparities) for disparities in sorted({r["disparities"] for r in table})]
     absent = sorted((row for row in table if row["luts"] is None), key=lambda row: _worst_last(row[key]))
@@ -127,7 +129,7 @@ def tables(table: list[Row], key: str, title: str) -> "list[Table]":
     return made
 
 
-def _front_table(table: list[Row], key: str, title: str, disparities: int) -> "Table":
+def _front_table(table: list[Row], key: str, title: str, disparities: int) -> Table:
     heading = f"Worth their LUTs, {disparities} disparities: any better one costs more. {title}"
     made = _table(heading, "LUT4", "they are", "better for each 1,000 LUT4")
     before = None
@@ -147,7 +149,7 @@ def _start(row: Row, key: str) -> tuple[str, str, str]:
     return row["title"], number(row[key], 2), number(row["density_percent"], 1)
 
 
-def _table(heading: str, *columns: str) -> "Table":
+def _table(heading: str, *columns: str) -> Table:
     from rich.table import Table
 
     made = Table(title=heading, title_justify="left", title_style="bold")

@@ -2,6 +2,8 @@
 """What the truth of a study's pairs allows: which image can be the reference, and which pixels can count. KITTI has
 truth of the left image only."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import Protocol
 

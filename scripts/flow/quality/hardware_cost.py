@@ -8,9 +8,11 @@ each was synthesised and routed at one size, most with one option beside the pla
   absent    an option whose configuration is not measured yet
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Protocol, Union
 
 from ..base import rtl
 from ..base.configurations import Parameters
@@ -62,7 +64,7 @@ class Cost:
     missing: tuple[str, ...] = ()  # options without a measured configuration
 
 
-Feature = int | str | tuple[str | int, ...]
+Feature = Union[int, str, tuple[Union[str, int], ...]]
 Features = dict[str, Feature]
 
 

@@ -2,6 +2,8 @@
 """Evaluations that are done, one a line: a study that breaks off, or the next one over the same pairs, goes on from
 them."""
 
+from __future__ import annotations
+
 import hashlib
 from collections.abc import Iterable
 from functools import cache

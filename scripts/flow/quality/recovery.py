@@ -49,7 +49,7 @@ def measure() -> Runs:
 
 
 def means(by_seed: list[list[float]]) -> list[float]:
-    return [sum(values) / len(values) for values in zip(*by_seed, strict=True)]
+    return [sum(values) / len(values) for values in zip(*by_seed)]
 
 
 def text(runs: Runs) -> str:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """HTML pages that stand alone: templates in templates/, pictures inside, no network."""
 
+from __future__ import annotations
+
 import base64
 import re
 from pathlib import Path
@@ -25,7 +27,7 @@ def png_uri(png: bytes) -> str:
     return "data:image/png;base64," + base64.b64encode(png).decode()
 
 
-def cell(text: str) -> "Markup":
+def cell(text: str) -> Markup:
     """A table's cell as the pages in docs/ write it: `code` in back quotes, - for a number that is not known."""
     from markupsafe import Markup, escape
 

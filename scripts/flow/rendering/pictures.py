@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Maps and images as PNG of one pixel a pixel; the page enlarges them and writes scales and legends as text."""
 
+from __future__ import annotations
+
 import io
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Optional
 
 from ..base.errors import EXIT_MISSING_TOOL, FlowError
 
@@ -20,7 +22,7 @@ COLORS = "turbo"  # of disparities
 NO_RANGE = ("#f7f7f4", "#e3e3dd")  # stripes: columns that the map does not have
 REJECTED = "#262626"
 
-LegendEntry = tuple[str, str, float | None]  # (colour, label, percent)
+LegendEntry = tuple[str, str, Optional[float]]  # (colour, label, percent)
 
 
 @dataclass(frozen=True)

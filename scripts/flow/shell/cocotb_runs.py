@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A stereo_ip in GHDL under cocotb."""
 
+from __future__ import annotations
+
 import dataclasses
 import functools
 import json

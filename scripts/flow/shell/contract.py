@@ -5,6 +5,8 @@ Beats of s_axis: (data, flags), flags: bit 0 start of frame, bit 1 end of line.
 Beats of m_axis: (data, flags), flags: bit 0 start of frame, bit 1 frame error, bit 2 end of line.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The files and generics of a stereo_ip."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from pathlib import Path
 from typing import cast

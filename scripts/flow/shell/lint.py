@@ -2,6 +2,8 @@
 """Checks of the hand-written VHDL: GHDL's warnings, what only shows in the synthesised netlist, and the layout of the
 text."""
 
+from __future__ import annotations
+
 import contextlib
 import re
 import shutil

@@ -4,9 +4,10 @@ the table in docs/integration.md."""
 
 import json
 from pathlib import Path
-from typing import Any, NotRequired, TypedDict
+from typing import Any, TypedDict
 
 from ..base import markdown
+from ..base.newer_python import NotRequired
 from ..base.tools import ROOT
 
 DESCRIPTION = ROOT / "hls" / "rtl" / "registers.json"

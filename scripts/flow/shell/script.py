@@ -13,7 +13,7 @@
 
 from collections.abc import Iterable, Sequence
 from random import Random
-from typing import Literal
+from typing import Literal, Union
 
 from ..base.rtl import Setting
 from . import registers
@@ -21,16 +21,16 @@ from .broken import CASES, beats_of
 from .contract import Beat
 from .pool import Frame, Geometry
 
-Step = (
-    tuple[Literal["beat"], int, int]
-    | tuple[Literal["idle"], int]
-    | tuple[Literal["rates"], int, int]
-    | tuple[Literal["reset"], int]
-    | tuple[Literal["drain"]]
-    | tuple[Literal["write"], int, int]
-    | tuple[Literal["query"], int, int, int]
-    | tuple[Literal["level"], int]
-)
+Step = Union[
+    tuple[Literal["beat"], int, int],
+    tuple[Literal["idle"], int],
+    tuple[Literal["rates"], int, int],
+    tuple[Literal["reset"], int],
+    tuple[Literal["drain"]],
+    tuple[Literal["write"], int, int],
+    tuple[Literal["query"], int, int, int],
+    tuple[Literal["level"], int],
+]
 
 RATES = ((0, 0), (0, 0), (50, 0), (0, 50), (30, 30), (80, 20), (20, 80), (5, 0), (0, 5), (90, 0), (0, 90))
 

@@ -2,6 +2,8 @@
 """Runs under cocotb that the verification and the mutation run share: a shell whose generics are not those of its core,
 and the way of settings."""
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 from ..base.configurations import configuration

@@ -2,10 +2,12 @@
 """stereo_ip_NAME: the shell around the core of one configuration, with plain ports, as VHDL text. It stands beside the
 core in generated_rtl/ and follows from the core's manifest: no synthesis tool is needed to make it."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, Union
 
 from ..base import files, rtl
 from ..base.tools import ROOT
@@ -13,7 +15,7 @@ from ..cosim.bench import SETTING_BITS
 from ..synthesis import manifest
 from . import design, registers
 
-Generics = Mapping[str, int | str]
+Generics = Mapping[str, Union[int, str]]
 
 
 class Port(NamedTuple):

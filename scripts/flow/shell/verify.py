@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The whole verification of stereo_ip: many random frames in Verilator, all scenarios under cocotb in GHDL."""
 
+from __future__ import annotations
+
 import json
 import random
 import time
@@ -8,7 +10,6 @@ import xml.etree.ElementTree as xml
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field, replace
-from itertools import pairwise
 from pathlib import Path
 
 from ..base import files, rtl
@@ -193,7 +194,7 @@ class Verification:
             self._broken_smaller_frames(player, parameters)
         self._summarise(suite, self.cases[first:])
 
-    def _broken_smaller_frames(self, player: "_Player", parameters: Parameters) -> None:
+    def _broken_smaller_frames(self, player: _Player, parameters: Parameters) -> None:
         """All broken streams at the size, below the largest, of which there are the most frames."""
         sizes = Counter(frame.geometry for frame in player.frames if frame.geometry != player.geometry)
         geometry = sizes.most_common(1)[0][0]
@@ -205,12 +206,12 @@ class Verification:
             rng = random.Random(f"{self.seed} {player.suite} {name}")
             smaller.play(f"smaller {name}", [*before, *script.broken(rng, same, geometry, name, 3)], self.seed)
 
-    def _full_speed(self, player: "_Player", parameters: Parameters) -> None:
+    def _full_speed(self, player: _Player, parameters: Parameters) -> None:
         geometry = player.geometry
         steps = script.send([beat for frame in player.frames[:4] for beat in beats_of(frame, geometry)])
         case, observation = player.play("full speed", steps, self.seed)
         starts = [clock for _, flags, clock in observation.segments[-1] if flags & RESULT_START]
-        periods = sorted(b - a for a, b in pairwise(starts))
+        periods = sorted(b - a for a, b in zip(starts, starts[1:]))
         due = geometry.groups + parameters["gap_groups"]
         # At most two frames are inside: short ones wait until the one before the last has left.
         way = parameters["flush_groups"] + parameters["latency_clocks"]

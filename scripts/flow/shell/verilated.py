@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A stereo_ip in Verilator: for thousands of frames."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Timing diagrams as SVG, drawn from what a simulation recorded: one value for each signal and clock."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 from xml.sax.saxutils import escape

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes generated_rtl/FAMILY/NAME/ from the C++: Bambu, lowering, naming, VHDL, manifest."""
 
+from __future__ import annotations
+
 import shutil
 import tempfile
 import textwrap

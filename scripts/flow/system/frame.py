@@ -2,6 +2,8 @@
 """One whole frame of a system in Verilator: a pair as two calibrated cameras would see it, not rectified, and the
 depths of the software pipeline for it. The latency of its rows comes out of the same run."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple

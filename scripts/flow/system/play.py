@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A camera_system in Verilator or GHDL: tables and two cameras' streams in, frames of depths out."""
 
+from __future__ import annotations
+
 import random
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """examples/camera_system/camera_system_NAME.json: what a system was measured with, and what it gave."""
 
+from __future__ import annotations
+
 import json
 from pathlib import Path
-from typing import NotRequired, TypedDict, cast
+from typing import TypedDict, cast
 
 from ..base import files, json_files, rtl
 from ..base.errors import EXIT_MISMATCH, FlowError
+from ..base.newer_python import NotRequired
 from ..base.tools import ROOT
 from ..implementation.record import Result
 from ..synthesis import manifest

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is printed of a system's results."""
 
+from __future__ import annotations
+
 from ..implementation import figures, job
 from . import pipeline, record
 from .template import System

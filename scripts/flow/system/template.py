@@ -3,6 +3,8 @@
 the shell that every matching core has. The shell takes the three for one core: a pair in gives a depth, later by the
 clocks of all, and as many more groups bring out the last rows."""
 
+from __future__ import annotations
+
 from pathlib import Path
 from typing import NamedTuple, cast
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Passes after which a netlist has less of the same: no register twice, nothing that no output needs."""
 
+from __future__ import annotations
+
 from .expressions import Node, walk
 from .netlist import Memory, Netlist, Register
 

@@ -4,6 +4,8 @@
 Control signals are leaves of the operation `control` in it, until the pass of control.py takes them away.
 """
 
+from __future__ import annotations
+
 import re
 from collections.abc import Mapping
 

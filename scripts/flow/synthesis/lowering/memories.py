@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Passes that give each memory whole words, no wider than what is read, and one register that takes them."""
 
+from __future__ import annotations
+
 from .expressions import Node, leaf, shift_right, wrap
 from .netlist import Netlist, Register
 from .readers import read_width, readers_of

@@ -8,6 +8,8 @@ never rises, may yet differ elsewhere: for them the registers around decide.
 The same run compares the outputs: a netlist that differs from the C++ in one bit of one clock never becomes VHDL.
 """
 
+from __future__ import annotations
+
 from itertools import takewhile
 from pathlib import Path
 

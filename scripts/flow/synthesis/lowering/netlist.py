@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The design between reading and writing: inputs, outputs, registers and memories, joined by expressions."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Who reads a leaf, and how much of it; the pass that drops the bits of registers that nobody reads."""
 
+from __future__ import annotations
+
+from typing import Optional
+
 from .expressions import Node, leaf, walk, wrap
 from .netlist import Netlist
 
-Readers = dict[int, list[Node | None]]  # of a leaf's id: the expressions around it, None where it stands alone
+Readers = dict[int, list[Optional[Node]]]  # of a leaf's id: the expressions around it, None where it stands alone
 
 
 def readers_of(netlist: Netlist) -> Readers:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which registers a reset must set."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError

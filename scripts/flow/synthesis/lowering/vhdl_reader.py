@@ -4,11 +4,13 @@
 Only the shapes that the tool writes are understood; anything else is an error that quotes it.
 """
 
+from __future__ import annotations
+
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NoReturn
+from typing import NoReturn, Union
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 
@@ -16,7 +18,7 @@ _NAME = r"\\[^\\]+\\|\w+"
 
 
 Part = tuple[int, int, str]  # (high, low, actual) of a formal that is connected in parts
-Actual = str | list[Part]
+Actual = Union[str, list[Part]]
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sums, products, magnitudes and left shifts."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 from .node import Node, const, is_const, make_node

@@ -2,9 +2,10 @@
 """Words and conditions: wrapping, right shifts, choices, comparisons and bit operations. They stand in one file because
 each simplifies with the help of the others."""
 
+from __future__ import annotations
+
 import operator
 from collections.abc import Callable, Iterable
-from itertools import pairwise
 from typing import NamedTuple
 
 from .arithmetic import add, disjoint_ones, folded, mul, positive, shift_left, sub
@@ -200,7 +201,7 @@ def _joined_bits(node: Node) -> Node:
     for tests in words.values():
         tests.sort(key=lambda test: test[0].low)
         fields = [field for field, _ in tests]
-        if len(fields) > 1 and all(a.end == b.low for a, b in pairwise(fields)):
+        if len(fields) > 1 and all(a.end == b.low for a, b in zip(fields, fields[1:])):
             others.append(_equals_all(fields))
             joined = True
         else:

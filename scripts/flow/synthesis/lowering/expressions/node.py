@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """The node of an expression, constants and leaves."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
+from typing import Union
 
 # What an operation has beside its arguments: the number of a constant, the name of a leaf, the places of a shift,
 # (width, signed) of a wrap, the width of a bit operation on words. None of a bit operation on single bits, and of all
 # others.
-Parameter = int | str | tuple[int, bool] | None
+Parameter = Union[int, str, tuple[int, bool], None]
 
 
 class Node:
     __slots__ = ("args", "high", "low", "ones", "op", "param")
 
     def __init__(
-        self, op: str, args: tuple["Node", ...], param: Parameter, low: int, high: int, ones: int | None
+        self, op: str, args: tuple[Node, ...], param: Parameter, low: int, high: int, ones: int | None
     ) -> None:
         self.op, self.args, self.param = op, args, param
         self.low, self.high = low, high  # least and greatest value
