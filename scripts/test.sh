@@ -2,18 +2,26 @@
 # SPDX-License-Identifier: Apache-2.0
 # Sets everything up and runs the tests, as many at a time as there are processors.
 #   scripts/test.sh [OPTION...]
-#   OPTION  of ctest: -L unit, -L cosim, -L synth, -L slow, -R NAME ... Without: all but the tests labelled `slow`
+#   OPTION  of ctest: -L unit, -L cosim, -L synth, -R NAME ... Tests labelled `slow` run only where a label of -L names
+#           them, as in -L slow, or where -LE says which ones do not: -LE none runs all
 set -euo pipefail
 case "${1:-}" in
    --help | -h)
-      sed -n '3,5s/^# //p' "$0"
+      sed -n '3,6s/^# //p' "$0"
       exit 0
       ;;
 esac
 cd "$(dirname "$0")/.."
 export STEREO_PRESET=${STEREO_PRESET:-release}
 ./scripts/setup.sh
-[ $# -gt 0 ] || set -- -LE slow
+slow=no before=
+for option in "$@"; do
+   case "$before $option" in
+      "-L "*slow* | "--label-regex "*slow* | *" --label-regex="*slow* | *" -LE" | *" --label-exclude"*) slow=yes ;;
+   esac
+   before=$option
+done
+[ "$slow" = yes ] || set -- "$@" -LE slow
 export STEREO_SKIPPED=$PWD/build/$STEREO_PRESET/skipped_cases.txt
 rm -f "$STEREO_SKIPPED"
 # Tests start the commands many times, each faster where Python keeps what it has compiled; not beside the sources.

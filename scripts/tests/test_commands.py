@@ -215,6 +215,34 @@ def test_shell_scripts_refuse_unknown_options():
     refused(call("fuzz.sh", "--seconds", "0"), 2, "--seconds")
 
 
+@pytest.mark.parametrize(
+    "options, with_slow",
+    [
+        ([], False),
+        (["-R", "slow_name"], False),
+        (["-L", "cosim"], False),
+        (["--label-regex", "unit", "-R", "kit"], False),
+        (["-L", "slow"], True),
+        (["-R", "name", "-L", "cosim|slow"], True),
+        (["--label-regex=slow"], True),
+        (["-LE", "none"], True),
+        (["--label-exclude", "unit"], True),
+    ],
+)
+def test_slow_tests_run_only_where_their_label_is_named(tmp_path, options, with_slow):
+    """ctest is a stand-in that shows its options."""
+    (tmp_path / "scripts").mkdir()
+    shutil.copy(ROOT / "scripts" / "test.sh", tmp_path / "scripts")
+    for path, text in (("scripts/setup.sh", "exit 0"), ("ctest", 'printf "%s\\n" "$@"')):
+        (tmp_path / path).write_text(f"#!/bin/sh\n{text}\n")
+        (tmp_path / path).chmod(0o755)
+    environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    words = [tmp_path / "scripts" / "test.sh", *options]
+    process = subprocess.run(words, capture_output=True, text=True, env=environment, check=True)
+    given = process.stdout.splitlines()
+    assert given[given.index("-j") + 2 :] == options + ([] if with_slow else ["-LE", "slow"])
+
+
 def test_fuzzing_needs_the_sanitizers_of_its_compiler(tmp_path):
     compiler = tmp_path / "clang++-16"
     compiler.write_text("#!/bin/sh\nexit 1\n")

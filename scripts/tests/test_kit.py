@@ -169,6 +169,13 @@ def test_refuses(tmp_path, options, words):
     assert [path.name for path in tmp_path.rglob("*")] == ["FULL", "file"]
 
 
+def test_fusesoc_finds_one_core_here():
+    """A template is none: FuseSoC would warn of it in every search."""
+    folders = [ROOT, *(ROOT / name for name in ("scripts", "hls", "generated_rtl", "examples", "hls_tb"))]
+    found = [path for folder in folders for path in (folder.glob if folder == ROOT else folder.rglob)("*.core")]
+    assert [path.name for path in found] == ["stereo_hls.core"]
+
+
 def test_takes_an_empty_folder(tmp_path):
     (tmp_path / "kit").mkdir()
     kits.make(tmp_path / "kit", "vivado", "tiny")

@@ -8,7 +8,7 @@ from .subject import GENERIC, LIBRARY, Subject
 def core(subject: Subject, sources: list[str], bench: str) -> str:
     """TOP.core. `sources`: in compile order, the top last."""
     return fill(
-        "kit.core",
+        "core.yml",
         config=subject.config,
         library=LIBRARY,
         top=subject.top,
