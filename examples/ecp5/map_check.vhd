@@ -51,7 +51,10 @@ begin
         end if;
         if beats = map_px - 1 then
           beats <= 0;
-          good <= '1' when frame_hits >= map_px - map_px / 4 and tuser(1) = '0' else '0';
+          good <= '0';
+          if frame_hits >= map_px - map_px / 4 and tuser(1) = '0' then
+            good <= '1';
+          end if;
           frame_count <= frame_count + 1;
         end if;
       end if;

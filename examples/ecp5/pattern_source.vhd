@@ -49,9 +49,15 @@ begin
         row <= bits(7 downto 0) & row(0 to shift - 1);
       end if;
       if running = '1' and tready = '1' then
-        column <= 0 when column = width_px - 1 else column + 1;
-        if column = width_px - 1 then
-          line_number <= 0 when line_number = height_px - 1 else line_number + 1;
+        if column /= width_px - 1 then
+          column <= column + 1;
+        else
+          column <= 0;
+          if line_number /= height_px - 1 then
+            line_number <= line_number + 1;
+          else
+            line_number <= 0;
+          end if;
         end if;
       end if;
       if reset = '1' then

@@ -9,8 +9,8 @@ use std.textio.all;
 
 entity tb_stereo_core is
   generic (
-    stimulus_file : string;
-    observed_file : string
+    stimulus_file : string := "";
+    observed_file : string := ""
   );
 end entity;
 

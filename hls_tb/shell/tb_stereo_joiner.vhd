@@ -13,13 +13,13 @@ use std.textio.all;
 
 entity tb_stereo_joiner is
   generic (
-    stimulus_file : string;
-    observed_file : string;
-    width_px : positive;
-    height_px : positive;
-    depth : positive;
-    pixel_bits : positive;
-    lane_bits : positive
+    stimulus_file : string := "";
+    observed_file : string := "";
+    width_px : positive := 8;
+    height_px : positive := 4;
+    depth : positive := 16;
+    pixel_bits : positive := 8;
+    lane_bits : positive := 8
   );
 end entity;
 

@@ -10,8 +10,8 @@ use std.textio.all;
 
 entity tb_camera_system is
   generic (
-    stream_file : string;
-    observed_file : string
+    stream_file : string := "";
+    observed_file : string := ""
   );
 end entity;
 

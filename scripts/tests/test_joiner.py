@@ -343,7 +343,7 @@ FAULTS = {
         "alike <= starts when left_start = '1' or right_start = '1' else joined;",
         "alike <= '1';",
     ),
-    "lines are joined by their pixels only": ("stereo_joiner", "(left_end xnor right_end)", "'1'"),
+    "lines are joined by their pixels only": ("stereo_joiner", "not (left_end xor right_end)", "'1'"),
     "a lost frame is not noticed": ("camera_queue", "full := takes and stored >= depth - 1;", "full := false;"),
     "a start of frame is dropped with the frame before": (
         "camera_queue",
