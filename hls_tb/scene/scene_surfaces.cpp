@@ -181,8 +181,8 @@ std::vector<Surface> arrange_surfaces(int width, int height, int disparities, ui
       const bool ball = (i + first_lane) % 2 == 0;
       const double aspect = ball ? 1 : random.between(1.0, 1.7);
       const Motion motion(Random(mix_bits(seed) + uint64_t(i)));
-      add(ground.moving(ball ? Shape::disc : Shape::box, x, size, aspect, depth, motion, frame),
-          random.between(0.35, 0.9), random.between(0.45, 0.7));
+      const double contrast = random.between(0.45, 0.7), brightness = random.between(0.35, 0.9);
+      add(ground.moving(ball ? Shape::disc : Shape::box, x, size, aspect, depth, motion, frame), brightness, contrast);
    }
    if (frame >= kNewObjectFrames) {
       const uint64_t number = uint64_t(frame / kNewObjectFrames), its_seed = mix_bits(mix_bits(seed) - number);

@@ -155,7 +155,8 @@ TYPED_TEST(SubpixelTest, IsTheFormula) {
    for (int i = 0; i < 50000; ++i) {
       const int cost = bench.random.below(most + 1), rest = most - cost + 1;
       const int ends[] = {0, 1, 254, 255}, d = i % 5 == 4 ? bench.random.below(256) : ends[i % 5];
-      clock(d, cost, bench.random.below(rest), bench.random.below(rest));
+      const int v = bench.random.below(rest), u = bench.random.below(rest);
+      clock(d, cost, u, v);
    }
    for (const int u : {0, 1, most - 1, most})
       for (const int v : {0, 1, most - 1, most}) clock(100, 0, u, v);

@@ -270,7 +270,8 @@ TEST(ReferenceOptions, APartOfTheRangeIsARangeOfItsOwn) {
       part.first_disparity = 0;
       part.last_disparity = -1;
       part.left_right_threshold = std::min(whole.left_right_threshold, part.disparities - 1);
-      const ImagePair pair = random_pair(24, 6, random.bits(), 2 + random.below(20));
+      const int levels = 2 + random.below(20);
+      const ImagePair pair = random_pair(24, 6, random.bits(), levels);
       const DisparityMap of_whole = match_reference(pair.left, pair.right, whole);
       const DisparityMap of_part = match_reference(pair.left, pair.right, part);
       const int step = whole.subpixel ? 16 : 1;
@@ -292,7 +293,8 @@ TEST(ReferenceOptions, FullWidthIsTheSameWhereAllDisparitiesFit) {
       matching.min_disparity = random.below(9) - 4;
       matching.reference = random.percent(50) ? Reference::left : Reference::right;
       matching.subpixel = random.percent(50);
-      const ImagePair pair = random_pair(24, 7, random.bits(), 2 + random.below(20));
+      const int levels = 2 + random.below(20);
+      const ImagePair pair = random_pair(24, 7, random.bits(), levels);
       const DisparityMap inner = match_reference(pair.left, pair.right, matching);
       const int inner_first = map_first_column(matching);
       matching.full_width = true;

@@ -221,8 +221,8 @@ TEST(FastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
       block_matching::Matching parameters = scaled(random_deep_parameters(random, width), bits);
       if (random.percent(50)) parameters.prefilter_cap = 1 + random.below(63 << (bits - 8));
       if (parameters.has_texture_check()) parameters.texture_threshold = std::max(1, parameters.prefilter_cap);
-      const DeepPair pair =
-          random_deep_pair(width, height, random.bits(), bits, random.percent(50) ? 1 << bits : 2 + random.below(4));
+      const int levels = random.percent(50) ? 1 << bits : 2 + random.below(4);
+      const DeepPair pair = random_deep_pair(width, height, random.bits(), bits, levels);
       ASSERT_TRUE(
           same_map(match_reference(pair.left, pair.right, parameters), match_fast(pair.left, pair.right, parameters)))
           << width << 'x' << height << " bits=" << bits << ' ' << text_of(parameters);

@@ -65,8 +65,8 @@ TEST(PhaseCorrelationFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
       const int width = 4 + random.below(70), height = 1 + random.below(40), bits = random.percent(50) ? 10 : 12;
       Matching matching = random_options(random, width);
       matching.pixel_bits = bits;
-      const DeepPair pair =
-          random_deep_pair(width, height, random.bits(), bits, random.percent(50) ? 1 << bits : 2 + random.below(4));
+      const int levels = random.percent(50) ? 1 << bits : 2 + random.below(4);
+      const DeepPair pair = random_deep_pair(width, height, random.bits(), bits, levels);
       ASSERT_TRUE(same_map(match_reference(pair.left, pair.right, matching),
                            match_fast(pair.left, pair.right, matching, 1 + random.below(3))))
           << i << ": " << width << 'x' << height << ' ' << describe(matching);

@@ -98,8 +98,8 @@ TEST(SemiGlobalFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
    for (int i = 0; i < 300; ++i) {
       const int width = 3 + random.below(90), height = 1 + random.below(24), bits = random.percent(50) ? 10 : 12;
       const Matching matching = random_deep_options(random, width, bits);
-      const DeepPair pair =
-          random_deep_pair(width, height, random.bits(), bits, random.percent(50) ? 1 << bits : 2 + random.below(4));
+      const int levels = random.percent(50) ? 1 << bits : 2 + random.below(4);
+      const DeepPair pair = random_deep_pair(width, height, random.bits(), bits, levels);
       ASSERT_TRUE(same_map(match_reference(pair.left, pair.right, matching),
                            match_fast(pair.left, pair.right, matching, 1 + random.below(3))))
           << width << 'x' << height << ' ' << text_of(matching);

@@ -64,8 +64,8 @@ TEST(TrellisFastModel, EqualsTheReferenceWithPixelsOf10And12Bits) {
       matching.pixel_bits = bits;
       matching.prefilter_cap = 1 + random.below(63 << (bits - 8));
       if (matching.cost == Cost::ssd) matching.window_px = std::min(matching.window_px, 11);
-      const DeepPair pair =
-          random_deep_pair(width, height, random.bits(), bits, random.percent(50) ? 1 << bits : 2 + random.below(4));
+      const int levels = random.percent(50) ? 1 << bits : 2 + random.below(4);
+      const DeepPair pair = random_deep_pair(width, height, random.bits(), bits, levels);
       ASSERT_TRUE(same_map(match_reference(pair.left, pair.right, matching),
                            match_fast(pair.left, pair.right, matching, 1 + random.below(3))))
           << i << ": " << width << 'x' << height << ' ' << describe(matching);
