@@ -5,6 +5,7 @@ operator, where C++ leaves their order open. Between braces it is fixed."""
 import hashlib
 import re
 import subprocess
+from bisect import bisect_left
 
 import pytest
 
@@ -74,10 +75,11 @@ def without_blocks(text):
 def places(text, drawing=frozenset()):
     """Lines with two draws whose order is open. `drawing`: functions that draw."""
     text = plain(text)
-    draw = re.compile("|".join([DRAW, *(rf"\b{name}\s*\(" for name in drawing)]))
+    draw = re.compile(rf"{DRAW}|\b(?:{'|'.join(drawing) or '$.'})\s*\(")
+    draws = [match.start() for match in draw.finditer(text)]
     found = set()
     for start, end in groups(text):
-        if not draw.search(text, start, end):
+        if bisect_left(draws, end) - bisect_left(draws, start) < 2:
             continue
         called = (
             re.search(r"(\w+|>)\s*$", text[max(start - 80, 0) : start - 1]) if text[start - 1 : start] == "(" else None
@@ -85,7 +87,7 @@ def places(text, drawing=frozenset()):
         lists = [split(text, start, end, COMMA)] if called and called[1] not in NO_CALLS else []
         lists += [split(text, *piece, UNORDERED) for piece in split(text, start, end, ORDERED)]
         for parts in lists:
-            drawn = [draw.search(without_blocks(text[begin:stop])) for begin, stop in parts]
+            drawn = [draw.search(without_blocks(text[begin:stop])) for begin, stop in parts if len(parts) > 1]
             if sum(map(bool, drawn)) > 1:
                 found.add(text.count("\n", 0, parts[0][0]) + 1)
     return sorted(found)
